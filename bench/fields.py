@@ -2,8 +2,8 @@
 
 N robots drive straight ahead in an area of 300 m by 300 m with a field of 10 cm cells. The figures
 are the times of what is done for the field in a timestep of all robots: the requests SMELL (each
-measures with both antennae), the trails, and the end of the timestep with its new tiles; and the
-memory of the tiles.
+measures with both antennae), less the time of a request without work (MESSAGE_COUNT); the trails,
+with the end of the timestep and its new tiles; and the memory of the tiles.
 
     python bench/fields.py [--robots N] [--timesteps T]
 """
@@ -89,6 +89,8 @@ def main() -> None:
     times = []
     for timestep in range(given.timesteps + WARM_UP):
         began = time.process_time()
+        post(environment, "MESSAGE_COUNT")
+        posted = time.process_time()
         post(environment, "SMELL", (0, 0))
         smelled = time.process_time()
         state = environment.state
@@ -101,11 +103,15 @@ def main() -> None:
         board._glands.end_cycle(state, constants, environment.time_s)
         board.fields.end_cycle(state)
         if timestep >= WARM_UP:
-            times.append((smelled - began, time.process_time() - laying))
-    smell_ms, lay_ms = (1000 * statistics.median(column) for column in zip(*times, strict=True))
+            times.append((posted - began, smelled - posted, time.process_time() - laying))
+    post_ms, smell_ms, lay_ms = (
+        1000 * statistics.median(column) for column in zip(*times, strict=True)
+    )
     tiles = state.fields.used
-    print(f"{given.robots} robots: smelling {smell_ms:.2f} ms, laying {lay_ms:.2f} ms a timestep,")
-    print(f"  {smell_ms + lay_ms:.2f} ms in all; {tiles} tiles, {tiles * 520 / 2**20:.1f} MiB")
+    print(
+        f"{given.robots} robots: a request {post_ms:.2f} ms; smelling {smell_ms - post_ms:.2f} ms"
+    )
+    print(f"  more; laying {lay_ms:.2f} ms; {tiles} tiles, {tiles * 520 / 2**20:.1f} MiB")
 
 
 if __name__ == "__main__":

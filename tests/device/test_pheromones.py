@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+import crs_cc
+from crs_cc.sim.files.world_xml import parse_world
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 
@@ -89,3 +91,33 @@ def test_robot_without_gland_and_antennae_is_refused():
     more = "+ crs_smell_gradient(0, &a, &b) + (crs_smell(0, 0) != -1.0);"
     things = '<robot x="0" y="0"/><field name="trail"/>'
     assert drive(program + more, things=things, area=AREA).status == 0
+
+
+def test_runs_are_the_same_in_any_number_of_threads(tmp_path):
+    """Eight robots deposit in the same cells, and steer by what they smell."""
+    program = tmp_path / "swarm.c"
+    program.write_text("""
+        #include "Nclient.h"
+        #include "crs.h"
+        int main(void)
+        {
+            int step;
+            connect_robot(1);
+            crs_lay_trail(0, 50.0);
+            for (step = 0; step < 20; step++) {
+                crs_deposit(0, 0.1 * (1 + crs_my_number()));
+                vm(60 + (int)crs_smell(0, 0), 60 + (int)crs_smell(0, 1), 0);
+            }
+            return 0;
+        }
+    """)
+    robot = scout_with(tmp_path, "<gland/><antennae/>")
+    robots = "".join(f'<robot x="{-2 + n % 4}m" y="{n // 4}m"/>' for n in range(8))
+    field = '<field name="trail" cell="2m" evaporation="1s"/>'
+    text = f'<world version="1"><area {AREA}/>{field}{robots}</world>'
+    world = parse_world(text.encode(), "test", "", robot)
+    runs = [crs_cc.Session(world, program, threads=threads) for threads in (1, 2)]
+    for run in runs:
+        run.run(until_s=1.0)
+    assert runs[0].field("trail").max() > 5
+    assert runs[0].state_hash() == runs[1].state_hash()

@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 from crs_cc.api.session import Session
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.world.edits import edit
 from crs_cc.requests import CODES, MESSAGE
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import parse_world
@@ -178,6 +180,17 @@ def test_new_evaporation_time_keeps_what_lies_there(world):
     assert amounts(driver.environment)[0] == pytest.approx(before, abs=2 * UNIT)
     driver.run(10)
     assert amounts(driver.environment)[0] == pytest.approx(before * np.exp(-1.0), abs=4 * UNIT)
+
+
+def test_evaporation_time_is_changed_by_a_command(world):
+    environment = Driver.of(world()).environment
+    assert edit(environment, "evaporate trail 500ms") == "field trail evaporates in 500ms now"
+    assert environment.state.fields.evaporation_s.tolist() == [0.5]
+    edit(environment, "evaporate trail never")
+    assert environment.state.fields.evaporation_s.tolist() == [np.inf]
+    for text in ("evaporate trail 50ms", "evaporate scent 1s", "evaporate trail"):
+        with pytest.raises(DebugError):
+            edit(environment, text)
 
 
 def swarm() -> str:

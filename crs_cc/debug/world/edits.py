@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.core.quantity import ANGLE, HEAT
+from crs_cc.core.quantity import ANGLE, HEAT, TIME
 from crs_cc.core.source import Diagnostics
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
@@ -30,6 +30,7 @@ from crs_cc.debug.world.steering_edits import STEERING
 from crs_cc.sim.files.degradation_elements import degradation
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.degradation import Degradation, degradables, described
+from crs_cc.sim.model.fields import NEVER_S, SHORTEST_EVAPORATION_S
 from crs_cc.sim.model.world import Pose, Robot
 
 if TYPE_CHECKING:
@@ -247,6 +248,18 @@ def _heat(environment: Environment, words: Words) -> str:
     return f"{name} has a heat of {heat:g} now"
 
 
+def _evaporate(environment: Environment, words: Words) -> str:
+    if len(words) != 2:
+        raise _wrong_words("evaporate")
+    evaporation_s = NEVER_S if words[1] == "never" else TIME.parse(words[1])
+    if evaporation_s < SHORTEST_EVAPORATION_S:
+        raise ValueError(
+            f"the evaporation time must be {TIME.show(SHORTEST_EVAPORATION_S)} or more"
+        )
+    environment.set_evaporation(words[0], evaporation_s)
+    return f"field {words[0]} evaporates in {words[1]} now"
+
+
 EDITS: Final = {
     "move": Edit(
         "NAME to X Y [HEADING]",
@@ -283,6 +296,9 @@ EDITS: Final = {
         "ROBOT PERCENT", "Set the state of charge of a robot's motor battery.", "", _charge
     ),
     "heat": Edit("NAME HEAT", "Set the heat of a robot or an object.", "", _heat),
+    "evaporate": Edit(
+        "FIELD TIME", "Set the evaporation time of a pheromone field, or `never`.", "", _evaporate
+    ),
     **STEERING,
     **MESSAGES,
 }

@@ -150,7 +150,7 @@ class Fields:
         fields = state.fields
         if not len(fields.deposit):
             return
-        order = np.argsort(fields.deposit_cell, kind="stable")
+        order = np.argsort(fields.deposit_cell)
         cells, deposit = fields.deposit_cell[order], fields.deposit[order]
         fields.deposit_cell, fields.deposit = cells[:0].copy(), deposit[:0].copy()
         first = np.flatnonzero(np.diff(cells, prepend=-1))

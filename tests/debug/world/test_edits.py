@@ -108,7 +108,7 @@ def test_charge_heat_and_links_are_changed() -> None:
         ("degrade c sonar dead", "unknown robot 'c' (known: a, b)"),
         (
             "degrade a sonra dead",
-            "device: unknown device 'sonra' (known: altitude, arm, battery",
+            "device: unknown device 'sonra' (known: altitude, antennae, arm",
         ),
         ("degrade a sonar.16 dead", "element: unknown '16' of sonar (known: 0 to 15)"),
         ("degrade a compass dead", "the robot has no compass"),

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray
+from crs_cc.core.arrays import BoolArray, FloatArray, all_of
 from crs_cc.core.quantity import AMOUNT, ANGLE, LENGTH
 from crs_cc.requests import device_request
 from crs_cc.requests.request import fields
@@ -36,6 +36,7 @@ from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.fields import MAX_FIELDS
 from crs_cc.sim.model.robot import devices_of
+from crs_cc.sim.state.rows import ALL, simplest, take
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.installed import Installed
@@ -107,14 +108,17 @@ class _AllAntennae:
         found = devices_of([robot.model for robot in world.robots], row.name)
         models: list[Antennae] = [model for model in found if model is not None]
         self._numbers = np.array([model.number for model in models], dtype=np.intp)
-        self._most = int(self._numbers.max(initial=1))
-        self._ends_m = np.zeros((len(models), self._most, 2))
-        self._weights = np.zeros((len(models), self._most, 2))
+        most = int(self._numbers.max(initial=1))
+        # Missing antennae end nowhere, where nothing is smelled.
+        self._ends_m = np.full((most, 2, len(models)), np.nan)
+        self._weights = np.zeros((most, 2, len(models)))
         for number, model in enumerate(models):
             ends_m = model.ends_m()
-            self._ends_m[number, : model.number] = ends_m
-            self._weights[number, : model.number] = plane_weights(ends_m)
-        self._sensor = Sensor(row, world, seed, self.measure, _WIDTH, missing=0.0)
+            self._ends_m[: model.number, :, number] = ends_m
+            self._weights[: model.number, :, number] = plane_weights(ends_m)
+        width = _MOST * max(len(self._fields.names), 1)
+        self._sensor = Sensor(row, world, seed, self.measure, width, missing=0.0)
+        self._thresholds = bool(self._sensor.settings["threshold"].any())
 
     def installed(self) -> Installed:
         """Return the antennae with the handler of their request."""
@@ -122,19 +126,19 @@ class _AllAntennae:
 
     def measure(self, now: Measurement) -> FloatArray:
         """Return the amounts at the ends of antennae, (k, 16)."""
-        mine = now.constants.numbers["antennae"][now.rows]
+        mine = simplest(now.constants.numbers["antennae"][now.rows], len(self._numbers))
         x_m, y_m, heading_rad = mount_poses(now.state, now.constants, now.rows).T
         ahead = exact.turn(heading_rad)
         amounts = np.zeros((len(now.rows), _WIDTH))
-        for antenna in range(self._most):
-            has = np.flatnonzero(self._numbers[mine] > antenna)
-            ahead_m, left_m = self._ends_m[mine[has], antenna].T
-            end_x_m = x_m[has] + (ahead.real[has] * ahead_m - ahead.imag[has] * left_m)
-            end_y_m = y_m[has] + (ahead.imag[has] * ahead_m + ahead.real[has] * left_m)
+        for antenna, ends_m in enumerate(self._ends_m):
+            ahead_m, left_m = (take(each, mine) for each in ends_m)
+            end_x_m = x_m + (ahead.real * ahead_m - ahead.imag * left_m)
+            end_y_m = y_m + (ahead.imag * ahead_m + ahead.real * left_m)
             for field in range(len(self._fields.names)):
                 smelled = self._fields.read(now.state, field, end_x_m, end_y_m)
-                amounts[has, _MOST * field + antenna] = smelled
-        amounts[amounts < now.settings["threshold"][:, None]] = 0.0
+                amounts[:, _MOST * field + antenna] = smelled
+        if self._thresholds:
+            amounts[amounts < now.settings["threshold"][:, None]] = 0.0
         return amounts
 
     def smell(self, context: RequestContext) -> BoolArray:
@@ -145,15 +149,18 @@ class _AllAntennae:
         good &= (antenna >= 0) & (antenna < self._numbers[mine])
         has[has] = good
         mine, field, antenna = mine[good], field[good], antenna[good]
-        readings = np.maximum(self._sensor.readings(context.state).value, 0.0)
-        ahead, left = np.zeros(len(mine)), np.zeros(len(mine))
-        for number in range(self._most):
-            reading = readings[mine, _MOST * field + number]
-            ahead += self._weights[mine, number, 0] * reading
-            left += self._weights[mine, number, 1] * reading
-        context.put("amount", readings[mine, _MOST * field + antenna], has)
-        context.put("ahead", ahead, has)
-        context.put("left", left, has)
+        readings = self._sensor.readings(context.state).value.ravel()
+        first = mine * _WIDTH + _MOST * field
+        where = ALL if all_of(has) else has
+        context.put("amount", np.maximum(readings[first + antenna], 0.0), where)
+        wants = np.flatnonzero(context["gradient"][has])
+        if len(wants):
+            gradient = np.zeros((2, len(mine)))
+            for number, weights in enumerate(self._weights):
+                smelled = np.maximum(readings[first[wants] + number], 0.0)
+                gradient[:, wants] += weights[:, mine[wants]] * smelled
+            context.put("ahead", gradient[0], where)
+            context.put("left", gradient[1], where)
         return has
 
 
@@ -185,6 +192,7 @@ DEVICE = Device(
             fields(
                 ("field", "i[0]", "1", "the number of the field"),
                 ("antenna", "i[1]", "1", "the antenna, from 0"),
+                ("gradient", "i[2]", "1", "1 for the gradient, too"),
             ),
             results=fields(
                 ("amount", "f[0]", "1", "the amount"),

@@ -12,7 +12,7 @@ int crs_smell_gradient(int field, double *ahead, double *left)
 {
     struct __crs_message message;
 
-    if (!__crs_ask_device(CRS_SMELL, &message, field, 0, 0, 0))
+    if (!__crs_ask_device(CRS_SMELL, &message, field, 0, 1, 0))
         return 0;
     *ahead = message.f[1];
     *left = message.f[2];

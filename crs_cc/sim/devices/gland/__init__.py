@@ -29,6 +29,7 @@ from crs_cc.sim.model.attribute import attribute
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.robot import devices_of
+from crs_cc.sim.state.rows import simplest, take
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -121,7 +122,9 @@ class Glands:
         if not len(glands.field):
             return
         rows = np.flatnonzero(constants.numbers[self._name] >= 0)
-        position_m, distance_m = state.bodies.position_m[rows], state.distance_m[rows]
+        robots = simplest(rows, len(state.distance_m))
+        distance_m = take(state.distance_m, robots)
+        position_m = take(state.bodies.position_m[: len(state.distance_m)], robots)
         way_m, moved_m = position_m - glands.from_m, distance_m - glands.distance_m
         glands.from_m[:], glands.distance_m[:] = position_m, distance_m
         lays = (glands.per_m > 0.0) & (moved_m > 0.0) & state.presence.present[rows]
@@ -133,14 +136,14 @@ class Glands:
         at = np.full(len(rows), at_s)
         per_m = self._altered(state, constants, rows, glands.per_m[lays], at)
         field = glands.field[lays]
-        length_m = np.where(way_m.any(axis=1), straight_m[lays], 0.0)
-        pieces = np.clip(np.ceil(length_m / self._cell_m[field]), 1, _PIECES).astype(np.intp)
-        piece = np.repeat(np.arange(len(rows)), pieces)
-        number = np.arange(len(piece)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
-        back = 1.0 - (number + 0.5) / pieces[piece]
-        place_m = position_m[piece] - way_m[piece] * back[:, None]
-        amount = (per_m * moved_m[lays] / pieces)[piece]
-        self._fields.deposit(state, field[piece], place_m, amount)
+        pieces = np.ceil(straight_m[lays] / self._cell_m[field])
+        pieces = np.where(pieces <= _PIECES, np.maximum(pieces, 1.0), _PIECES).astype(np.intp)
+        amount = per_m * moved_m[lays] / pieces
+        for number in range(int(pieces.max())):
+            some = np.flatnonzero(pieces > number)
+            back = 1.0 - (number + 0.5) / pieces[some]
+            place_m = position_m[some] - way_m[some] * back[:, None]
+            self._fields.deposit(state, field[some], place_m, amount[some])
 
     def _asked(self, context: RequestContext) -> tuple[BoolArray, IndexArray]:
         """Return which requests are good, (k,), and the numbers of their glands."""
