@@ -62,7 +62,7 @@ fuzz-frontend: install-dev
 
 bench: install
 	@set -e; for script in bench/c_speed.py bench/compile.py bench/debug.py bench/environment.py \
-			bench/fleet.py bench/messages.py bench/planted.py bench/python_env.py bench/quiet_time.py \
+			bench/fields.py bench/fleet.py bench/messages.py bench/planted.py bench/python_env.py bench/quiet_time.py \
 			bench/ranges.py bench/record.py bench/requests.py bench/start.py bench/sweep.py \
 			bench/workbench.py; do \
 		echo "== $$script"; $(BIN)/python $$script; done

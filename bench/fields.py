@@ -108,10 +108,9 @@ def main() -> None:
         1000 * statistics.median(column) for column in zip(*times, strict=True)
     )
     tiles = state.fields.used
-    print(
-        f"{given.robots} robots: a request {post_ms:.2f} ms; smelling {smell_ms - post_ms:.2f} ms"
-    )
-    print(f"  more; laying {lay_ms:.2f} ms; {tiles} tiles, {tiles * 520 / 2**20:.1f} MiB")
+    print(f"{given.robots} robots: a request {post_ms:.2f} ms a timestep")
+    print(f"  smelling {smell_ms - post_ms:.2f} ms more, laying {lay_ms:.2f} ms")
+    print(f"  {tiles} tiles, {tiles * 520 / 2**20:.1f} MiB")
 
 
 if __name__ == "__main__":
