@@ -41,6 +41,9 @@ if TYPE_CHECKING:
 
 CHANNEL: Final = "/channel"
 MAX_CLIENTS: Final = 100
+_ONCE: Final = ("Host", "Origin", "Sec-WebSocket-Protocol")
+"""The headers that are read; who gives one twice would be asked which one counts."""
+
 _TOO_FAST, _TOO_SLOW, _GOING = 1008, 1013, 1001  # RFC 6455 7.4.1, and IANA's registry
 _STOP_S: Final = 5.0
 
@@ -244,6 +247,8 @@ class Server:
 
     def _answer(self, connection: ServerConnection, request: Request) -> Response | None:
         """Return the answer to a request; None to open the channel."""
+        if any(len(request.headers.get_all(name)) > 1 for name in _ONCE):
+            return _response(HTTPStatus.BAD_REQUEST, b"a header is given twice\n")
         host = request.headers.get("Host", "")
         if self._front is None and not is_own_host(host, self.port):
             return _response(HTTPStatus.FORBIDDEN, b"not the name of this machine\n")

@@ -45,7 +45,7 @@ PATHS: Final = (
     *("/", "/channel", "/app.js", "/../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "//etc"),
     *("/channel?token=x", "/tokens", "/serve.log", "/world.xml", "/\0", "/" + "a" * 5000),
 )
-ANSWERS: Final = re.compile(rb"HTTP/1\.1 (200|400|401|403|404|405|413|414|426|431|500|503)")
+ANSWERS: Final = re.compile(rb"HTTP/1\.1 (200|400|401|403|404|405|413|414|426|431|503)")
 
 
 @dataclass
@@ -92,7 +92,7 @@ class Fuzzer:
         elif kind in (Kind.REFUSED, Kind.ALIVE):
             self.answers[Kind(kind).name] += 1
         else:
-            assert not answer, (said, answer)
+            assert not answer, (said, answer)  # nor an error of ours: 500
             self.answers["closed"] += 1
 
     def mutated(self, said: bytes) -> bytes:
@@ -209,9 +209,11 @@ def fuzz(folder: Path, seconds: float, seed: int, show: Callable[[str], None]) -
         assert environment.poll() is None, log.read_text()
         assert host.poll() is None
         assert before is not None
-        show(f"{count} connections; KB and files held: {before}, then {after}; {fuzzer.answers}")
         said = log.read_text()
-        for wrong in ("Traceback", "internal error", "lost"):
+        losses = said.count("is lost")  # there may be some on a busy machine
+        show(f"{count} connections, {losses} lost hosts; {fuzzer.answers}")
+        show(f"KB and files held: {before}, then {after}")
+        for wrong in ("Traceback", "internal error"):
             assert wrong not in said, said
         assert after[0] - before[0] < MORE_KB
         assert after[1] <= before[1] + 2

@@ -5,6 +5,7 @@ from __future__ import annotations
 import http.client
 import json
 import os
+import socket
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack
@@ -86,6 +87,16 @@ def test_no_path_leads_out_of_the_page(server: Server, path: str) -> None:
 
 def test_a_name_that_was_bound_to_this_machine_is_refused(server: Server) -> None:
     assert got(server, "/", f"evil.example:{server.port}")[0] == 403
+
+
+@pytest.mark.parametrize("name", ["Host", "Origin", "Sec-WebSocket-Protocol"])
+def test_a_header_that_is_given_twice_is_refused(server: Server, name: str) -> None:
+    host = f"127.0.0.1:{server.port}"
+    rows = {"Host": host, "Origin": f"http://{host}", "Sec-WebSocket-Protocol": "crs.1"}
+    head = "".join(f"{each}: {value}\r\n" for each, value in rows.items())
+    with socket.create_connection(("127.0.0.1", server.port), 5.0) as connection:
+        connection.sendall(f"GET /channel HTTP/1.1\r\n{head}{name}: {rows[name]}\r\n\r\n".encode())
+        assert connection.recv(100).startswith(b"HTTP/1.1 400 ")
 
 
 def test_the_channel_needs_a_token_and_a_page_of_ours(server: Server) -> None:
