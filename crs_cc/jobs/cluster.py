@@ -7,6 +7,7 @@ gives the same results.
 
 from __future__ import annotations
 
+import logging
 import threading
 import uuid
 from collections.abc import Generator, Iterable
@@ -54,6 +55,7 @@ class Cluster:
 
         connect: Any = distributed.Client  # without types
         self._module, self._address = module, address
+        logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # we tell of errors
         try:
             self._client = connect(address, timeout=_CONNECT_S, set_as_default=False)
         except (OSError, ValueError) as error:
@@ -121,9 +123,13 @@ class Cluster:
 
     def _outcome(self, future: Future[Outcome], number: int) -> Outcome:
         from distributed import KilledWorker
+        from distributed.client import FutureCancelledError
 
         try:
             return future.result()
+        except FutureCancelledError as error:
+            hint = "what has ended is kept: go on with another one, or on this machine"
+            raise self._error(f"the cluster is lost: {error.reason}", hint) from None
         except KilledWorker as error:
             text = f"{error.allowed_failures + 1} workers ended while they ran it"
             return Outcome(number, None, "crashed", text)

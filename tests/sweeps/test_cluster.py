@@ -12,7 +12,7 @@ import pytest
 
 from crs_cc.cli.main import main
 from crs_cc.jobs import cluster
-from crs_cc.jobs.cluster import ClusterError
+from crs_cc.jobs.cluster import Cluster, ClusterError
 from crs_cc.sweeps.sweep import Progress, Sweep
 from tests.sweeps.trials import MANY, swept, write
 
@@ -49,6 +49,26 @@ def test_a_cluster_that_loses_a_worker_makes_the_same_table(
     assert len((out / "rows.jsonl").read_text().splitlines()) == 12
     assert (out / "runs.csv").read_bytes() == (tmp_path / "here/out/runs.csv").read_bytes()
     assert (out / "failed" / "0003.mcap").exists()
+
+
+def test_rows_outlive_the_connection_to_a_cluster(tmp_path: Path, dask: LocalCluster) -> None:
+    path, out = write(tmp_path, MANY), tmp_path / "out"
+    sweep = Sweep(path, out)
+    with Cluster("crs_cc.sweeps.worker", dask.scheduler_address) as lost:
+        submit = lost._client.submit
+
+        def cancelled(run: object, module: str, number: int, *more: object, key: str) -> object:
+            future = submit(run, module, number, *more, key=key)
+            if number == 5:
+                future.cancel(force=True)  # as all of them are when the scheduler ends
+            return future
+
+        lost._client.submit = cancelled
+        with pytest.raises(ClusterError, match="the cluster is lost: "):
+            sweep.run(1, pool=lost.run)
+    assert len((out / "runs.csv").read_text().splitlines()) == 1 + len(sweep.rows)
+    assert 0 < len(sweep.rows) < 12
+    assert len(swept(path, out, resume=True).rows) == 12
 
 
 def test_a_cluster_with_another_version_runs_nothing(
