@@ -25,7 +25,8 @@ class Breakpoint:
     """A breakpoint, watchpoint or catchpoint.
 
     Attributes:
-        number: its number, from 1; all kinds share one sequence.
+        number: its number, from 1; all kinds share one sequence. Those of commands such as
+            `advance` have negative ones, so that the user's are consecutive.
         text: the location, expression or event kind as the user wrote it.
         place: the location of a breakpoint; None for the other kinds.
         watch: what a watchpoint watches; None for the other kinds.
@@ -87,11 +88,14 @@ class Breakpoints:
         """The number of the next one."""
         return self._made + 1
 
-    def add(self, breakpoint_: Callable[[int], Breakpoint]) -> Breakpoint:
-        """Add the breakpoint that is created with the next number."""
-        self._made += 1
-        self._all[self._made] = breakpoint_(self._made)
-        return self._all[self._made]
+    def add(
+        self, breakpoint_: Callable[[int], Breakpoint], *, internal: bool = False
+    ) -> Breakpoint:
+        """Add the breakpoint that is created with the next number, or below 0 if internal."""
+        number = min((0, *self._all)) - 1 if internal else self.next_number
+        self._all[number] = breakpoint_(number)
+        self._made = max(self._made, number)
+        return self._all[number]
 
     def get(self, number: int) -> Breakpoint:
         """Return a breakpoint; raise DebugError if it does not exist."""

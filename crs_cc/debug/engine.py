@@ -208,7 +208,7 @@ class Debugger:
             DebugError: there is no such location.
         """
         robot = self.view.robot
-        added = self.stop_points.add_breakpoint(place, temporary=True, robot=robot)
+        added = self.stop_points.add_breakpoint(place, internal=True, temporary=True, robot=robot)
         try:
             frame = self.view.current_frame()
             if frame is None:

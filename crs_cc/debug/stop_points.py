@@ -46,11 +46,12 @@ class StopPoints:
         self.breakpoints = Breakpoints()
         self.say: Callable[[str], None] = _unheard
 
-    def add_breakpoint(self, place: str, **options: Any) -> Breakpoint:
+    def add_breakpoint(self, place: str, *, internal: bool = False, **options: Any) -> Breakpoint:
         """Add a breakpoint.
 
         Args:
             place: see `locations.find_location`.
+            internal: whether it belongs to a command, not to the user.
             options: further attributes of the `Breakpoint`: `condition`, `ignore`, `temporary`,
                 `robot`, `log`.
 
@@ -61,7 +62,7 @@ class StopPoints:
         here = self._view.current_file(robot)
         robots = range(len(self._run.programs)) if robot is None else [robot]
         found = find_location(place, self._run.programs, robots, here)
-        return self._add("breakpoint", place, found, options)
+        return self._add("breakpoint", place, found, options, internal=internal)
 
     def meet(self) -> None:
         """Let breakpoints of all robots stop robots that have joined, where their programs can."""
@@ -144,9 +145,13 @@ class StopPoints:
         text: str,
         place: BreakpointLocation | None,
         options: Mapping[str, Any],
+        *,
+        internal: bool = False,
     ) -> Breakpoint:
         self._check(options.get("condition", ""), place, options.get("robot"))
-        return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
+        return self.breakpoints.add(
+            lambda number: Breakpoint(number, kind, text, place, **options), internal=internal
+        )
 
     def remove(self, number: int) -> None:
         """Remove a breakpoint; raise DebugError if it does not exist."""

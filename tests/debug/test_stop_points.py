@@ -82,3 +82,12 @@ def test_the_condition_of_a_local_watchpoint_belongs_to_its_function(debugger: D
     with pytest.raises(DebugError):
         debugger.stop_points.add_watchpoint("i", condition="other == 5")
     assert debugger.resume().text == "i: 4 -> 5, written at a.c:6"
+
+
+def test_advance_takes_no_number(debugger: Debugger) -> None:
+    """The user's breakpoints had gaps in their numbers."""
+    debugger.start()
+    assert debugger.advance("7").reason == "breakpoint"
+    assert debugger.advance("8").reason == "breakpoint"
+    assert not list(debugger.stop_points.breakpoints)
+    assert debugger.stop_points.add_breakpoint("7").number == 1
