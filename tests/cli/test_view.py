@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import json
+import os
 import re
+import signal
+import subprocess
+import sys
 import threading
-from contextlib import closing
+from contextlib import ExitStack, closing
 from pathlib import Path
 
 import pytest
@@ -19,6 +23,7 @@ from crs_cc.recording.recording import Recording
 from crs_cc.workbench.clients import Client
 from crs_cc.workbench.screen import Screen
 from crs_cc.workbench.server import Server
+from tests.cli.machines import free_port
 
 PROGRAM = """\
 #include <Nclient.h>
@@ -89,6 +94,72 @@ def test_a_page_can_hold_a_run_that_goes_on_by_itself(
     assert "error" not in answers[2]
     assert any(each["type"] == "output" and "done" in each["output"][3] for each in told)
     assert [each for each in told if each["type"] == "state"][-1]["playing"] is False
+
+
+LOOKER = """
+import json, sys
+from urllib.parse import urlsplit
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import connect
+
+address = urlsplit(sys.argv[1])
+offered = ["crs.1", address.fragment.replace("=", ".")]
+end_s, frames = 0.0, 0
+with connect(f"ws://{address.netloc}/channel", subprotocols=offered, proxy=None) as page:
+    hello = json.loads(page.recv(20))
+    try:
+        for message in page:
+            if isinstance(message, str):
+                end_s = json.loads(message).get("t", end_s)
+                continue
+            frames += 1
+            if frames == 3:
+                print([each["id"] for each in hello["world"]["robots"]], flush=True)
+    except ConnectionClosed:
+        pass
+print(json.dumps({"joined_s": hello["end_s"], "end_s": end_s}))
+"""
+"""What stands for a browser: it looks at a run to its end."""
+
+
+def test_viewers_attach_at_any_time_to_three_robots(tmp_path: Path) -> None:
+    """The run and each viewer are processes of their own."""
+    (tmp_path / "looker.py").write_text(LOOKER)
+    (tmp_path / "go.c").write_text(PROGRAM.replace("40", "4000"))
+    assert main(["samples", "copy", "complex-3r.xml", str(tmp_path)]) == 0
+    own = {"BROWSER": f"{sys.executable} looker.py %s", "DISPLAY": ":0"}
+    port = free_port()
+
+    def started(*words: str) -> subprocess.Popen[str]:
+        return subprocess.Popen(
+            [sys.executable, "-m", "crs_cc", *words],
+            cwd=tmp_path,
+            env=os.environ | own,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    with ExitStack() as stack:
+        words = ["run", "go.c", "complex-3r.xml", "--view", str(port)]
+        run = started(*words, "--speed", "1")
+        stack.callback(run.communicate)
+        stack.callback(run.kill)
+        assert run.stderr is not None
+        while "token" not in run.stderr.readline():
+            assert run.poll() is None
+        viewers = []
+        for _ in range(2):
+            viewers.append(viewer := started("view", f"127.0.0.1:{port}"))
+            stack.callback(viewer.communicate)
+            stack.callback(viewer.kill)
+            assert viewer.stdout is not None
+            assert viewer.stdout.readline() == "['robot0', 'robot1', 'robot2']\n"
+        run.send_signal(signal.SIGINT)
+        seen = [json.loads(each.communicate(timeout=60)[0]) for each in viewers]
+    assert seen[0]["joined_s"] < seen[1]["joined_s"]
+    assert all(each["end_s"] > each["joined_s"] for each in seen)
 
 
 def test_other_commands_of_the_user_find_a_run_by_its_port(
