@@ -11,6 +11,7 @@ import pytest
 BENCH = Path(__file__).parents[1] / "bench"
 
 SMALLEST = {
+    "builder.py": ["--no-browser", "20", "2"],
     "c_speed.py": ["--repeat", "1", "fib"],
     "compile.py": ["--lines", "80", "--repeat", "1", "--stages"],
     "debug.py": ["--minutes", "2", "--minute", "2", "1"],
@@ -32,6 +33,7 @@ SMALLEST = {
 """Of each script, the arguments with which it measures least."""
 
 MEASURED = {
+    "builder.py": ["20 objects, 2 robots", "one changed: ", "all changed: "],
     "c_speed.py": ["crs unchecked", "\nfib ", "\nmean "],
     "compile.py": ["\nnew program ", "\nknown program ", "  lex ", "  generate "],
     "debug.py": ["run build", "reverse-continue, a minute", "goto the middle"],

@@ -122,6 +122,7 @@ class Editor:
             "ring": {"count": 3, **place},
             "align": {"side": self.random.choice(("left", "top", "centre-x"))},
             "distribute": {"axis": self.random.choice("xy")},
+            "raise": {"path": f"{self.length()},1m 1m,50cm", "radius": "30cm", "rise": "-2cm"},
             "group": {"name": f"group-{self.random.randrange(9)}"},
         }
         return found.get(operation, {})
