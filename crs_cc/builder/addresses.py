@@ -83,6 +83,17 @@ def find(root: Node, name: str) -> Node:
     return node
 
 
+def find_all(root: Node, names: Sequence[str]) -> list[Node]:
+    """Return the elements with names, each as `find` does, in one pass for those with ids.
+
+    Raises:
+        ValueError: there is none with one of the names.
+    """
+    known = ids(root) if len(names) > 1 else {}
+    known.pop(root.tag, None)
+    return [known.get(name) or find(root, name) for name in names]
+
+
 def _by_tag(node: Node, step: str) -> Node | None:
     parts = _STEP.fullmatch(step)
     if parts is None:

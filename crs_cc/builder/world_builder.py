@@ -28,7 +28,7 @@ from pathlib import Path
 from typing import Literal, Self, TypeAlias
 
 from crs_cc.builder import clips
-from crs_cc.builder.addresses import address, find
+from crs_cc.builder.addresses import address, find, find_all
 from crs_cc.builder.arrangement import Extents
 from crs_cc.builder.changes import path_inside, path_of, schema_of
 from crs_cc.builder.document import Document
@@ -236,7 +236,7 @@ class WorldBuilder:
             raise ValueError(f"{row.name} acts on one element, not {len(names)}")
         if row.things == "some" and not names:
             raise ValueError(f"{row.name} acts on one element or more")
-        return [self.element(name) for name in names]
+        return find_all(self.document.root, names)
 
     def _attribute(self, tags: Sequence[str], name: str, value: Value) -> str | None:
         """Return a value as text: a number in the unit of the file."""

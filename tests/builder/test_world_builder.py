@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.builder.addresses import address
+from crs_cc.builder.addresses import address, find, find_all
 from crs_cc.builder.world_builder import WorldBuilder
 from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.known_robots import ROBOTS
@@ -169,6 +169,14 @@ def test_arrays_rings_lines_and_groups() -> None:
     assert float(builder.get("cylinder0")["x"][:-1]) == pytest.approx(1.6)
     with pytest.raises(ValueError, match="must be 1 to 10000"):
         builder.array("crate", columns=99_999_999)
+
+
+def test_several_elements_are_found_as_each_of_them_is() -> None:
+    root = WorldBuilder(text=ROOM.replace('id="crate"', 'id="world"')).document.root
+    names = ["world", "wall0", "area", "wall0", ""]
+    assert find_all(root, names) == [find(root, name) for name in names]
+    with pytest.raises(ValueError, match="unknown element 'wall9'"):
+        find_all(root, ["wall0", "wall9"])
 
 
 def test_a_brush_changes_the_heights_that_it_reaches_and_no_others() -> None:

@@ -502,6 +502,61 @@ def test_a_robot_is_changed_by_dragging_its_parts(browser: Any, tmp_path: Path) 
     assert path.read_text() == moved.replace("</sensor>\n", f"</sensor>\n{BEHIND}")
 
 
+FIRST = """<?xml version="1.0" encoding="UTF-8"?>
+<world version="1">
+  <area length="8m" width="6m"/>
+  <surface>
+    <ramp x="5m" y="1.5m" length="2m" width="1m" to="0.3m"/>
+  </surface>
+  <wall id="wall0" x1="2m" y1="3m" x2="4m" y2="3m"/>
+  <wall id="wall1" x1="4m" y1="3m" x2="4m" y2="5m"/>
+  <box id="box0" x="1.5m" y="4.5m" length="1m" width="1m" heat="5" spread="1m"/>
+  <robot id="robot0" x="1m" y="1m" program="go.c"/>
+  <robot id="robot1" x="2m" y="1m" program="go.c"/>
+  <robot id="robot2" x="3m" y="1m" program="go.c"/>
+</world>
+"""
+
+
+def test_a_first_world_is_drawn_in_a_few_steps(browser: Any, tmp_path: Path) -> None:
+    (tmp_path / "go.c").write_text(PROGRAM)
+    path = tmp_path / "first.xml"
+    with building(path, None, 0) as screen, page_in(browser, screen, 1280, 720) as page:
+        wait(page, "window.crs && crs.model.document")
+        hand = Hand(page)
+        hand.press("w")
+        hand.click(2.0, 3.0)
+        hand.click(4.0, 3.0)
+        hand.click(4.0, 5.0)
+        hand.press("Escape", "b")
+        hand.drag((1.0, 4.0), (2.0, 5.0))
+        hand.has("wall0", "wall1", "box0")
+        for name, text in (("heat", "5"), ("spread", "1m")):
+            page.fill(f".property [aria-label={name}]", text)
+            hand.press("Enter")
+            wait(page, f"crs.model.thing('box0').attributes.{name} === '{text}'")
+        page.locator("canvas").first.focus()
+        hand.press("m")
+        hand.drag((4.0, 1.0), (6.0, 2.0))
+        hand.press("r")
+        for number in range(3):
+            hand.click(1.0 + number, 1.0)
+            hand.has(f"robot{number}")
+        page.get_by_role("button", name="Try").click()
+        page.locator(".said.wrong", has_text="robot 'robot0' has no program").wait_for()
+        hand.press("v")
+        hand.drag((0.5, 0.5), (3.5, 1.5))
+        wait(page, "crs.model.selection.size === 3")
+        page.fill(".property [aria-label=program]", "go.c")
+        hand.press("Enter")
+        wait(page, "crs.model.thing('robot2').attributes.program === 'go.c'")
+        page.locator("canvas").first.focus()
+        hand.press("Control+s")
+        wait(page, "!crs.model.document.changed")
+        page.locator(".said.news", has_text="saved").wait_for()
+    assert path.read_text() == FIRST
+
+
 def test_a_file_of_definitions_says_where_they_are_drawn(browser: Any, tmp_path: Path) -> None:
     """The page was empty, and did not say why."""
     path = tmp_path / "lib.xml"

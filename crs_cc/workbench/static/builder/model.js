@@ -23,6 +23,8 @@ export class Model extends EventTarget {
     /** Names of colours. @type {string[]} */
     this.colours = [];
     this.selection = new Set();
+    /** New elements that are selected as soon as they are known. @type {string[] | null} */
+    this.awaited = null;
     /** Elements that are not drawn, and that the mouse leaves alone. */
     this.hidden = new Set();
     this.locked = new Set();
@@ -56,6 +58,7 @@ export class Model extends EventTarget {
       for (const name of this.selection) if (!this.index.has(name)) this.selection.delete(name);
     }
     this.tell("change");
+    this.chooseAwaited();
   }
 
   /** @param {string} kind */
@@ -142,6 +145,7 @@ export class Model extends EventTarget {
   // -- selection ---------------------------------------------------------------------------------
 
   select(names) {
+    this.awaited = null;
     this.selection = new Set(names);
     this.tell("select");
   }
@@ -163,9 +167,13 @@ export class Model extends EventTarget {
 
   /** Select elements that are new: at once, or when they are known. */
   choose(names) {
-    const known = names.every((name) => this.thing(name));
-    if (known) this.select(names);
-    else this.addEventListener("change", () => this.select(names), { once: true });
+    this.awaited = names;
+    this.chooseAwaited();
+  }
+
+  /** Answers may come before documents of earlier changes, which do not know the new elements yet. */
+  chooseAwaited() {
+    if (this.awaited?.every((name) => this.thing(name))) this.select(this.awaited);
   }
 
   // -- what is asked -----------------------------------------------------------------------------

@@ -64,7 +64,7 @@ class ThingList {
   row(name, tag) {
     const { model } = this;
     const choose = (event) => model.select(event.shiftKey ? [...model.selection, name] : [name]);
-    const made = el("button.thing", { type: "button", role: "option", "aria-selected": "false", onclick: choose, ondblclick: () => model.enter(name) }, el("b", {}, name.slice(name.indexOf("/", model.inside?.root.length ?? Infinity) + 1)), el("span.state"), el("span", {}, tag));
+    const made = el("button.thing", { type: "button", role: "option", "aria-selected": "false", onclick: choose, ondblclick: () => model.enter(name) }, el("b", {}, name.slice(name.indexOf("/", model.inside?.root.length ?? Infinity) + 1)), el("span.state"), el("span", {}, tag === name ? "" : tag));
     made.dataset.name = name;
     return made;
   }

@@ -29,7 +29,7 @@ export function makeStatus(model, view, tools, solid) {
   }
   const point = (at) => {
     const where = at ? view.toWorld(at).map((value) => lengthIn(Number(value.toFixed(3)), model.unit)).join(", ") : "";
-    place.textContent = `${where}  grid ${lengthText(gridStep(12 / view.scale))}`;
+    place.textContent = `${where}${where && " · "}grid ${lengthText(gridStep(12 / view.scale))}`;
   };
   view.canvas.addEventListener("pointermove", (event) => point([event.offsetX, event.offsetY]));
   view.canvas.addEventListener("wheel", (event) => point([event.offsetX, event.offsetY]));
