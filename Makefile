@@ -61,10 +61,11 @@ fuzz-frontend: install-dev
 	$(BIN)/python -m tests.frontend.fuzzing $(COUNT) $(SEED)
 
 bench: install
-	@set -e; for script in bench/builder.py bench/c_speed.py bench/compile.py bench/debug.py bench/environment.py \
-			bench/fields.py bench/fleet.py bench/messages.py bench/planted.py bench/python_env.py bench/quiet_time.py \
-			bench/ranges.py bench/record.py bench/requests.py bench/start.py bench/sweep.py \
-			bench/workbench.py; do \
+	@set -e; for script in bench/builder.py bench/c_speed.py bench/compile.py bench/debug.py \
+			bench/environment.py bench/fields.py bench/fleet.py bench/hosts.py \
+			bench/messages.py bench/planted.py bench/python_env.py bench/quiet_time.py \
+			bench/ranges.py bench/record.py bench/requests.py bench/start.py \
+			bench/sweep.py bench/workbench.py; do \
 		echo "== $$script"; $(BIN)/python $$script; done
 
 experiments:

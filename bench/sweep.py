@@ -5,7 +5,7 @@ a worker killed now and then; killed by SIGKILL in the middle, and resumed; and 
 cluster of three workers, one of which is killed. What is told is the time for each run, the most
 memory of the process that runs the sweep, and whether the table has the bytes of the first one.
 
-    python -P bench/sweep.py [--dask] [RUNS]    # -P: a script beside it is called distributed
+    python bench/sweep.py [--dask] [RUNS]    # -P: a script beside it is called distributed
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ and in the session's own process (one thread): real time of a timestep of 50 ms,
 the thread that runs it, rounds that hosts are asked for, and what a round costs more real time than
 at home. The latter needs as many idle processors as hosts, and one more.
 
-    python bench/distributed.py [--steps N] [--hosts N ...] [ROBOTS ...]
+    python bench/hosts.py [--steps N] [--hosts N ...] [ROBOTS ...]
 """
 
 from __future__ import annotations
