@@ -13,7 +13,9 @@ from setuptools.command.build_py import build_py
 
 ROOT = Path(__file__).parent
 FILES = ("samples/**/*", "worlds/**/*", "docs/*.md", "docs/tutorial/*")
-ENDINGS = frozenset([".c", ".grid", ".h", ".map", ".md", ".png", ".py", ".toml", ".txt", ".xml"])
+ENDINGS = frozenset(
+    [".c", ".csv", ".grid", ".h", ".map", ".md", ".png", ".py", ".toml", ".txt", ".xml"]
+)
 
 
 class BuildWithShared(build_py):

@@ -7,6 +7,8 @@
 - `motion` moves coordinates in their own units, `mounting` and `robot_shapes` parts of robots;
   `changes`, `arrangement`, `composition` and `clips` work out what operations change, `mirroring`
   and `scaling` too; `extents` says what elements cover, `shapes` what they look like from above.
+- `sensor_copies` numbers copies of sonars, `ground` is raised by a brush, `floor_grid` says where
+  bodies can go.
 - `table` lists the operations, `operations` works them out, `world_builder` does them, checks the
   result, and saves it by `world_file`.
 - `library` finds objects for worlds, `reaching` goals that no robot can reach.

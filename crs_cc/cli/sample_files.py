@@ -93,7 +93,7 @@ def first_sentence(text: str, ending: str) -> str:
 def _in_folder(folder: Path, group: str) -> Iterator[Sample]:
     for each in sorted(folder.iterdir()):
         if each.is_dir() and any(file.is_file() for file in each.iterdir()):
-            if each.name != "__pycache__":
+            if any(file.suffix in _COMMENT for file in each.iterdir()):  # no results, no caches
                 yield Sample(each.name, group, each)
         elif each.is_dir():
             yield from _in_folder(each, group)

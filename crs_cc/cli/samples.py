@@ -19,6 +19,7 @@ _TITLES: Final = {
     "scout_c": "Programs",
     "plugins": "Devices in packages of their own",
     "python": "Scripts in Python",
+    "swarm": "Experiments with many robots (crs docs swarms)",
     "tutorial": "The program and the world of the tutorial (crs docs tutorial-debugging)",
     "worlds": "Worlds",
 }

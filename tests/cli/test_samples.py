@@ -30,6 +30,7 @@ def test_the_list_has_a_line_on_each_sample_and_world(capsys: pytest.CaptureFixt
     assert rows["room.xml"].startswith("A room with furniture")
     assert {path.name for path in (ROOT / "worlds").glob("*.xml")} <= rows.keys()
     assert {path.name for path in (ROOT / "samples" / "scout_c").glob("*.c")} <= rows.keys()
+    assert "results" not in rows, "of experiments: no sample"
     assert all(len(line) <= 100 for line in lines)
 
 
