@@ -5,7 +5,8 @@ reads its sonars as often as the line lets it, drives, and turns on the spot whi
 near; the function `minute` is called once a minute, of 60 s unless it is shortened, `never` never.
 The same is run by the run build in a plain session, by the debug build under the debugger with a
 breakpoint in `never`, and by the watching build with a watchpoint on a variable that nobody
-touches. Then the user goes back.
+touches. Then the user goes back. Last, a breakpoint with a condition is passed at each depth of a
+deep recursion; the goals are printed with its figures.
 
     python bench/debug.py [--minutes M] [--minute S] [ROBOTS ...]
 """
@@ -28,7 +29,7 @@ from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.library import HEADERS
 from crs_cc.session.session import Session
-from crs_cc.sim.files.world_xml import load_world
+from crs_cc.sim.files.world_xml import empty_world, load_world
 from crs_cc.sim.model.world import WorldModel
 
 PROGRAM = r"""
@@ -79,6 +80,19 @@ int main(void)
             never();
     }
 }
+"""
+DEPTH = 10_000
+RECURSION = f"""
+static int down(int n)
+{{
+    if (n == 0)
+        return 0;
+    return 1 + down(n - 1);
+}}
+int main(void)
+{{
+    return down({DEPTH});
+}}
 """
 AGAIN = 5
 """How often each way back is taken; the median counts."""
@@ -191,6 +205,30 @@ def backward(bench: Bench, table: Table, debugger: Debugger, minute_s: float) ->
     table.row("goto the middle", seconds, seconds / forward_s, "x the way forward")
 
 
+def deep(folder: Path) -> None:
+    """Measures stops in a recursion, each deeper than the last, and steps at its end."""
+    source = folder / "down.c"
+    source.write_text(RECURSION)
+    executable = build_executable([source], Diagnostics(), debug=True)
+    program = DebugProgram(executable, [source], Options((), (HEADERS,)))
+    debugger = Debugger(empty_world(), [program])
+    debugger.start()
+    debugger.stop_points.add_breakpoint("down", condition="n == 0")
+
+    def row(what: str, figure: str, goal: str) -> None:
+        print(f"{'':7} {what:32}{figure:>12} (goal {goal})", flush=True)
+
+    seconds = timed(debugger.resume)
+    if debugger.stop.reason != "breakpoint":
+        sys.exit(f"stopped: {debugger.stop}")
+    row(f"break if, {DEPTH:,} deep", f"{seconds:.2f} s", "1 s")
+    seconds = statistics.median(timed(lambda: debugger.step(backward=True)) for _ in range(AGAIN))
+    row("reverse-step there", f"{1e3 * seconds:.0f} ms", "50 ms")
+    evaluator = debugger.view.evaluator(0)
+    seconds = timed(lambda: [evaluator.holds("n == 0") for _ in range(1000)]) / 1000
+    row("a condition", f"{1e6 * seconds:.0f} us", "20 us")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
     parser.add_argument("robots", nargs="*", type=int, default=[1, 100])
@@ -202,6 +240,7 @@ def main() -> None:
             table = Table(robots)
             bench = Bench(Path(folder), robots, options.minutes, options.minute)
             backward(bench, table, *forward(bench, table))
+        deep(Path(folder))
 
 
 if __name__ == "__main__":

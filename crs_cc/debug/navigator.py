@@ -36,7 +36,7 @@ Tell = Callable[[BreakpointHit], str]
 """Returns a description of an access to a watched object."""
 
 _MAX_TOLD: Final = 5
-_FIRST_WINDOW: Final = 64
+_FIRST_WINDOW: Final = 8
 _WIDER: Final = 16
 
 

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.diagnosis.compared_pointers import ComparedPointers
     from crs_cc.runtime.diagnosis.failure import Failure
-    from crs_cc.runtime.diagnosis.inspect import Stopped
+    from crs_cc.runtime.diagnosis.inspect import CallStack, StackFrame, Stopped
     from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
@@ -116,6 +116,7 @@ class Fleet:
         self._sandboxes: list[Sandbox] = []
         self._builds: list[list[Sandbox]] = []  # of each program, all builds used
         self._fresh: list[Snapshot | None] = []  # of added programs
+        self._stacks: dict[int, CallStack] = {}  # of programs that were inspected
         self._round_s = 0.0
         self.has_marks = False
         for executable in executables:
@@ -368,7 +369,7 @@ class Fleet:
         site = self.executable(robot).detail().compiled.sites[slot["error_site"]]
         trapped = value == MEMORY_END and site.size > 1
         stopped = self.stopped(robot, site.location, saved=not trapped)
-        kind, stack, size, found = site.kind, stopped.stack, site.size, None
+        kind, stack, size, found = site.kind, tuple(stopped.stack), site.size, None
         if kind == "memory":
             kind, value, found = diagnose(stopped, value, size, site.access)
         elif kind in _WITH_OBJECT:
@@ -386,28 +387,21 @@ class Fleet:
             other = find_object(stopped, int(slot["error_base"]))
         size = size or int(slot["error_size"])
         access: Access = "write" if kind == "constant memory" else site.access
-        return Failure(
-            kind,
-            site.location,
-            value,
-            stack,
-            access,
-            size,
-            found,
-            stopped,
-            array,
-            other,
-            site.ctype,
-        )
+        found_there = found, stopped, array, other, site.ctype
+        return Failure(kind, site.location, value, stack, access, size, *found_there)
 
     def stopped(
         self, robot: int, failed_at: Location | None = None, *, saved: bool = True
     ) -> Stopped:
         """Return a suspended program for inspection, see `Stopped`."""
-        from crs_cc.runtime.diagnosis.inspect import Stopped, call_stack
+        from crs_cc.runtime.diagnosis.inspect import Stopped, call_stack, renewed
 
         detail, memory = self.executable(robot).detail(), self.memory(robot)
-        stack = tuple(call_stack(memory, detail.compiled, failed_at))
+        stack: Sequence[StackFrame]
+        if failed_at is None:
+            stack = self._stacks[robot] = renewed(self._stacks.get(robot), memory, detail.compiled)
+        else:
+            stack = call_stack(memory, detail.compiled, failed_at)
         parts = detail.program, detail.compiled, detail.lines, stack, saved
         return Stopped(memory, self.shadow(robot), *parts)
 
