@@ -147,13 +147,13 @@ def _first(
 
 
 def _paths(feed: Feed, begin_s: float, robots: int) -> list[list[list[float]]]:
-    """Return the paths of the first robots from a time on, thinned."""
-    frames = [frame for _, frame in feed.frames.between(begin_s, math.inf)]
+    """Return the paths of the first robots from a time on, thinned: x and y [m], and the time [s]."""
+    frames = [each for each in feed.frames.between(begin_s, math.inf)]
     frames = frames[:: max(1, -(-len(frames) // MAX_POINTS))]
     return [
         [
-            [round(float(frame[0, robot]), 3), round(float(frame[1, robot]), 3)]
-            for frame in frames
+            [round(float(frame[0, robot]), 3), round(float(frame[1, robot]), 3), round(time_s, 3)]
+            for time_s, frame in frames
             if robot < frame.shape[1] and not math.isnan(frame[0, robot])
         ]
         for robot in range(min(robots, MAX_PATHS))

@@ -57,6 +57,14 @@ POINT = """() => {
     const [x, y] = view.view.project(body.x, body.y, body.z + body.height / 2);
     return [box.left + x, box.top + y];
 }"""
+TRAIL_DRAWN = """() => {
+    const { overlay } = crs.views.active;
+    const draw = overlay.draw.bind(overlay);
+    overlay.draw = (...all) => {
+        window.trailDrawn = crs.look.trails.of(0);
+        draw(...all);
+    };
+}"""
 POSE = "() => crs.model.scene.bodies.map((body) => [body.x, body.y, body.heading])"
 
 
@@ -103,12 +111,16 @@ def the_time_line_goes_back_to_any_instant(page: Any, screen: Screen) -> None:
     later = poses(screen)
     end = page.evaluate("crs.timeline.end")
     box = page.locator(".track").bounding_box()
+    page.evaluate(TRAIL_DRAWN)
     page.mouse.click(box["x"] + box["width"] * 0.5 / end, box["y"] + 30)
     wait(page, "crs.model.clock.held === null && crs.model.state.t < 1.0")
     wait(page, "Math.abs(crs.model.scene.time - crs.model.state.t) < 1e-6")
     assert screen.run.time_s == pytest.approx(0.5, abs=0.051)
     assert page.evaluate(POSE) == [pytest.approx(row, abs=2e-4) for row in poses(screen)]
     assert poses(screen)[0][0] < later[0][0]
+    # The trail that is drawn ends here, not where the robot has been later.
+    wait(page, "window.trailDrawn?.at(-1)?.t <= crs.model.state.t + 1e-6")
+    assert page.evaluate("window.trailDrawn[0].t") < 0.1
 
 
 def a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page: Any) -> None:
@@ -117,8 +129,12 @@ def a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page: Any) -> Non
     page.keyboard.press("F5")
     wait(page, "crs.model.state.halt.reason === 'breakpoint' && crs.model.where.line === 8")
     page.wait_for_selector(".line:nth-child(8).current")
+    page.click("#tab-events")
     page.keyboard.press("Shift+F11")
     wait(page, "crs.model.where.line === 18")
+    page.click("#tab-code")  # the line is in sight although the listing was hidden when it came
+    listing, current = (page.locator(at).bounding_box() for at in (".listing", ".line.current"))
+    assert 0 <= current["y"] - listing["y"] <= listing["height"] - current["height"]
     page.keyboard.press("F11")
     wait(page, "crs.model.where.line === 8")
     page.click(".line:nth-child(8) .gutter")

@@ -115,7 +115,7 @@ def _collisions(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
     contacts, end_s = step.contacts, step.time_s + world.timestep_s
     rows = (contacts.robot, contacts.other, contacts.x_m, contacts.y_m)
     for robot, other, x_m, y_m in zip(*(row.tolist() for row in rows), strict=True):
-        text = f"{step.names[robot]} touched {step.names[other]} at {x_m:.3f}, {y_m:.3f} m"
+        text = f"{step.names[robot]} touched {step.names[other]} at {x_m:z.3f}, {y_m:z.3f} m"
         yield WorldEvent(end_s, "collision", robot, text, (x_m, y_m))
 
 

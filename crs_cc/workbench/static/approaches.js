@@ -8,8 +8,8 @@ export class Approaches {
   /** @param {any} model */
   constructor(model) {
     this.model = model;
-    /** @type {[number, string, number, string, number, number, number][]} like events, and the distance [m] */
-    this.events = [];
+    /** @type {[number, string, number, string, number, number, number][]} like events, and the distance [m]; the closest first */
+    this.all = [];
     this.asked = "";
     this.askedAt = 0;
     this.took = 0;
@@ -17,10 +17,20 @@ export class Approaches {
     for (const kind of ["state", "look"]) model.on(kind, () => this.ask());
     model.on("hello", () => (this.asked = ""));
     model.on("forget", ({ time_s }) => {
-      this.events = this.events.filter(([time]) => time <= time_s + 1e-9);
+      this.all = this.all.filter(([time]) => time <= time_s + 1e-9);
       this.asked = "";
       model.tell("near");
     });
+  }
+
+  /** Those that the run does not tell: contacts are collisions. */
+  get events() {
+    return this.all.filter((each) => !isContact(each[6]));
+  }
+
+  /** The closest one, of a robot or of all. @param {number | null} row */
+  closest(row = null) {
+    return this.all.find((each) => row === null || each[2] === row) ?? null;
   }
 
   async find() {
@@ -35,18 +45,14 @@ export class Approaches {
       this.took = performance.now() - this.askedAt;
       this.asked = what;
       const names = model.run.rosters.at(-1)?.robots ?? [];
-      this.events = approaches.map(([time, row, other, gap, x, y]) =>
-        [time, "near", row, `${names[row]} came to ${distanceText(gap)} of ${other}`, x, y, gap]);
+      this.all = approaches.map(([time, row, other, gap, x, y]) =>
+        [time, "near", row, `${names[row]} ${isContact(gap) ? "touched" : `came to ${distanceText(gap)} of`} ${other}`, x, y, gap]);
       model.tell("near");
     } catch {
       // the connection is lost, or the robot is no more
     }
   }
-
-  /** The closest one. */
-  get closest() {
-    return this.events[0] ?? null;
-  }
 }
 
-const distanceText = (gap) => (gap < 0.0005 ? "0 m" : gap < 0.1 ? `${(gap * 100).toFixed(1)} cm` : `${gap.toFixed(2)} m`);
+const isContact = (gap) => gap < 0.0005;
+const distanceText = (gap) => (gap < 0.1 ? `${(gap * 100).toFixed(1)} cm` : `${gap.toFixed(2)} m`);

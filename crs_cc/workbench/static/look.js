@@ -12,7 +12,7 @@ export class Look {
   constructor(model) {
     this.model = model;
     this.show = Object.fromEntries(PARTS.map((each) => [each.name, each.on]));
-    this.trails = new Trails();
+    this.trails = new Trails(() => this.version++);
     this.colours = palette();
     this.isInfrared = false;
     this.light = new Lighting();

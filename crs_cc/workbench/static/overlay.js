@@ -106,15 +106,16 @@ export class Overlay {
   }
 }
 
-/** The paths of the run that this one is compared with. */
+/** The paths of the run that this one is compared with, as far as this one is known. */
 function otherPaths(o) {
   const { pen } = o;
+  const { end } = o.look.model.state;
   pen.lineWidth = 2;
   pen.setLineDash([3, 5]);
   o.look.other.paths.forEach((path, row) => {
     pen.strokeStyle = o.scene.body(row)?.colour ?? o.look.colours.muted;
     pen.beginPath();
-    o.path(path.map(([x, y]) => [x, y, o.scene.ground.height(x, y) + 0.02]));
+    o.path(path.filter((point) => point[2] <= end).map(([x, y]) => [x, y, o.scene.ground.height(x, y) + 0.02]));
     pen.stroke();
   });
   pen.setLineDash([]);

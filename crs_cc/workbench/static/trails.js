@@ -6,7 +6,9 @@ const STEP = 0.02; // [m] between two points, at least
 const GAP = 1.5; // [s] of the shown time: more is a jump, and trails are looked up anew
 
 export class Trails {
-  constructor() {
+  /** @param {() => void} changed called when paths have been looked up, to draw them */
+  constructor(changed) {
+    this.changed = changed;
     /** @type {Map<number, {t: number, x: number, y: number}[]>} */
     this.paths = new Map();
     this.time = -1;
@@ -20,8 +22,10 @@ export class Trails {
 
   /** @param {import("./scene.js").Scene} scene @param {any} frames @param {number} time */
   update(scene, frames, time) {
-    if (time < this.time || time > this.time + GAP) this.isStale = true;
-    else for (const body of scene.bodies.slice(0, MOST)) this.add(body.row, { t: time, x: body.x, y: body.y });
+    if (time < this.time || time > this.time + GAP) {
+      this.isStale = true;
+      this.paths.clear(); // those of another time would end in a line to where robots are now
+    } else for (const body of scene.bodies.slice(0, MOST)) this.add(body.row, { t: time, x: body.x, y: body.y });
     this.time = time;
     if (this.isStale && !this.isLooking) this.lookUp(scene, frames);
     for (const path of this.paths.values()) while (path.length && path[0].t < time - SECONDS) path.shift();
@@ -48,5 +52,6 @@ export class Trails {
         if (!Number.isNaN(x)) this.add(row, { t: frame.time, x, y });
       }
     }
+    this.changed();
   }
 }

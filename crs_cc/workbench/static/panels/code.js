@@ -126,5 +126,11 @@ export const code = {
     });
     model.on("where", draw);
     model.on("state", state);
+    let wasShown = false; // a listing that is hidden cannot be scrolled
+    model.on("look", () => {
+      const isShown = Boolean(root.offsetParent);
+      if (isShown && !wasShown && lineIn(source.file)) source.scrollTo(lineIn(source.file));
+      wasShown = isShown;
+    });
   },
 };

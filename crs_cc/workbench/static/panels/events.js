@@ -17,19 +17,29 @@ export const events = {
         else chosen.delete(mark.name);
         isStale = true;
       } }), mark.title)));
-    const closest = el("button.event.closest", { type: "button", title: "Go there", onclick: () => page.timeline.seek(model.approaches.closest[0]) });
+    const name = el("span");
+    const isWanted = el("input", { type: "checkbox", onchange: () => (isStale = true) });
+    const only = el("label.only-robot", { title: "Events of the selected robot, and of no robot" }, isWanted, name);
+    filters.append(only);
+    const closest = el("button.event.closest", { type: "button", title: "Go there", onclick: () => page.timeline.seek(first[0]) });
     const list = el("div.events");
     root.append(filters, closest, list);
     let isStale = true;
+    let first = null; // the closest approach
 
     const draw = () => {
       if (!isStale || !model.run || !root.offsetParent) return;
       isStale = false;
-      const first = model.approaches.closest;
+      const { number, id } = model.selected;
+      only.hidden = (model.run.rosters.at(-1)?.robots.length ?? 0) < 2;
+      name.textContent = `Only ${id}`;
+      const isOnly = !only.hidden && isWanted.checked;
+      first = model.approaches.closest(isOnly ? number : null);
       closest.hidden = !first;
       if (first) fill(closest, el("b", {}, "Closest"), el("span.when", {}, `${first[0].toFixed(3)} s`), el("span", {}, first[3]));
       const found = [...model.run.events, ...model.approaches.events]
-        .filter(([, kind]) => chosen.has(markOf(kind).name)).sort((one, other) => one[0] - other[0]).slice(-MOST);
+        .filter(([, kind, row]) => chosen.has(markOf(kind).name) && !(isOnly && row >= 0 && row !== number))
+        .sort((one, other) => one[0] - other[0]).slice(-MOST);
       if (!found.length) return fill(list, el("p.hint", {}, "Nothing has happened yet."));
       fill(list, ...found.reverse().map(([time, kind, , text]) => {
         const dot = el("i.dot");
@@ -39,7 +49,7 @@ export const events = {
       }));
     };
 
-    for (const kind of ["hello", "event", "forget", "near"]) model.on(kind, () => (isStale = true));
+    for (const kind of ["hello", "event", "forget", "near", "look", "roster"]) model.on(kind, () => (isStale = true));
     model.on("tick", draw);
   },
 };
