@@ -147,8 +147,8 @@ def _first(
 
 
 def _paths(feed: Feed, begin_s: float, robots: int) -> list[list[list[float]]]:
-    """Return the paths of the first robots from a time on, thinned: x and y [m], and the time [s]."""
-    frames = [each for each in feed.frames.between(begin_s, math.inf)]
+    """Return the paths of the first robots from a time on, thinned: x, y [m] and time [s]."""
+    frames = list(feed.frames.between(begin_s, math.inf))
     frames = frames[:: max(1, -(-len(frames) // MAX_POINTS))]
     return [
         [

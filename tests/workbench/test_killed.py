@@ -15,7 +15,6 @@ from typing import Any
 
 import pytest
 
-from crs_cc.workbench.screen import Screen
 from tests.workbench.in_browser import FLAGS, running, wait
 
 PROGRAM = """#include "Nclient.h"

@@ -111,20 +111,29 @@ export const plot = {
     };
     const colourOf = (expression) => LINES[(colours.get(expression) ?? 0) % LINES.length];
 
+    /** A chip stays while its value changes: one that is replaced under the pointer hears no click. */
+    const chip = (each) => {
+      const mark = el("i.dot");
+      mark.style.background = colourOf(each);
+      return el("span.chip", {}, mark, el("b", {}, each), el("span.value"),
+        el("button.close", { type: "button", "aria-label": `remove ${each}`, title: "Remove", onclick: () => {
+          expressions = expressions.filter((other) => other !== each);
+          colours.delete(each);
+          isStale = true;
+        } }, "×"));
+    };
+
     const legend = () => {
       const values = instruments.now?.robot === model.state.robot ? instruments.now.byName : new Map();
-      fill(chips, el("span.hint", {}, model.selected.id), ...expressions.map((each) => {
-        const mark = el("i.dot");
-        mark.style.background = colourOf(each);
+      const key = [model.selected.id, ...expressions].join("\n");
+      if (key !== chips.dataset.key) fill(chips, el("span.hint", {}, model.selected.id), ...expressions.map(chip));
+      chips.dataset.key = key;
+      expressions.forEach((each, at) => {
+        const shown = chips.children[at + 1].querySelector(".value");
         const value = values.get(each);
-        const text = typeof value === "number" ? `${+value.toPrecision(5)} ${instruments.units.get(each) ?? ""}` : value ?? "";
-        return el("span.chip", {}, mark, el("b", {}, each), el(typeof value === "number" ? "span" : "span.bad", {}, ` ${text}`),
-          el("button.close", { type: "button", "aria-label": `remove ${each}`, title: "Remove", onclick: () => {
-            expressions = expressions.filter((other) => other !== each);
-            colours.delete(each);
-            isStale = true;
-          } }, "×"));
-      }));
+        shown.textContent = typeof value === "number" ? ` ${+value.toPrecision(5)} ${instruments.units.get(each) ?? ""}` : ` ${value ?? ""}`;
+        shown.classList.toggle("bad", typeof value !== "number");
+      });
       for (const each of spans.children) {
         each.setAttribute("aria-pressed", String(!range && SPANS.some(([id, , seconds]) => id === each.dataset.span && seconds === span)));
       }
