@@ -32,6 +32,7 @@ def load_world(
     setup: str = "",
     robot: str = SCOUT,
     folder: str | os.PathLike[str] | None = None,
+    seed: int | None = None,
 ) -> WorldModel:
     """Return a world.
 
@@ -41,6 +42,7 @@ def load_world(
         setup: the setup of all robots, such as `noisy`; by default that of the file.
         robot: the default kind of robot: a built-in name, or the path of a definition file.
         folder: the folder of the files to which a text refers; by default it may not refer to any.
+        seed: the random seed of what is scattered; by default that of the file.
 
     Raises:
         WorldError: the world cannot be read or is invalid; all errors are reported at once.
@@ -54,8 +56,8 @@ def load_world(
         source = source.encode()
     if isinstance(source, bytes):
         where = None if folder is None else Path(folder)
-        return _checked(files.parse_world(source, "world", setup, robot, where))
-    return _checked(files.load_world(Path(source), setup, robot))
+        return _checked(files.parse_world(source, "world", setup, robot, where, seed=seed))
+    return _checked(files.load_world(Path(source), setup, robot, seed=seed))
 
 
 def world_of(world: WorldModel | WorldSource | None) -> WorldModel:

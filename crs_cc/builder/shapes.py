@@ -53,7 +53,11 @@ def shapes(document: Document, world: WorldModel) -> dict[str, list[Shape]]:
     for goal in world.goals:
         found[goal.id] = list(_places(goal))
     for number, robot in enumerate(world.robots):
-        found[robot.id] = [_robot(robot) | {"colour": robot_colour(number)}]
+        name = element_of(robot.id, known)
+        shape = _robot(robot) | {"colour": robot_colour(number)}
+        if name != robot.id:
+            shape["part"] = robot.id[len(name) + 1 :]
+        found.setdefault(name, []).append(shape)
     for light in world.lights:
         found[light.id] = [{"kind": "light", "x": light.x_m, "y": light.y_m, "radius": 0.1}]
     for sound in world.sounds:

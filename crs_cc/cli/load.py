@@ -123,7 +123,7 @@ def load_world_of(options: ProgramOptions) -> WorldModel:
         check_readable(path)
         from crs_cc.sim.files.world_xml import load_world
 
-        world = load_world(path, options.setup, robot)
+        world = load_world(path, options.setup, robot, seed=options.seed)
     return world.with_ideal_link() if options.link == "ideal" else world
 
 

@@ -10,6 +10,7 @@ import hashlib
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -82,8 +83,14 @@ class VariantLoader:
         self._compiled: dict[object, tuple[Executable, dict[Path, bytes]]] = {}
         self._robot_texts: dict[str, str] = {}
 
-    def load(self, parameters: Parameters) -> Variant:
-        """Return the variant of a combination of parameters.
+    @cached_property
+    def scatters(self) -> bool:
+        """Whether the world depends on the seed, as it scatters robots or objects."""
+        root = WorldBuilder(self._experiment.world).document.root
+        return any(each.tag == "scatter" for each in root.children)
+
+    def load(self, parameters: Parameters, seed: int | None = None) -> Variant:
+        """Return the variant of a combination of parameters, and of a seed if the world scatters.
 
         Raises:
             ExperimentError: a parameter is invalid.
@@ -105,7 +112,7 @@ class VariantLoader:
         with logged() as files:
             text = self._world_text(parameters)
             note(experiment.world, text)
-            world = load_world(experiment.world, setup, robot, text)
+            world = load_world(experiment.world, setup, robot, text, seed)
         if link == "ideal":
             world = world.with_ideal_link()
         self._check_robot(parameters, world, robot)

@@ -42,11 +42,13 @@ class _Loaded:
         self._variants: OrderedDict[str, Variant] = OrderedDict()
         self._measures: tuple[Measure, ...] | None = None
 
-    def variant(self, parameters: dict[str, Any]) -> Variant:
+    def variant(self, job: dict[str, Any]) -> Variant:
         """Return the variant of a combination of parameters; raise CrsError if it is invalid."""
-        key = repr(parameters)
+        parameters = job["parameters"]
+        seed = job["seed"] if self._loader.scatters else None
+        key = repr((parameters, seed))
         if key not in self._variants:
-            self._variants[key] = self._loader.load(parameters)
+            self._variants[key] = self._loader.load(parameters, seed)
             if len(self._variants) > _KEPT:
                 self._variants.popitem(last=False)
         return self._variants[key]
@@ -74,7 +76,7 @@ def _of(job: dict[str, Any]) -> _Loaded:
 def _load(job: dict[str, Any]) -> None:
     """Load what later runs need as well; what is wrong with it is said by the job itself."""
     with contextlib.suppress(CrsError):
-        _of(job).variant(job["parameters"])
+        _of(job).variant(job)
         _of(job).measures  # noqa: B018 - loads them
 
 
@@ -82,7 +84,7 @@ def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
     do = {"check": _check, "run": _run, "record": _record}[job["do"]]
     try:
         loaded = _of(job)
-        variant = loaded.variant(job["parameters"])
+        variant = loaded.variant(job)
         prepared()
         return do(job, loaded, variant)
     except CrsError as error:

@@ -447,6 +447,14 @@ def follows_trail(drive: Drive) -> None:
     assert [goal.status for goal in drive.goals] == ["met"]
 
 
+def spreads_out(drive: Drive) -> None:
+    """The crowd gets at least 1.3 times as wide as the distribution that it was drawn from."""
+    touches_nothing(drive)
+    places_m = np.array([robot.pose[:2] for robot in drive.robots])
+    assert len(places_m) == 12
+    assert (places_m.std(axis=0) > 1.3).any()
+
+
 def puts_cans_into_a_row(drive: Drive) -> None:
     touches_nothing(drive)
     places_in = {name: (x_m / INCH_M, y_m / INCH_M) for name, (x_m, y_m, _) in drive.things.items()}

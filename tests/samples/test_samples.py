@@ -134,6 +134,7 @@ RUNS = [
     Run("drivers/player_like", "room", properties.serves_at_10_hz, standard="gnu89"),
     Run("sort", "sort", properties.sorts_cans),
     Run("ants", "ants", properties.follows_trail),
+    Run("crowd", "crowd", properties.spreads_out),
     Run("hand", "hand", properties.puts_cans_into_a_row),
     Run("vehicle", "vehicle", properties.comes_to_the_light),
     Run("call", "call", properties.finds_who_calls),

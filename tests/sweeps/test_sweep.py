@@ -70,6 +70,21 @@ USUAL = {
 }
 
 
+def test_what_is_scattered_has_other_places_with_each_seed(folder: Path) -> None:
+    path = write(folder, "[parameters]\nworld.crowd.count = [1, 2]\n")
+    hall = (folder / "hall.xml").read_text()
+    crowd = '<scatter id="crowd" robot="scout" count="1"/></world>'
+    (folder / "hall.xml").write_text(hall.replace("</world>", crowd))
+    rows = rows_of(swept(path, folder / "out"))
+    assert [row["status"] for row in rows] == ["ended"] * 6
+    program = crs_cc.compile_c(folder / "drive.c")
+    for row in rows[:3]:
+        world = crs_cc.load_world(folder / "hall.xml", seed=row["seed"])
+        session = crs_cc.Session(world, program, seed=row["seed"])
+        assert session.run().state_hash == row["state_hash"]
+    assert len({crs_cc.load_world(folder / "hall.xml", seed=seed).robots for seed in (1, 2)}) == 2
+
+
 def cases(*others: dict[str, object]) -> str:
     """Return combinations, each by what is not as usual."""
     return "\n".join(

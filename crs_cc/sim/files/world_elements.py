@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
-from pathlib import Path, PurePosixPath
-from typing import Final, Literal, TypeAlias
+from typing import Final
 
-from crs_cc.core.file_names import from_text
-from crs_cc.core.quantity import BRIGHTNESS, HEAT, LENGTH, LOUDNESS, TIME
+from crs_cc.core.quantity import BRIGHTNESS, LENGTH, LOUDNESS, TIME
 from crs_cc.sim.files.communication_elements import communication
 from crs_cc.sim.files.composite_elements import CompositeElements
 from crs_cc.sim.files.degradation_elements import degradations
@@ -19,14 +16,14 @@ from crs_cc.sim.files.field_elements import fields_of
 from crs_cc.sim.files.goal_elements import goals
 from crs_cc.sim.files.ground_elements import ground
 from crs_cc.sim.files.include import Included
-from crs_cc.sim.files.map_elements import map_boxes
 from crs_cc.sim.files.material_elements import Materials
-from crs_cc.sim.files.object_ids import check_parts, name_objects
-from crs_cc.sim.files.solid_elements import SHORTEST_M, SolidElements, pose, spread
+from crs_cc.sim.files.object_ids import name_objects
+from crs_cc.sim.files.scatter_elements import taken_out
+from crs_cc.sim.files.solid_elements import SHORTEST_M, SolidElements
+from crs_cc.sim.files.things import MAX_THINGS, FindModel, Things
 from crs_cc.sim.geometry.placement import misplaced, overlapping_objects
 from crs_cc.sim.model.beacons import TONES, Light, Sound
-from crs_cc.sim.model.robot import RobotModel
-from crs_cc.sim.model.world import Area, Box, Cylinder, Polygon, Robot, Solid, Wall, WorldModel
+from crs_cc.sim.model.world import Area, Box, Cylinder, Polygon, Solid, Wall, WorldModel
 
 
 def lights(root: Element, reader: Reader) -> tuple[Light, ...]:
@@ -58,17 +55,17 @@ def sounds(root: Element, reader: Reader) -> tuple[Sound, ...]:
 
 SHORTEST_TIMESTEP_S: Final = 0.001
 LONGEST_TIMESTEP_S: Final = 0.1
-MAX_THINGS: Final = 100_000
 MAX_SEED: Final = 999_999_999
-_DIALECTS: Final[dict[str, Literal["nomad", "report"]]] = {"nomad": "nomad", "report": "report"}
-_SIMPLE: Final = frozenset({"wall", "box", "cylinder", "polygon"})
-
-FindModel: TypeAlias = Callable[[Element], RobotModel]
-"""Returns the model of a robot; reports an error at the element if there is none."""
 
 
 def world_model(
-    root: Element, name: str, included: Included, reader: Reader, find_model: FindModel
+    root: Element,
+    name: str,
+    included: Included,
+    reader: Reader,
+    find_model: FindModel,
+    *,
+    seed: int | None = None,
 ) -> WorldModel:
     """Return the world that a world file describes; errors go to the reader.
 
@@ -78,39 +75,34 @@ def world_model(
         included: reads included files; it has the folder of programs and images.
         reader: reads the values.
         find_model: finds robot definitions.
+        seed: the random seed of what is scattered; by default that of the world.
     """
-    if len(root.children) > MAX_THINGS:
-        reader.error(root, f"more than {MAX_THINGS} objects")
-        root.children = root.children[:1]
     name_objects(root.children, reader)
+    scatters = taken_out(root, MAX_THINGS, reader)
+    if len(root.children) + sum(len(each.copies) for each in scatters) > MAX_THINGS:
+        reader.error(root, f"more than {MAX_THINGS} objects")
+        root.children, scatters = root.children[:1], []
     definitions = included.definitions(root)
     materials = Materials((each for each in definitions if each.tag == "material"), reader)
     area = _area(root.first("area"), reader, materials)
     solids = SolidElements(reader, materials)
     composites = CompositeElements((e for e in definitions if e.tag == "define"), solids)
-    objects = _objects(root, included.folder, area, solids, composites)
-    robots = [
-        Robot(
-            element.attributes["id"],
-            find_model(element),
-            pose(element, reader),
-            _program(element, included.folder, reader),
-            tuple(argument.text for argument in element.all("argument")),
-            reader.not_negative(element, "heat", HEAT),
-            _DIALECTS.get(element.attributes.get("dialect", "")),
-            materials.of(element),
-            *_stay(element, reader),
-            spread(element, reader),
-        )
-        for element in root.all("robot")
-    ]
+    things = Things(area, included.folder, materials, solids, composites, find_model)
+    things.read(root.children)
+    world_seed = _seed(root, reader)
+    if scatters:
+        things.scatter(root, scatters, seed if seed is not None else world_seed or 0)
+    elif not things.robots:
+        reader.error(root, "no robot in the world", "add <robot x='1m' y='1m'/>")
+    things.check_ids(root)
+    robots = things.robots
     world = WorldModel(
         root.attributes.get("name", name),
         area,
         robots=tuple(robots),
         timestep_s=_timestep(root, reader),
         duration_s=_duration(root, reader),
-        seed=_seed(root, reader),
+        seed=world_seed,
         surface=ground(root.first("surface"), area, included.folder, reader),
         lights=lights(root, reader),
         sounds=sounds(root, reader),
@@ -120,38 +112,10 @@ def world_model(
         communication=communication(root, [robot.id for robot in robots], reader),
     )
     world = replace(world, fields=fields_of(root, area, world.timestep_s, reader))
-    world = _with(world, objects)
+    world = _with(world, things.objects)
     world = replace(world, goals=goals(root, world, reader))
-    _check(world, root, {solid.id: element for element, solid in objects}, reader)
+    _check(world, root, {solid.id: element for element, solid in things.objects}, reader)
     return world
-
-
-def _objects(
-    root: Element,
-    folder: Path | None,
-    area: Area,
-    solids: SolidElements,
-    composites: CompositeElements,
-) -> list[tuple[Element, Solid]]:
-    """Return all walls and objects, each with its element."""
-    objects: list[tuple[Element, Solid]] = []
-    for element in root.children:
-        parts: Sequence[Solid] = ()
-        if element.tag in _SIMPLE:
-            parts = (solids.solid(element),)
-        elif element.tag == "object":
-            parts = composites.parts(element)
-        elif element.tag == "map":
-            parts = map_boxes(element, folder, area, solids)
-        objects += [(element, part) for part in parts]
-        if len(objects) > MAX_THINGS:
-            solids.reader.error(element, f"more than {MAX_THINGS} objects")
-            return []
-    composed = [(element, part.id) for element, part in objects if element.tag not in _SIMPLE]
-    check_parts(
-        composed, [element.attributes.get("id", "") for element in root.children], solids.reader
-    )
-    return objects
 
 
 def _with(world: WorldModel, objects: Sequence[tuple[Element, Solid]]) -> WorldModel:
@@ -177,8 +141,6 @@ def _check(
         objects: the element of each object, by its id.
         reader: receives the errors.
     """
-    if not world.robots:
-        reader.error(root, "no robot in the world", "add <robot x='1m' y='1m'/>")
     if root.first("area").broken:
         return
     pairs = list(zip(root.all("robot"), world.robots, strict=True))
@@ -220,45 +182,3 @@ def _seed(root: Element, reader: Reader) -> int | None:
     if "seed" not in root.attributes:
         return None
     return reader.whole(root, "seed", 0, MAX_SEED)
-
-
-def _stay(element: Element, reader: Reader) -> tuple[float, float]:
-    """Return when a robot joins and when it leaves [s]."""
-    join_s = reader.not_negative(element, "join", TIME)
-    leave_s = reader.positive(element, "leave", TIME, math.inf)
-    if leave_s <= join_s:
-        reader.refuse(element, "leave: must be later than join")
-    return join_s, leave_s
-
-
-def _program(element: Element, folder: Path | None, reader: Reader) -> str:
-    """Return the path of a program: a C file in the world file's folder or below."""
-    text = element.attributes.get("program", "")
-    if not text:
-        return ""
-    path = PurePosixPath(from_text(text))
-    if path.suffix != ".c" or path.is_absolute() or "\0" in text:
-        reader.error(element, f"program {text!r}: must be a relative path to a C file (.c)")
-        return ""
-    if folder is None:
-        return str(path)
-    if not _is_below(folder / path, folder):
-        reader.error(element, f"program {text!r}: must be in the folder of this file or below")
-        return ""
-    if not _is_file(folder / path):
-        reader.error(element, f"program {text!r}: no such file")
-    return str(folder / path)
-
-
-def _is_below(path: Path, folder: Path) -> bool:
-    try:
-        return path.resolve().is_relative_to(folder.resolve())
-    except (OSError, RuntimeError):  # circular links
-        return False
-
-
-def _is_file(path: Path) -> bool:
-    try:
-        return path.is_file()
-    except OSError:  # an invalid file name
-        return False

@@ -54,7 +54,11 @@ _EMPTY_WORLD: Final = b"""<world version="1" name="empty">
 
 
 def load_world(
-    path: Path, setup: str = "", robot: str = SCOUT, text: bytes | None = None
+    path: Path,
+    setup: str = "",
+    robot: str = SCOUT,
+    text: bytes | None = None,
+    seed: int | None = None,
 ) -> WorldModel:
     """Return the world that a file describes.
 
@@ -63,11 +67,12 @@ def load_world(
         setup: the setup of all robots, such as `noisy`; by default that of the file.
         robot: the default kind of robot: a built-in name, or the path of a definition file.
         text: the content instead of the file's own, such as after changes.
+        seed: the random seed of what is scattered; by default that of the file.
 
     Raises:
         WorldError: the file cannot be read or is invalid; all errors are reported at once.
     """
-    return _World(path.stem, str(path), path.parent, setup, robot).parse(
+    return _World(path.stem, str(path), path.parent, setup, robot, seed).parse(
         read_file(path) if text is None else text
     )
 
@@ -80,6 +85,7 @@ def parse_world(
     folder: Path | None = None,
     *,
     models: Mapping[str, RobotModel] | None = None,
+    seed: int | None = None,
 ) -> WorldModel:
     """Return the world that a text describes.
 
@@ -90,11 +96,12 @@ def parse_world(
         robot: the default kind of robot.
         folder: the folder of definitions, images and programs; None if it may not use any.
         models: robot models by the names of their definitions, for which no file is read.
+        seed: the random seed of what is scattered; by default that of the text.
 
     Raises:
         WorldError: the text is invalid; all errors are reported at once.
     """
-    world = _World(name, name, folder, setup, robot)
+    world = _World(name, name, folder, setup, robot, seed)
     world.found.update({(each, setup): model for each, model in (models or {}).items()})
     return world.parse(text)
 
@@ -209,6 +216,7 @@ class _World:
         folder: the folder of definitions and programs; None if the world was not read from a file.
         setup: the setup of all robots; empty for that of the file.
         robot: the default kind of robot, by name or path.
+        seed: the random seed of what is scattered; None for that of the file.
     """
 
     name: str
@@ -216,6 +224,7 @@ class _World:
     folder: Path | None
     setup: str
     robot: str
+    seed: int | None = None
     reader: Reader = field(init=False)
     found: dict[tuple[str | Path, str], RobotModel | None] = field(default_factory=dict)
 
@@ -234,7 +243,7 @@ class _World:
         root = elements(text, "world.xsd", self.file, diagnostics, outermost="world")
         self.reader = Reader(self.file, diagnostics)
         included = Included(self.folder, self.reader)
-        world = world_model(root, self.name, included, self.reader, self._model)
+        world = world_model(root, self.name, included, self.reader, self._model, seed=self.seed)
         diagnostics.messages = _by_line(diagnostics.messages, self.file, included.lines)
         return world, diagnostics
 

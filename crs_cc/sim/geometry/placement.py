@@ -60,7 +60,7 @@ def overlapping_objects(world: WorldModel) -> Iterator[tuple[str, str]]:
     pushable = [number for number, solid in enumerate(solids) if is_pushable(solid)]
     if not pushable:
         return
-    around = Discs(*np.array([_disc_around(solid) for solid in solids]).T)
+    around = Discs(*np.array([disc_around(solid) for solid in solids]).T)
     objects = around.take(np.array(pushable))
     for solid_of, object_of in overlapping(around, objects):
         for number in np.unique(solid_of).tolist():
@@ -122,7 +122,7 @@ def _inside(
     solids = world.solids()[len(world.edge_walls()) :]
     if not solids:
         return
-    around = Discs(*np.array([_disc_around(solid) for solid in solids]).T)
+    around = Discs(*np.array([disc_around(solid) for solid in solids]).T)
     for solid_of, robot_of in overlapping(around, robots):
         for number in np.unique(solid_of).tolist():
             near, solid = np.sort(robot_of[solid_of == number]), solids[number]
@@ -143,7 +143,7 @@ def _named(solid: Solid) -> str:
     return f"{type(solid).__name__.lower()} {solid.id!r}"
 
 
-def _disc_around(solid: Solid) -> tuple[float, float, float]:
+def disc_around(solid: Solid) -> tuple[float, float, float]:
     """Return x, y and radius [m] of a disc that covers a solid."""
     if isinstance(solid, Wall):
         x_m, y_m = (solid.x1_m + solid.x2_m) / 2, (solid.y1_m + solid.y2_m) / 2
