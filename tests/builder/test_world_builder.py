@@ -173,10 +173,10 @@ def test_arrays_rings_lines_and_groups() -> None:
 
 def test_several_elements_are_found_as_each_of_them_is() -> None:
     root = WorldBuilder(text=ROOM.replace('id="crate"', 'id="world"')).document.root
-    names = ["world", "wall0", "area", "wall0", ""]
+    names = ["world", "cylinder0", "area", "cylinder0", ""]
     assert find_all(root, names) == [find(root, name) for name in names]
     with pytest.raises(ValueError, match="unknown element 'wall9'"):
-        find_all(root, ["wall0", "wall9"])
+        find_all(root, ["cylinder0", "wall9"])
 
 
 def test_a_brush_changes_the_heights_that_it_reaches_and_no_others() -> None:
