@@ -73,6 +73,11 @@ class Elsewhere:
         """Note the session that uses the fleet, and how it is interrupted."""
         self._session, self._is_interrupted = session, is_interrupted
 
+    @property
+    def repeats_until_s(self) -> float:
+        """Up to when the run is a recorded one again [s]."""
+        return 0.0 if self._resumption is None else self._resumption.end_s
+
     def read(self, robot: int, wanted: int) -> bytes:
         """Return standard input of the host of a robot."""
         if self._resumption is not None and self._session.time_s < self._resumption.end_s:
@@ -99,12 +104,19 @@ class Elsewhere:
         if self._resumption is not None:
             self._resumption.compare(self._session)
 
-    def hold(self, made: Callable[[Change], None]) -> None:
-        """Hold the robots whose programs have stopped with their host: nobody steers them.
+    def change(self, made: Callable[[Change], None]) -> None:
+        """Make the recorded changes of a resumed run again, and hold robots that nobody steers.
+
+        These are those whose programs have stopped with their host.
 
         Args:
             made: is told of each change of the run.
+
+        Raises:
+            ReplayMismatch: a recorded change is not possible now.
         """
+        if self._resumption is not None:
+            self._resumption.change(self._session, made)
         while self._stopped:
             text = f"hold {self._stopped.pop(0)}"
             edit_run(self._session, text)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from crs_cc.cli.load import Loaded
     from crs_cc.cli.run_options import RunOptions
+    from crs_cc.debug.timeline.change import Change
     from crs_cc.session.session import Session
     from crs_cc.sim.engine.step import Step
     from crs_cc.workbench.pointing import Pointing
@@ -45,12 +46,20 @@ class RunView:
         self._announced = ExitStack()
         self._player = Player(world.timestep_s, speed=options.speed)
 
-    def begin(self, session: Session, has_ended: Callable[[], bool]) -> None:
+    def begin(
+        self,
+        session: Session,
+        has_ended: Callable[[], bool],
+        changed: Callable[[Change], None],
+        repeats_until_s: float,
+    ) -> None:
         """Serve pages from the start of a session on.
 
         Args:
             session: the run.
             has_ended: returns whether the user has interrupted it.
+            changed: is told of each change that pages make.
+            repeats_until_s: up to when it is a recorded run again [s], which nothing may change.
 
         Raises:
             OSError: the port is in use.
@@ -59,7 +68,7 @@ class RunView:
         self._watcher.begin(session)
         self._player.has_ended = has_ended
         self._player.play()
-        run = AttachedRun(session)
+        run = AttachedRun(session, self._watcher, changed, repeats_until_s)
         self._screen = Screen(run, self._feed, self._player, self._port, self._front)
         address = self._screen.server.address()
         if self._front is None:  # whoever has opened the front has announced it

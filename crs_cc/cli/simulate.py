@@ -208,7 +208,10 @@ class Runner:
         if self._recorder is not None:
             self._recorder.begin(self.session)
         if self._view is not None:
-            self._view.begin(self.session, lambda: self._interrupt.requested)
+            repeats_until_s = 0.0 if self._elsewhere is None else self._elsewhere.repeats_until_s
+            self._view.begin(
+                self.session, lambda: self._interrupt.requested, self._note, repeats_until_s
+            )
         if self._clients is not None:
             pointing = None if self._view is None else self._view.pointing
             self._clients.begin(self.session, pointing, lambda: self._interrupt.requested)
@@ -250,7 +253,7 @@ class Runner:
         if self._real_network is not None:
             self._real_network.exchange()
         if self._elsewhere is not None:
-            self._elsewhere.hold(self._note)
+            self._elsewhere.change(self._note)
         if self._changes is None:
             return
         before = len(self.session.fleet)

@@ -1,37 +1,64 @@
-"""A run that another command runs and pages look at: they may pause it and set its speed."""
+"""A run that another command runs and pages look at: they may pause it, set its speed, change it.
+
+Changes are made between two timesteps, before the run goes on, and are recorded by whoever records
+the run. Nothing is taken back, since it only goes forward.
+"""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.change import Change
+from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.world.edits import words_of
+from crs_cc.debug.world.run_edits import edit_run
+from crs_cc.workbench.control import panel
 from crs_cc.workbench.robot_table import status
 from crs_cc.workbench.run import Halt
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
     from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.workbench.branches import KnownBranches
+    from crs_cc.workbench.watcher import Watcher
 
 
 class AttachedRun:
     """A session that goes forward only.
 
     Attributes:
-        can: it plays and pauses.
+        can: it plays and pauses, and is changed.
         timestep_s: the length of a timestep.
         halt: why it stands.
     """
 
-    can = frozenset({"play"})
+    can = frozenset({"play", "change"})
 
-    def __init__(self, session: Session) -> None:
-        """Store the session."""
+    def __init__(
+        self,
+        session: Session,
+        watcher: Watcher,
+        changed: Callable[[Change], None],
+        repeats_until_s: float = 0.0,
+    ) -> None:
+        """Store the session.
+
+        Args:
+            session: the run.
+            watcher: tells pages what happens in it.
+            changed: is told of each change.
+            repeats_until_s: up to when it is a recorded run again [s], so that nothing may change.
+        """
         self.halt = Halt()
         self.timestep_s = session.environment.timestep_s
-        self._session = session
+        self._session, self._watcher = session, watcher
+        self._changed, self._repeats_until_s = changed, repeats_until_s
+        self._changes: list[Change] = []
         self._robot = 0
 
     @property
@@ -81,9 +108,31 @@ class AttachedRun:
         """Raise DebugError: there is no engine."""
         raise DebugError("this run is not debugged: start it with crs view")
 
+    def session(self) -> Session:
+        """Return the run."""
+        return self._session
+
+    def edit(self, text: str, *, is_playing: bool) -> str:  # noqa: ARG002
+        """Change it at the start of this timestep; raise DebugError if that is not possible."""
+        session = self._session
+        if words_of(text)[:1] == ["join"]:
+            raise DebugError("robots are not added to a run that goes on by itself: use crs view")
+        if session.time_s < self._repeats_until_s:
+            until = f"{self._repeats_until_s:.2f} s"
+            raise DebugError(f"this run repeats a recorded one until {until}: change it then")
+        done = edit_run(session, text)
+        change = Change(Position(session.timesteps, 0), text)
+        self._changes.append(change)
+        self._changed(change)
+        return done
+
+    def changes(self) -> Sequence[Change]:
+        """Return what pages have changed."""
+        return self._changes
+
     def panel(self) -> dict[str, Any] | None:
-        """Return None: it cannot be changed."""
-        return None
+        """Return what pages have changed, what is degraded, and which links are shut."""
+        return panel(self._session.environment, self._changes)
 
     def branches(self) -> KnownBranches:
         """Raise DebugError: there is no engine."""
@@ -106,4 +155,5 @@ class AttachedRun:
         raise DebugError("this run is not debugged: start it with crs view")
 
     def settle(self) -> None:
-        """Do nothing: pages change nothing."""
+        """Show what a change has done."""
+        self._watcher.show()

@@ -1,7 +1,8 @@
 """The control panel: changes of the run, what is in force, and how both are written out.
 
 What the panel changes, it changes at the start of the timestep in which the run stands: so
-`crs run --inputs` can make the same changes again, to the bit.
+`crs run --inputs` can make the same changes again, to the bit. In runs that only go forward nothing
+is taken back.
 """
 
 from __future__ import annotations
@@ -18,12 +19,13 @@ from crs_cc.sim.model.degradation import HOLD, degradables, described
 from crs_cc.workbench.devices_in_view import phase_now
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     from crs_cc.core.quantity import Kind
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.stop import Stop
     from crs_cc.debug.timeline.change import Change
+    from crs_cc.sim.engine.environment import Environment
     from crs_cc.workbench.context import Context
 
 _MAX_CHANGES: Final = 500
@@ -34,19 +36,8 @@ _RATIOS: Final = frozenset({"gain", "dropouts"})
 
 def edit(screen: Context, text: str) -> dict[str, str]:
     """Change the run; return what has changed, in words."""
-    debugger = screen.run.shell().debugger
-    here = debugger.position
-    is_start = here.timestep == 0 and not screen.player.is_playing
     with screen.working():
-        if here != Position(here.timestep, 0):
-            debugger.goto_timestep(here.timestep)
-        try:
-            done = debugger.edit_world(text)
-        except DebugError:
-            debugger.goto(here)
-            raise
-        if is_start:
-            begin(debugger)
+        done = screen.run.edit(text, is_playing=screen.player.is_playing)
     return {"text": f"{done}."}
 
 
@@ -79,15 +70,15 @@ def compare(screen: Context, name: str) -> dict[str, Any]:
     return screen.run.branches().compare(name)
 
 
-def panel(debugger: Debugger) -> dict[str, Any]:
+def panel(environment: Environment, changes: Sequence[Change]) -> dict[str, Any]:
     """Return what has been changed, what is degraded, and which links are shut."""
-    environment = debugger.session.environment
+    first = max(0, len(changes) - _MAX_CHANGES)
     return {
         "changes": [
-            {"number": number, "t": _time_s(debugger, each), **_about(debugger, each)}
-            for number, each in enumerate(debugger.run.history.changes)
-        ][-_MAX_CHANGES:],
-        "faults": list(_faults(debugger))[:_MAX_FAULTS],
+            {"number": number, "t": _time_s(environment, each), "text": _about(environment, each)}
+            for number, each in enumerate(changes[first:], first)
+        ],
+        "faults": list(_faults(environment))[:_MAX_FAULTS],
         "outages": [
             {"at": at_s, "until": until_s, "channel": channel, "from": sender, "to": receiver}
             for at_s, until_s, channel, sender, receiver in environment.communication.outages()
@@ -96,8 +87,7 @@ def panel(debugger: Debugger) -> dict[str, Any]:
     }
 
 
-def _faults(debugger: Debugger) -> Iterator[dict[str, Any]]:
-    environment = debugger.session.environment
+def _faults(environment: Environment) -> Iterator[dict[str, Any]]:
     models = {robot.id: robot.model for robot in environment.world.robots}
     for each in environment.degradations.all():
         yield {
@@ -113,19 +103,24 @@ def _faults(debugger: Debugger) -> Iterator[dict[str, Any]]:
         }
 
 
-def _about(debugger: Debugger, change: Change) -> dict[str, Any]:
+def _about(environment: Environment, change: Change) -> str:
     is_variable = change.robot >= 0
-    name = debugger.names[change.robot] if 0 <= change.robot < len(debugger.names) else ""
-    return {"text": f"{name}: {change.text}" if is_variable else change.text}
+    return f"{_name(environment, change.robot)}: {change.text}" if is_variable else change.text
 
 
-def _time_s(debugger: Debugger, change: Change) -> float:
-    return change.position.timestep * debugger.session.environment.world.timestep_s
+def _name(environment: Environment, robot: int) -> str:
+    """Return a robot's name; empty before it joins."""
+    robots = environment.world.robots
+    return robots[robot].id if robot < len(robots) else ""
+
+
+def _time_s(environment: Environment, change: Change) -> float:
+    return change.position.timestep * environment.world.timestep_s
 
 
 def form(screen: Context, robot: int) -> dict[str, Any]:
     """Return what of a robot can be degraded, and by which laws: the fields of a form."""
-    robots = screen.run.debugger().session.environment.world.robots
+    robots = screen.run.world.robots
     if not 0 <= robot < len(robots):
         raise DebugError(f"no robot {robot}")
     model = robots[robot].model
@@ -169,30 +164,30 @@ def _field(name: str) -> dict[str, Any]:
 
 def export(screen: Context, form: str) -> dict[str, str]:
     """Return what was changed as a script for `crs run --inputs`, or as XML for a world file."""
-    debugger = screen.run.shell().debugger
+    environment = screen.run.session().environment
     if form == "xml":
-        return {"name": "changes.xml", "text": _xml(debugger)}
+        return {"name": "changes.xml", "text": _xml(environment)}
     if form == "inputs":
-        return {"name": "changes.txt", "text": _script(debugger)}
+        return {"name": "changes.txt", "text": _script(environment, screen.run.changes())}
     raise DebugError(f"unknown form '{form[:20]}' (known: xml, inputs)")
 
 
-def _xml(debugger: Debugger) -> str:
-    environment = debugger.session.environment
+def _xml(environment: Environment) -> str:
     known = {each.id for each in environment.world.degradations}
     more = [each for each in environment.degradations.all() if each.id not in known]
     own = fault_elements(environment.world, more, environment.communication.outages())
     return "".join(document_of(each).decode().partition("\n")[2] for each in own)
 
 
-def _script(debugger: Debugger) -> str:
+def _script(environment: Environment, changes: Sequence[Change]) -> str:
     """Return the changes as lines; those that cannot be repeated by it as comments that say so."""
     lines = ["# What was changed; to be made again by: crs run --inputs THIS-FILE PROGRAM WORLD"]
-    for each in debugger.run.history.changes:
-        line = f"{TIME.exact(_time_s(debugger, each))}: {each.text}"
+    for each in changes:
+        line = f"{TIME.exact(_time_s(environment, each))}: {each.text}"
         place = each.position
         if each.robot >= 0:
-            line = f"# a variable of {debugger.names[each.robot]}, only in recordings: {line}"
+            name = _name(environment, each.robot)
+            line = f"# a variable of {name}, only in recordings: {line}"
         elif place != Position(place.timestep, 0):
             line = f"# inside a timestep, only in recordings: {line}"
         lines.append(line)

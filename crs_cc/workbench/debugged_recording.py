@@ -12,10 +12,12 @@ from typing import TYPE_CHECKING, Any
 from crs_cc.workbench.run import Halt
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.timeline.change import Change
+    from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.workbench.branches import KnownBranches
     from crs_cc.workbench.debugged_run import DebuggedRun
@@ -26,11 +28,11 @@ class DebuggedRecording:
     """A recorded run, and the same run in the debugger.
 
     Attributes:
-        can: it plays, goes to other times, and is debugged.
+        can: it plays, goes to other times, is changed, and is debugged.
         timestep_s: the time between two frames.
     """
 
-    can = frozenset({"play", "seek", "debug"})
+    can = frozenset({"play", "seek", "change", "debug"})
 
     def __init__(self, playback: Playback, make: Callable[[], DebuggedRun]) -> None:
         """Store what is recorded, and the function that loads the programs.
@@ -131,6 +133,20 @@ class DebuggedRecording:
     def debugger(self) -> Debugger:
         """Return the debugger, wherever it stands."""
         return self._opened().debugger()
+
+    def session(self) -> Session:
+        """Return the run, at the time that is shown."""
+        self.stand()
+        return self._opened().session()
+
+    def edit(self, text: str, *, is_playing: bool) -> str:
+        """Change the run where it is shown: from there on, it is another one."""
+        self.stand()
+        return self._opened().edit(text, is_playing=is_playing)
+
+    def changes(self) -> Sequence[Change]:
+        """Return the changes of this branch."""
+        return self._opened().changes()
 
     def panel(self) -> dict[str, Any] | None:
         """Return what the control panel shows; None while the programs stand elsewhere."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.position import Position
 from crs_cc.workbench import sources
 from crs_cc.workbench.branches import KnownBranches
 from crs_cc.workbench.control import begin, panel
@@ -13,8 +15,12 @@ from crs_cc.workbench.run import Halt
 from crs_cc.workbench.world_data import world_data
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.stop import Stop
+    from crs_cc.debug.timeline.change import Change
+    from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.workbench.watcher import Watcher
 
@@ -26,13 +32,13 @@ class DebuggedRun:
     """A run of the debug engine.
 
     Attributes:
-        can: it plays, goes to other times, and is debugged.
+        can: it plays, goes to other times, is changed, and is debugged.
         timestep_s: the length of a timestep.
         halt: why it stands, or stood last.
         has_changed: whether a user has changed it here.
     """
 
-    can = frozenset({"play", "seek", "debug"})
+    can = frozenset({"play", "seek", "change", "debug"})
 
     def __init__(self, debugger: Debugger, watcher: Watcher) -> None:
         """Store the engine and what watches its session."""
@@ -93,7 +99,31 @@ class DebuggedRun:
 
     def panel(self) -> dict[str, Any] | None:
         """Return what has been changed, what is degraded, and which links are shut."""
-        return panel(self._debugger) | {"branches": self._branches.listing()}
+        shown = panel(self._debugger.session.environment, self.changes())
+        return shown | {"branches": self._branches.listing()}
+
+    def session(self) -> Session:
+        """Return the run."""
+        return self._debugger.session
+
+    def edit(self, text: str, *, is_playing: bool) -> str:
+        """Change it at the start of this timestep, wherever its programs stand in that."""
+        debugger = self._debugger
+        here = debugger.position
+        if here != Position(here.timestep, 0):
+            debugger.goto_timestep(here.timestep)
+        try:
+            done = debugger.edit_world(text)
+        except DebugError:
+            debugger.goto(here)
+            raise
+        if here.timestep == 0 and not is_playing:
+            begin(debugger)
+        return done
+
+    def changes(self) -> Sequence[Change]:
+        """Return all changes of this branch."""
+        return self._debugger.run.history.changes
 
     def branches(self) -> KnownBranches:
         """Return the branches that changes in the past have made."""

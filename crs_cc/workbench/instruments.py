@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from crs_cc.debug.engine import Debugger
+    from crs_cc.sim.engine.environment import Environment
     from crs_cc.workbench.context import Context
     from crs_cc.workbench.trace import Samples
 
@@ -42,6 +43,7 @@ MAX_ELEMENTS: Final = 32
 _LATEST_S: Final = 1.0  # frames are more frequent while anything moves
 
 NO_ECHO: Final = "no echo"
+NOT_ASKED: Final = "programs are asked in runs of crs view only"
 
 Value = float | str
 """A number, or why there is none."""
@@ -60,25 +62,37 @@ def rows(screen: Context, robots: str) -> dict[str, Any]:
 
 
 def inspect(screen: Context, robot: int, expressions: str) -> dict[str, Any]:
-    """Return `State[]`, the readings and the values of expressions of a robot, as they are now."""
-    if not screen.run.stands:
+    """Return `State[]`, the readings and the values of expressions of a robot, as they are now.
+
+    Of runs that are not debugged, programs are not asked: there is no `State[]`.
+    """
+    run, wanted = screen.run, _listed(expressions)
+    debugger = _debugger(screen, robot) if run.stands else None
+    if debugger is None and "debug" in run.can:
         raise DebugError("the programs do not stand at the time that is shown")
-    debugger, wanted = _debugger(screen, robot), _listed(expressions)
-    try:
-        state = [[each.name, each.text] for each in vendor_state_rows(debugger.view, robot)]
-    except DebugError:  # before the program has any
-        state = []
+    environment = run.session().environment
+    if not 0 <= robot < len(environment.world.robots):
+        raise DebugError(f"no robot {robot}")
     return {
-        "t": screen.run.time_s,
+        "t": run.time_s,
         "robot": robot,
-        "state": state,
-        "sensors": readings(debugger, robot),
+        "state": [] if debugger is None else _state(debugger, robot),
+        "sensors": readings(environment, robot),
         "values": [
-            _clearance(screen, robot) if each == CLEARANCE else value(debugger, robot, each)
+            _clearance(screen, robot)
+            if each == CLEARANCE
+            else value(environment, debugger, robot, each)
             for each in wanted
         ],
-        "units": [unit_of(debugger.session.environment, robot, each) for each in wanted],
+        "units": [unit_of(environment, robot, each) for each in wanted],
     }
+
+
+def _state(debugger: Debugger, robot: int) -> list[list[str]]:
+    try:
+        return [[each.name, each.text] for each in vendor_state_rows(debugger.view, robot)]
+    except DebugError:  # before the program has any
+        return []
 
 
 def history(
@@ -131,18 +145,23 @@ def past(
                 break
             debugger.goto_timestep(timestep)
             if robot < len(debugger.names):
-                now_s = debugger.session.time_s
-                found.append([now_s, *(value(debugger, robot, each) for each in wanted)])
+                session = debugger.session
+                values = (value(session.environment, debugger, robot, each) for each in wanted)
+                found.append([session.time_s, *values])
         debugger.goto(here)
         debugger.stop, (view.robot, view.frame) = stop, looked_at
     return {"rows": found}
 
 
-def value(debugger: Debugger, robot: int, expression: str) -> Value:
+def value(
+    environment: Environment, debugger: Debugger | None, robot: int, expression: str
+) -> Value:
     """Return the value of an expression, or why it has none."""
-    found = _own(debugger, robot, expression)
+    found = _own(environment, robot, expression)
     if found is not None:
         return found
+    if debugger is None:
+        return NOT_ASKED
     try:
         seen = debugger.view.look_up(expression, robot=robot).number
     except DebugError as error:
@@ -152,9 +171,8 @@ def value(debugger: Debugger, robot: int, expression: str) -> Value:
     return float(seen) if math.isfinite(seen) else "not finite"
 
 
-def _own(debugger: Debugger, robot: int, expression: str) -> Value | None:
+def _own(environment: Environment, robot: int, expression: str) -> Value | None:
     """Return a quantity of the robot itself; None for an expression of its program."""
-    environment = debugger.session.environment
     if expression in QUANTITIES:
         return QUANTITIES[expression].of(environment, robot)
     reading = reading_of(expression)
@@ -168,9 +186,8 @@ def _own(debugger: Debugger, robot: int, expression: str) -> Value | None:
     return number if math.isfinite(number) else NO_ECHO
 
 
-def readings(debugger: Debugger, robot: int) -> dict[str, Any]:
+def readings(environment: Environment, robot: int) -> dict[str, Any]:
     """Return the last readings of a robot's devices, with their units."""
-    environment = debugger.session.environment
     found: dict[str, Any] = {}
     for device in devices():
         numbers = environment.reading(device.name, robot)

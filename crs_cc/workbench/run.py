@@ -6,12 +6,16 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.timeline.change import Change
+    from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.workbench.branches import KnownBranches
 
-Ability = Literal["play", "seek", "debug"]
+Ability = Literal["play", "seek", "change", "debug"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +37,7 @@ class Run(Protocol):
     """A run; its methods are called in its thread, except `interrupt`.
 
     Attributes:
-        can: what can be done with it: `play` and pause, `seek` other times, `debug`.
+        can: what can be done with it: `play` and pause, `seek` other times, `change`, `debug`.
         timestep_s: the length of a timestep.
     """
 
@@ -85,6 +89,23 @@ class Run(Protocol):
 
     def debugger(self) -> Debugger:
         """Return the debugger, wherever it stands; raise DebugError if there is none."""
+
+    def session(self) -> Session:
+        """Return the run at the time that is shown; raise DebugError if it does not get there."""
+
+    def edit(self, text: str, *, is_playing: bool) -> str:
+        """Change it at the start of this timestep; return a description of the change.
+
+        Args:
+            text: the change, see `run_edits.ALL_EDITS`.
+            is_playing: whether it goes on.
+
+        Raises:
+            DebugError: the change is invalid or impossible; nothing has changed.
+        """
+
+    def changes(self) -> Sequence[Change]:
+        """Return what its user has changed, in the order of time; raise DebugError as `session`."""
 
     def panel(self) -> dict[str, Any] | None:
         """Return what the control panel shows; None for runs that it cannot change."""

@@ -224,6 +224,7 @@ class Screen:
 WHY_NOT: Final = {
     "play": "it runs by itself",
     "seek": "it only goes forward; times that were seen can be looked at",
+    "change": "nothing can change it",
     "debug": "it was not started by crs view, which compiles programs so that they can be stepped",
 }
 """Why some runs cannot do something."""

@@ -38,11 +38,12 @@ export function actions(model, page) {
     return made;
   };
   const simple = FORMS.map((form) => opener({ id: form.id, title: form.title, make: () => simpleForm(model, form) }));
-  const add = opener({ id: "add", title: "Add a robot", make: () => addForm(model) });
+  const mayAdd = model.run.can.includes("debug"); // programs are compiled where they are debugged
+  const add = mayAdd ? [opener({ id: "add", title: "Add a robot", make: () => addForm(model) })] : [];
   const bar = el("div.actions", {}, drive,
     plain("Stop", "Stop its motors now", () => `drive ${name()} 0 0`), hold, ...simple,
     plain("Wake", "Wake its program", () => `wake ${name()}`),
-    plain("Remove", "Remove it from the world", () => `remove ${name()}`), add);
+    plain("Remove", "Remove it from the world", () => `remove ${name()}`), ...add);
   const show = () => {
     hold.querySelector("span").textContent = isHeld() ? "Let go" : "Hold";
     drive.setAttribute("aria-pressed", String(driving.isOn));

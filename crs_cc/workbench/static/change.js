@@ -10,7 +10,7 @@ export async function change(model, text) {
   try {
     const { text: done } = await model.channel.ask("edit", { text });
     const { t } = model.state;
-    const isPast = end - t > model.run.timestep_s * 1.5;
+    const isPast = model.can("seek") && end - t > model.run.timestep_s * 1.5;
     const rest = ` (another run begins at ${t.toFixed(2)} s; Changes has the one before)`;
     model.say(isPast ? done + rest : done);
     return "";

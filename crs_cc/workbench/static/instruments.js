@@ -64,7 +64,7 @@ export class Instruments {
 
   async inspect() {
     const wishes = [...this.wishes.values()].map((wish) => wish()).filter((wish) => wish.isShown);
-    if (!wishes.length || !this.model.run?.can.includes("debug") || !this.model.isConnected) return;
+    if (!wishes.length || !this.model.run?.can.includes("change") || !this.model.isConnected) return;
     const { robot } = this.model.state;
     const expressions = [...new Set(["speed", "battery", ...wishes.flatMap((wish) => wish.expressions)])].slice(0, 40);
     try {

@@ -44,7 +44,7 @@ export class Model {
     for (const listener of this.listeners.get(kind) ?? []) listener(message);
   }
 
-  /** Whether this page may do something: `play`, `seek`, `debug`. */
+  /** Whether this page may do something: `play`, `seek`, `change`, `debug`. */
   can(what) {
     return Boolean(this.run?.can.includes(what)) && this.run.role === "control";
   }

@@ -1,4 +1,4 @@
-/** What was changed by hand: each can be taken back, and all can be written out. */
+/** What was changed by hand: each can be taken back where the run goes back, and all can be written out. */
 import { button, el, fill } from "crs/dom.js";
 import { branches } from "crs/panels/branches.js";
 
@@ -7,7 +7,7 @@ export const changes = {
   id: "changes",
   title: "Changes",
   side: "right",
-  needs: "debug",
+  needs: "change",
   make(root, model, look, page) {
     const list = el("div.change-list", { role: "list", "aria-label": "changes" });
     const save = async (form) => {
@@ -20,7 +20,10 @@ export const changes = {
     };
     const script = button({ text: "Save as a script", title: "To be made again: crs run --inputs changes.txt", onclick: () => save("inputs") });
     const xml = button({ text: "Save as XML", title: "<degradation> and <shut> for a world file: what is in force", onclick: () => save("xml") });
-    const hint = el("p.hint", {}, "Nothing has been changed. What you do to the run (moves, faults, links, messages, variables) is listed here, and can be taken back.");
+    const mayTakeBack = model.run.can.includes("debug");
+    const hint = el("p.hint", {}, mayTakeBack
+      ? "Nothing has been changed. What you do to the run (moves, faults, links, messages, variables) is listed here, and can be taken back."
+      : "Nothing has been changed. What you do to the run (moves, faults, links, messages) is listed here. This run only goes forward: nothing is taken back.");
     root.append(el("div.bar", {}, script, xml), branches(model, look, page), hint, list);
 
     const show = () => {
@@ -30,7 +33,7 @@ export const changes = {
       fill(list, ...[...all].reverse().map(({ number, t, text }) => el("div.change", { role: "listitem" },
         el("button.link.when", { type: "button", title: "Go there", onclick: () => page.timeline.seek(t) }, `${t.toFixed(3)} s`),
         el("code", {}, text),
-        button({ text: "Take back", title: "Take back this change and all that followed: the run goes back to before it", onclick: () => model.ask("undo", { number }) }))));
+        mayTakeBack ? button({ text: "Take back", title: "Take back this change and all that followed: the run goes back to before it", onclick: () => model.ask("undo", { number }) }) : null)));
     };
     model.on("panel", show);
     model.on("hello", show);

@@ -15,7 +15,7 @@ export const faults = {
   id: "faults",
   title: "Faults",
   side: "right",
-  needs: "debug",
+  needs: "change",
   make(root, model) {
     const title = el("h2.robot-name");
     const form = el("form.fields", { onsubmit: (event) => {

@@ -32,7 +32,7 @@ export const messages = {
     let [link, one] = ["", ""]; // what is followed: a link, or a message
     let key = "";
     const { shut, send } = linkForms(model);
-    const sides = [["Graph", graph], ...(model.can("debug") ? [["Shut links", shut], ["Send", send]] : [])];
+    const sides = [["Graph", graph], ...(model.can("change") ? [["Shut links", shut], ["Send", send]] : [])];
     const show = (chosen) => {
       for (const [, box] of sides) box.hidden = box !== chosen;
       [...choose.children].forEach((each, at) => each.setAttribute("aria-pressed", String(sides[at][1] === chosen)));

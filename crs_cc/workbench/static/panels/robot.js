@@ -10,15 +10,16 @@ export const robot = {
   id: "robot",
   title: "Robot",
   side: "right",
-  needs: "debug",
+  needs: "change",
   make(root, model, look, page) {
     const { instruments } = page;
     const title = el("h2.robot-name");
     const sensors = el("div.sensors");
     const state = el("table.state-rows");
+    const isDebugged = model.run.can.includes("debug"); // else its program is not asked
     const body = el("div.robot-body", {}, title, actions(model, page),
       el("details", { open: true }, el("summary", {}, "Sensors"), sensors),
-      el("details", { open: true }, el("summary", {}, "State[] of the program"), state));
+      isDebugged ? el("details", { open: true }, el("summary", {}, "State[] of the program"), state) : null);
     root.append(body);
     instruments.want("robot", () => ({ isShown: Boolean(root.offsetParent), since: instruments.span[0],
       expressions: ["speed", ...(instruments.now?.sensors.sonar?.elements ?? []).map(([at]) => `sonar.${at}`)] }));
@@ -41,6 +42,7 @@ export const robot = {
     const draw = (now) => {
       if (!root.offsetParent) return;
       title.textContent = model.selected.id;
+      if (!now && !isDebugged) return fill(sensors);
       if (!now) return fill(sensors, el("p.hint", {}, "Its sensors and State[] are known where its program stands."),
         button({ text: "Run the programs to this time", title: "They run again, with the recorded input", onclick: () => model.ask("stand") }));
       if (now.robot !== model.state.robot) return;
