@@ -58,7 +58,7 @@ class RunView:
         Args:
             session: the run.
             has_ended: returns whether the user has interrupted it.
-            changed: is told of each change that pages make.
+            changed: is told of each change that pages make; calls `change`.
             repeats_until_s: up to when it is a recorded run again [s], which nothing may change.
 
         Raises:
@@ -68,8 +68,8 @@ class RunView:
         self._watcher.begin(session)
         self._player.has_ended = has_ended
         self._player.play()
-        run = AttachedRun(session, self._watcher, changed, repeats_until_s)
-        self._screen = Screen(run, self._feed, self._player, self._port, self._front)
+        self._run = AttachedRun(session, self._watcher, changed, repeats_until_s)
+        self._screen = Screen(self._run, self._feed, self._player, self._port, self._front)
         address = self._screen.server.address()
         if self._front is None:  # whoever has opened the front has announced it
             self._announced.enter_context(announced(self._screen.server.port, address))
@@ -90,6 +90,10 @@ class RunView:
     def step(self, step: Step) -> None:
         """Show what happened in a timestep."""
         self._watcher.step(step)
+
+    def change(self, change: Change) -> None:
+        """List a change of the run, whoever has made it."""
+        self._run.note(change)
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
         """Show what a program has written."""

@@ -210,7 +210,7 @@ class Runner:
         if self._view is not None:
             repeats_until_s = 0.0 if self._elsewhere is None else self._elsewhere.repeats_until_s
             self._view.begin(
-                self.session, lambda: self._interrupt.requested, self._note, repeats_until_s
+                self.session, lambda: self._interrupt.requested, self._made, repeats_until_s
             )
         if self._clients is not None:
             pointing = None if self._view is None else self._view.pointing
@@ -253,11 +253,11 @@ class Runner:
         if self._real_network is not None:
             self._real_network.exchange()
         if self._elsewhere is not None:
-            self._elsewhere.change(self._note)
+            self._elsewhere.change(self._made)
         if self._changes is None:
             return
         before = len(self.session.fleet)
-        self._changes.make(self.session, self._note)
+        self._changes.make(self.session, self._made)
         for robot in self.session.environment.world.robots[before:]:
             self._output.add(robot.id)
             if self._kept is not None:
@@ -266,6 +266,12 @@ class Runner:
     def _note(self, change: Change) -> None:
         if self._recorder is not None:
             self._recorder.change(change.as_data())
+
+    def _made(self, change: Change) -> None:
+        """Record a change that users have made, and list it in pages."""
+        self._note(change)
+        if self._view is not None:
+            self._view.change(change)
 
     def _hint_at_silence(self) -> None:
         """Say where a run stands that has no limit and has written nothing."""

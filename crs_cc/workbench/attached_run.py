@@ -51,7 +51,7 @@ class AttachedRun:
         Args:
             session: the run.
             watcher: tells pages what happens in it.
-            changed: is told of each change.
+            changed: is told of each change that is made here; calls `note`.
             repeats_until_s: up to when it is a recorded run again [s], so that nothing may change.
         """
         self.halt = Halt()
@@ -121,17 +121,19 @@ class AttachedRun:
             until = f"{self._repeats_until_s:.2f} s"
             raise DebugError(f"this run repeats a recorded one until {until}: change it then")
         done = edit_run(session, text)
-        change = Change(Position(session.timesteps, 0), text)
-        self._changes.append(change)
-        self._changed(change)
+        self._changed(Change(Position(session.timesteps, 0), text))
         return done
 
+    def note(self, change: Change) -> None:
+        """Note a change, whoever has made it."""
+        self._changes.append(change)
+
     def changes(self) -> Sequence[Change]:
-        """Return what pages have changed."""
+        """Return what has been changed."""
         return self._changes
 
     def panel(self) -> dict[str, Any] | None:
-        """Return what pages have changed, what is degraded, and which links are shut."""
+        """Return what has been changed, what is degraded, and which links are shut."""
         return panel(self._session.environment, self._changes)
 
     def branches(self) -> KnownBranches:

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 _MAX_CHANGES: Final = 500
 _MAX_FAULTS: Final = 500
+_TIME_DIGITS: Final = 9  # far below a timestep, and too few for what rounding adds to a time
 _TIMES: Final = frozenset({"delay", "onset", "duration", "recovery"})
 _RATIOS: Final = frozenset({"gain", "dropouts"})
 
@@ -183,7 +184,7 @@ def _script(environment: Environment, changes: Sequence[Change]) -> str:
     """Return the changes as lines; those that cannot be repeated by it as comments that say so."""
     lines = ["# What was changed; to be made again by: crs run --inputs THIS-FILE PROGRAM WORLD"]
     for each in changes:
-        line = f"{TIME.exact(_time_s(environment, each))}: {each.text}"
+        line = f"{round(_time_s(environment, each), _TIME_DIGITS)}s: {each.text}"
         place = each.position
         if each.robot >= 0:
             name = _name(environment, each.robot)
