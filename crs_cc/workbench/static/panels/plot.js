@@ -16,7 +16,7 @@ export const plot = {
   summary: "Plot of variables and readings over time",
   key: "g",
   side: "below",
-  needs: "debug",
+  needs: "change",
   make(root, model, look, page) {
     const { instruments } = page;
     let expressions = ["speed"];
@@ -91,7 +91,7 @@ export const plot = {
     const fillSoon = () => {
       const { playing, busy } = model.state;
       const isMissing = expressions.some((each) => instruments.missing(each, ...knownSpan()));
-      past.hidden = !isMissing || instruments.isFilling;
+      past.hidden = !isMissing || instruments.isFilling || !model.can("debug");
       const what = `${model.state.robot} ${expressions.join()} ${model.state.end} ${shown().join()}`;
       if (!isMissing || playing || busy || instruments.isFilling || what === filledFor || !model.can("debug")) return;
       filledFor = what;
