@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from typing import Final
 
 from crs_cc.builder import markup
 from crs_cc.builder.changes import Plan
@@ -12,6 +14,12 @@ from crs_cc.builder.mounting import is_mounted, mounted
 from crs_cc.builder.spans import Node
 from crs_cc.sim.devices.sonar.model import MAX_SONARS
 
+_BODY: Final = r"<!--(?:(?!-->).)*-->"
+_COMMENT: Final = re.compile(
+    rf"(?<=\n)[ \t]*{_BODY}[ \t]*\n|(?<=\S)[ \t]*{_BODY}|{_BODY}[ \t]*", re.DOTALL
+)
+"""A comment, with its line if nothing else stands there, or with the space before or behind it."""
+
 
 def is_sensor(node: Node) -> bool:
     """Return whether an element is a `<sensor>` of a robot definition."""
@@ -20,6 +28,8 @@ def is_sensor(node: Node) -> bool:
 
 def sensor_copies(document: Document, nodes: Sequence[Node], motions: Sequence[Motion]) -> Plan:
     """Copy sensors, once for each motion; the copies stand behind all others.
+
+    Comments are left out: they say of the original where it is.
 
     Raises:
         ValueError: a coordinate is invalid, or there would be too many.
@@ -39,7 +49,7 @@ def sensor_copies(document: Document, nodes: Sequence[Node], motions: Sequence[M
             for leaf in node.children:
                 if leaf.tag == "id":
                     splices += markup.set_text(document, leaf, number)
-            texts.append(markup.changed(document, node, splices))
+            texts.append(_COMMENT.sub("", markup.changed(document, node, splices)))
             numbers.append(number)
     names = [f"sensor[{index}]" for index in range(len(present), count)]
     plan = Plan(markup.insert(document, root, "sensor", texts), names)

@@ -71,7 +71,7 @@ class WorldBuilder:
 
     Attributes:
         document: the file as it is now.
-        path: where it is saved; None if it was made here.
+        path: where it is saved, and around which it finds other files; None if that is not known.
     """
 
     def __init__(self, path: str | os.PathLike[str] | None = None, text: str | bytes = b"") -> None:
@@ -93,20 +93,28 @@ class WorldBuilder:
         self._examined: tuple[bytes, Model | None, Sequence[Diagnostic]] | None = None
 
     @classmethod
-    def new(cls, length: float | str, width: float | str, name: str = "") -> Self:
+    def new(
+        cls,
+        length: float | str,
+        width: float | str,
+        name: str = "",
+        path: str | os.PathLike[str] | None = None,
+    ) -> Self:
         """Return the builder of a new world without anything in it.
 
         Args:
             length: the size of its area in x.
             width: its size in y.
             name: the name of the world; by default that of its file.
+            path: the new file in which it is saved.
         """
         builder = cls(
             text='<?xml version="1.0" encoding="UTF-8"?>\n<world version="1">\n</world>\n'
         )
         builder.set("world", name=name)
         builder.add("area", length=length, width=width)
-        builder.document = Document(builder.document.text, "world")
+        builder.path = None if path is None else Path(path)
+        builder.document = Document(builder.document.text, str(builder.path or "world"))
         return builder
 
     # -- what there is ---------------------------------------------------------------------------

@@ -45,9 +45,9 @@ class Trial:
                 f"robot {idle[0]!r} has no program: select it, and name a C file at its 'program'"
             )
         path = builder.path or Path("new.xml")
-        self._file = path.with_name(f".{path.stem}.trial.xml")
-        self._file.write_bytes(builder.document.text)
-        command = [sys.executable, "-m", "crs_cc", "view", str(self._file), "--no-open", "--play"]
+        file = self._file = path.with_name(f".{path.stem}.trial.xml")
+        file.write_bytes(builder.document.text)
+        command = [sys.executable, "-m", "crs_cc", "view", str(file), "--no-open", "--play"]
         if self._program is not None:
             command.append(str(self._program))
         self._process = subprocess.Popen(  # noqa: S603 - ourselves
@@ -63,7 +63,8 @@ class Trial:
             if len(said) >= _MOST_LINES:
                 break
         self.end()
-        raise ValueError("; ".join(filter(None, said[:3])) or "the run does not start")
+        why = "; ".join(filter(None, said[:3])) or "the run does not start"
+        raise ValueError(why.replace(file.name, path.name))
 
     def end(self) -> None:
         """End the run, if there is one."""
@@ -89,13 +90,12 @@ def building(world: Path | None, program: Path | None, port: int) -> Iterator[Bu
         OSError: the port is in use.
     """
     if world is None or not world.exists():
-        builder = WorldBuilder.new(*_NEW)
+        builder = WorldBuilder.new(*_NEW, path=world)
     else:
         check_readable(world)
         builder = WorldBuilder(world)
     trial = Trial(program)
-    target = world if builder.path is None else None
-    screen = BuildScreen(builder, trial.start, port, target)
+    screen = BuildScreen(builder, trial.start, port)
     try:
         yield screen
     finally:

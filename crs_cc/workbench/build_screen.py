@@ -59,7 +59,6 @@ class BuildScreen:
         builder: WorldBuilder,
         start_run: Callable[[WorldBuilder], str],
         port: int = 0,
-        target: Path | None = None,
     ) -> None:
         """Serve pages on a port, 0 for any that is free.
 
@@ -67,14 +66,12 @@ class BuildScreen:
             builder: the world.
             start_run: starts a run of the world as it is, and returns the address of its page.
             port: the port.
-            target: where a world that has no file yet is saved; None to ask for a name.
 
         Raises:
             OSError: the port is in use.
         """
         self.builder = builder
         self._start_run = start_run
-        self._target = target
         self._clip = ""
         self._shown: dict[str, Any] = {}
         self._over = threading.Event()
@@ -124,7 +121,7 @@ class BuildScreen:
         things = [_thing(node, name) for node, name in named(root)]
         return message(
             "document",
-            file=displayed(str(builder.path or self._target or "")),
+            file=displayed(str(builder.path or "")),
             changed=builder.is_changed,
             steps=len(builder.document.undoable),
             undo=builder.document.undoable[-1:],
@@ -139,7 +136,7 @@ class BuildScreen:
             materials=_names(root, "material", builder.library()),
             definitions=_names(root, "define", builder.library()),
             robots=list(known_robots()),
-            programs=programs_beside(builder.path or self._target),
+            programs=programs_beside(builder.path),
             channels=[] if world is None else [each.name for each in world.communication.channels],
             problems=problems(builder, {} if world is None else self._programs.messages(world)),
             clip=bool(self._clip),
@@ -199,8 +196,8 @@ class BuildScreen:
     def _save(self, given: dict[str, Any]) -> str:
         """Save the world; one that has no file yet to a new one in the folder where crs runs."""
         name = given.get("file", "")
-        if self.builder.path is not None or self._target is not None or not name:
-            return displayed(str(self.builder.save(self.builder.path or self._target)))
+        if self.builder.path is not None or not name:
+            return displayed(str(self.builder.save()))
         path = Path(str(name))
         if path.name != str(name) or path.suffix != ".xml":
             raise ValueError("the name must be that of a file (.xml), without a folder")

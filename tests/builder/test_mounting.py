@@ -94,6 +94,18 @@ def test_new_devices_and_sensors_stand_where_the_schema_wants_them() -> None:
     assert tags[-2:] == ["sensor", "setup"]
 
 
+def test_copies_of_a_sonar_do_not_repeat_what_is_said_of_the_original() -> None:
+    """Each of a ring was said to be in front."""
+    text = ROBOT.replace("<id>0</id>", "<!-- a --> <id>0</id><!-- in front -->")
+    text = text.replace("    <position>\n", "    <!-- of\n    two lines -->\n    <position>\n")
+    builder = WorldBuilder(text=text)
+    builder.ring("sensor", 2)
+    assert not builder.problems()
+    before, _, copy = builder.text.rpartition("  <sensor>")
+    assert text.startswith(before.rpartition("</sensor>")[0].replace('"0 1"', '"0"'))
+    assert copy.splitlines()[1:3] == ["    <id>1</id><type>sonar</type>", "    <position>"]
+
+
 def test_sonars_go_around_the_robot_with_numbers_of_their_own() -> None:
     builder = WorldBuilder(text=ROBOT)
     assert builder.ring("sensor", 8) == [f"sensor[{number}]" for number in range(1, 8)]

@@ -229,6 +229,29 @@ def test_what_is_referred_to_by_a_default_id_keeps_it() -> None:
     assert not builder.problems()
 
 
+def test_a_new_world_finds_what_is_beside_the_file_in_which_it_will_be_saved(
+    tmp_path: Path,
+) -> None:
+    """A program that is not there was a problem only after the world was saved."""
+    path = tmp_path / "hall.xml"
+    builder = WorldBuilder.new(4, 3, path=path)
+    builder.add("robot", x=1, y=1, program="go.c")
+    (problem,) = builder.problems()
+    assert problem.text == "program 'go.c': no such file"
+    assert problem.location.file == str(path)
+    builder.set("robot0", x=2)
+    (tmp_path / "go.c").touch()
+    builder.undo()
+    assert not builder.problems()
+    assert builder.world().robots[0].program == str(tmp_path / "go.c")
+    assert builder.world().name == "hall"
+    assert builder.save() == path
+    other = WorldBuilder.new(4, 3, path=path)
+    other.add("robot", x=1, y=1)
+    with pytest.raises(WorldError, match="exists"):
+        other.save()
+
+
 def test_references_follow_a_new_id() -> None:
     builder = WorldBuilder(text=ROOM)
     builder.set("crate", id="chest")

@@ -262,6 +262,7 @@ def the_world_is_tried_and_editing_goes_on_where_it_was(hand: Hand, folder: Path
     hand.page.get_by_role("button", name="Try").click()
     wait(hand.page, "window.crs && crs.model && crs.model.state && crs.model.state.t > 0.2")
     assert (folder / ".hall.trial.xml").exists()
+    assert hand.page.locator("#title").inner_text() == "go.c in hall.xml"
     hand.page.locator("button:has(span:text-is('Edit'))").click()
     wait(hand.page, "window.crs && crs.model.document && crs.model.document.things.length === 15")
     wait(hand.page, "crs.model.locked.has('wall0') && crs.view.scale > 300")
@@ -344,7 +345,9 @@ def an_object_is_dragged_from_the_library(hand: Hand) -> None:
     hand.press("Control+c", "Control+v")
     hand.has("chair-2")
     wait(hand.page, "crs.model.selection.has('chair-2')")
+    assert hand.page.locator("summary", has_text="Operation").is_visible()
     hand.press("Delete")
+    hand.page.locator("summary", has_text="Operation").wait_for(state="hidden")
     hand.page.evaluate(PASTE, CLIP)
     hand.has("stool")
     hand.press("Control+z", "Control+z", "Control+z", "Control+z")
@@ -401,6 +404,12 @@ def a_unit_is_chosen_for_what_is_drawn(hand: Hand) -> None:
     hand.press("c")
     hand.drag((3.4, 5.4), (3.6, 5.4))
     hand.has("cylinder0")
+    hand.drag((3.4, 4.6), (3.6, 4.8))  # not 28.28427124746190cm
+    hand.has("cylinder1")
+    assert hand.page.evaluate("crs.model.thing('cylinder1').attributes.radius") == "28.3cm"
+    hand.press("Control+z")
+    wait(hand.page, "!crs.model.thing('cylinder1')")
+    hand.page.locator(".thing", has_text="cylinder0").click()
     known = hand.page.evaluate("crs.model.thing('cylinder0').attributes")
     assert known == {"id": "cylinder0", "x": "340cm", "y": "540cm", "radius": "20cm"}
     hand.page.once("dialog", lambda dialog: dialog.accept("post"))
@@ -538,6 +547,9 @@ def test_a_first_world_is_drawn_in_a_few_steps(browser: Any, tmp_path: Path) -> 
         page.locator("canvas").first.focus()
         hand.press("m")
         hand.drag((4.0, 1.0), (6.0, 2.0))
+        hand.has("surface/ramp")
+        hand.click(1.5, 4.5)  # a click without a drag selects
+        wait(page, "crs.model.selection.has('box0')")
         hand.press("r")
         for number in range(3):
             hand.click(1.0 + number, 1.0)
@@ -547,9 +559,15 @@ def test_a_first_world_is_drawn_in_a_few_steps(browser: Any, tmp_path: Path) -> 
         hand.press("v")
         hand.drag((0.5, 0.5), (3.5, 1.5))
         wait(page, "crs.model.selection.size === 3")
+        page.fill(".property [aria-label=program]", "no.c")
+        hand.press("Enter")
+        page.locator(".problem", has_text="robot0").get_by_text("'no.c': no such file").wait_for()
         page.fill(".property [aria-label=program]", "go.c")
         hand.press("Enter")
         wait(page, "crs.model.thing('robot2').attributes.program === 'go.c'")
+        hand.click(-0.05, 3.0)  # the edge
+        page.locator(".said", has_text="The area and the wall around it").wait_for()
+        wait(page, "crs.model.selection.has('area')")
         page.locator("canvas").first.focus()
         hand.press("Control+s")
         wait(page, "!crs.model.document.changed")

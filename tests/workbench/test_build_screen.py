@@ -176,3 +176,14 @@ def test_a_run_that_cannot_start_says_why_and_leaves_nothing(tmp_path: Path) -> 
     with pytest.raises(ValueError, match=r"bad\.c:1:25: error: .*'x'"):
         Trial(tmp_path / "bad.c").start(WorldBuilder(path))
     assert sorted(each.name for each in tmp_path.iterdir()) == ["bad.c", "room.xml"]
+
+
+def test_what_is_wrong_with_a_trial_is_not_said_of_its_copy(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It was said of `.new.trial.xml`, a file that the user has not made."""
+    monkeypatch.chdir(tmp_path)
+    builder = WorldBuilder.new(4, 3)
+    builder.add("robot", x=1, y=1, program="no.c")
+    with pytest.raises(ValueError, match=r"^new\.xml:4: error: program 'no\.c': no such file"):
+        Trial(None).start(builder)

@@ -14,8 +14,9 @@ export class Layout {
     this.chip = el("span.chip.state", { role: "status" });
     this.title = el("h1", { id: "title" });
     this.note = el("span.note-text", { id: "note" });
-    const isTrial = new URLSearchParams(location.hash.slice(1)).has("trial");
-    const edit = isTrial ? [button({ text: "Edit", title: "Edit: back to the world builder", onclick: () => history.back() })] : [];
+    /** The name of a world that is tried from the builder: its file here is a copy of another name. */
+    this.trial = new URLSearchParams(location.hash.slice(1)).get("trial");
+    const edit = this.trial ? [button({ text: "Edit", title: "Edit: back to the world builder", onclick: () => history.back() })] : [];
     fill(part("head"), ...edit, this.title, this.chip, this.note, el("span.spacer"),
       button({ icon: "share", title: "Copy a link to this view and time", key: "K", onclick: () => this.share() }),
       button({ icon: "theme", title: "Light, dark, or as the system is", key: "T", onclick: () => this.nextTheme() }),
@@ -28,7 +29,7 @@ export class Layout {
   build() {
     const { model, look, page } = this;
     const { run } = model;
-    const names = run.programs ? [el("b", {}, run.programs), " in ", el("b", {}, run.world_name)] : [run.title];
+    const names = run.programs ? [el("b", {}, run.programs), " in ", el("b", {}, this.trial ?? run.world_name)] : [run.title];
     fill(this.title, ...names);
     document.title = `${this.title.textContent} · crs`;
     if (this.isBuilt) return;

@@ -34,6 +34,8 @@ const deep = button({ text: "3-D", title: "Look at it in three dimensions, and b
 const title = el("h1");
 fill(part("head"), title, bar, el("span.spacer"), deep, undo, redo, keysButton(), attempt, save);
 
+const fileName = () => model.document.file.split("/").at(-1);
+
 async function store() {
   const file = model.document.file || prompt("Save as", "room.xml");
   if (!file) return;
@@ -44,7 +46,7 @@ async function store() {
 async function run() {
   model.say("starting the run...");
   const address = await model.ask("try");
-  if (address) location.href = `${address}&trial=1`;
+  if (address) location.href = `${address}&trial=${encodeURIComponent(fileName() || "the new world")}`;
 }
 
 async function duplicate() {
@@ -66,9 +68,10 @@ let shown = "";
 model.addEventListener("change", () => {
   const { document: known } = model;
   if (!known) return;
-  const name = known.file.split("/").at(-1) || "a new world";
+  const name = fileName() || "a new world";
   document.title = `${known.changed ? "* " : ""}${name} · crs build`;
-  title.textContent = name + (known.changed ? " *" : "");
+  title.textContent = name;
+  title.classList.toggle("changed", known.changed);
   const wrong = known.problems.some((problem) => problem.blocks);
   undo.disabled = !known.undo.length || !model.mayChange;
   redo.disabled = !known.redo.length || !model.mayChange;

@@ -36,7 +36,7 @@ export const toolOf = (id) => TOOLS.find((tool) => tool.id === id) ?? TOOLS[0];
 export function addDragged(model, id, [x1, y1], [x2, y2]) {
   const tool = toolOf(id);
   if (tool.by === "disc") {
-    const radius = Math.hypot(x2 - x1, y2 - y1);
+    const radius = radiusTo([x1, y1], [x2, y2]);
     if (radius > LEAST) addDisc(model, id, { x: x1, y: y1, radius });
     return;
   }
@@ -141,3 +141,6 @@ export class Corners {
 
 /** @param {number[]} one @param {number[]} other */
 export const distance = ([x1, y1], [x2, y2]) => Math.hypot(x2 - x1, y2 - y1);
+
+/** The radius of a circle through a point, to the millimetre. @param {number[]} centre @param {number[]} point */
+export const radiusTo = (centre, point) => Math.round(distance(centre, point) * 1000) / 1000;

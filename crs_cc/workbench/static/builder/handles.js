@@ -1,6 +1,6 @@
 /** Handles of what is selected: a knob that turns, ends of walls, corners of boxes, a radius. */
 
-import { lengthIn } from "./drawing.js";
+import { lengthIn, radiusTo } from "./drawing.js";
 import { corners } from "./paint.js";
 
 const KNOB = 28; // [px] above the selection
@@ -45,7 +45,7 @@ export function handles(model, view) {
     found.push({ kind: "end", place: shape.points[1], set: ([x, y]) => ({ x2: x, y2: y }) });
   } else if (thing?.tag === "cylinder") {
     const place = [shape.x + shape.radius, shape.y];
-    found.push({ kind: "size", place, set: ([x, y]) => ({ radius: Math.max(0.01, Math.hypot(x - shape.x, y - shape.y)) }) });
+    found.push({ kind: "size", place, set: (to) => ({ radius: Math.max(0.01, radiusTo([shape.x, shape.y], to)) }) });
   } else if (["box", "ramp", "plateau"].includes(thing?.tag ?? "")) {
     shape.points.forEach((place, index) => found.push({ kind: "size", place, set: (to) => resized(shape, index, to) }));
   }
@@ -55,7 +55,7 @@ export function handles(model, view) {
 /** The handle of the radius of a goal's place, or of the range of a channel. */
 function ring(name, shape) {
   const attribute = shape.kind === "range" ? "range" : "radius";
-  const set = ([x, y]) => ({ [attribute]: Math.max(0.01, Math.hypot(x - shape.x, y - shape.y)) });
+  const set = (to) => ({ [attribute]: Math.max(0.01, radiusTo([shape.x, shape.y], to)) });
   const target = shape.element ? `${name}/${shape.element}` : name;
   return { kind: "size", place: [shape.x + shape.radius, shape.y], name: target, set };
 }

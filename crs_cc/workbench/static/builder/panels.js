@@ -17,16 +17,17 @@ export function makePanels(model, view) {
   );
   const list = new ThingList(model, things);
   let shown = "";
+  const operation = operations.closest("details");
+  const showOperation = () => (operation.hidden = !model.selection.size);
   model.addEventListener("change", () => {
+    showOperation();
     list.draw();
     drawProblems(model, view, problems);
     shown = drawOperations(model, operations, shown);
     drawProperties(model, table);
   });
-  const operation = operations.closest("details");
-  operation.hidden = true;
   model.addEventListener("select", () => {
-    operation.hidden = !model.selection.size;
+    showOperation();
     list.mark();
     drawProperties(model, table);
   });

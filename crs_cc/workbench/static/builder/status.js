@@ -6,6 +6,14 @@ import { lengthIn, toolOf } from "./drawing.js";
 import { makeUnits } from "./options.js";
 
 const SELECTED = "Drag to move it, the round handle to turn it, the square ones to resize it; Ctrl-D copies, Delete removes";
+const UNDRAWN = "Its properties are at the right";
+const EDGE = "The area and the wall around it: its size, and the thickness of the edge, are at the right";
+
+/** What can be done with what is selected. @param {import("./model.js").Model} model */
+function selected(model) {
+  if (model.selection.size === 1 && model.selection.has("area")) return EDGE;
+  return [...model.selection].some((name) => model.shapes(name).length) ? SELECTED : UNDRAWN;
+}
 
 /** @param {import("./model.js").Model} model @param {import("./view.js").View} view @param {import("./tools.js").Tools} tools @param {import("./solid.js").Solid} solid */
 export function makeStatus(model, view, tools, solid) {
@@ -13,7 +21,7 @@ export function makeStatus(model, view, tools, solid) {
   const place = el("span.place");
   let help = "";
   const draw = () => {
-    const hint = solid.isOn ? solid.hint : tools.tool === "select" && model.selection.size ? SELECTED : toolOf(tools.tool).title;
+    const hint = solid.isOn ? solid.hint : tools.tool === "select" && model.selection.size ? selected(model) : toolOf(tools.tool).title;
     said.textContent = help || model.note || hint;
     said.className = `said${help ? "" : model.isWrong ? " wrong" : model.note ? " news" : ""}`;
   };

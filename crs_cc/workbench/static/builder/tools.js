@@ -7,6 +7,7 @@ import { Brush } from "./heights.js";
 
 const NEAR = 10; // [px] to snap to an end
 const HELD = 2000; // [ms] that a world may be held still before it is drawn anew
+const FREE = 1e4; // per metre: of places with Alt
 const ANGLE = Math.PI / 12; // of turns without Alt
 const RIGHT = Math.PI / 36; // walls this near to a right angle get one
 
@@ -50,7 +51,7 @@ export class Tools {
   snapped(event) {
     const at = [event.offsetX, event.offsetY];
     const point = this.view.toWorld(at);
-    if (event.altKey) return point;
+    if (event.altKey) return point.map((value) => Math.round(value * FREE) / FREE);
     const step = this.view.step();
     const [x, y] = point.map((value) => Math.round(value / step) * step);
     if (toolOf(this.tool).by === "brush") return point;
@@ -102,6 +103,10 @@ export class Tools {
     }
     const name = this.view.at(point);
     const { selection } = this.model;
+    if (!name && this.view.isOnEdge(point)) {
+      this.model.select(["area"]);
+      return;
+    }
     if (event.shiftKey && name) {
       this.model.select(selection.has(name) ? [...selection].filter((each) => each !== name) : [...selection, name]);
       return;
@@ -120,7 +125,7 @@ export class Tools {
       this.view.centre = [drag.centre[0] - (event.offsetX - drag.at[0]) / scale, drag.centre[1] + (event.offsetY - drag.at[1]) / scale];
       this.view.moving(HELD);
     } else if (drag?.kind === "move") {
-      const step = event.altKey ? 1e-4 : this.view.step();
+      const step = event.altKey ? 1 / FREE : this.view.step();
       drag.by = [0, 1].map((axis) => Math.round((point[axis] - drag.from[axis]) / step) * step);
       this.view.dragged = ([x, y]) => [x + drag.by[0], y + drag.by[1]];
     } else if (drag?.kind === "turn") {
@@ -157,10 +162,17 @@ export class Tools {
     } else if (drag?.kind === "frame") {
       const names = this.view.inside(drag.from, drag.to);
       model.select(event.shiftKey ? [...model.selection, ...names] : names);
-    } else if (drag?.kind === "draw") addDragged(model, tool, drag.from, drag.to);
+    } else if (drag?.kind === "draw" && !distance(drag.from, drag.to)) this.pick(event);
+    else if (drag?.kind === "draw") addDragged(model, tool, drag.from, drag.to);
     else if (drag?.kind === "brush") await this.brush.end();
     this.view.dragged = null;
     this.view.draw();
+  }
+
+  /** Select what is under the pointer, if anything is. */
+  pick(event) {
+    const name = this.view.at(this.view.toWorld([event.offsetX, event.offsetY]));
+    if (name) this.model.select([name]);
   }
 
   /** Put something down; one of its kind that is there is selected instead. */

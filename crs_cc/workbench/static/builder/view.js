@@ -99,6 +99,15 @@ export class View {
     return found?.name ?? "";
   }
 
+  /** Whether a point is on the edge around the area. */
+  isOnEdge([x, y]) {
+    const { model } = this;
+    const area = model.document?.area;
+    if (!(area?.edge > 0) || model.inside || !model.thing("area")) return false;
+    const isWithin = (margin) => x >= area.x - margin && x <= area.x + area.length + margin && y >= area.y - margin && y <= area.y + area.width + margin;
+    return isWithin(area.edge) && !isWithin(0);
+  }
+
   /** The names of the elements whose corners are all inside of a rectangle of the world. */
   inside([x1, y1], [x2, y2]) {
     const { model } = this;
