@@ -98,7 +98,7 @@ class Document:
         """Its encoding, by Python's name."""
         return self._tree.codec
 
-    @property
+    @cached_property
     def newline(self) -> str:
         """The line ending of the file."""
         return "\r\n" if b"\r\n" in self.text else "\n"
@@ -190,4 +190,5 @@ class Document:
         text = spliced(self.text, splices)
         self._tree = parse(text, self.file)
         self.text = text
-        self.__dict__.pop("length_unit", None)
+        for known in ("newline", "length_unit"):
+            self.__dict__.pop(known, None)

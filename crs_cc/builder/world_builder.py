@@ -57,6 +57,7 @@ Names: TypeAlias = str | Sequence[str]
 """One element or several."""
 
 _BEHIND_UNIT = {LENGTH: "m", ANGLE: "deg"}
+_EMPTY = '<?xml version="1.0" encoding="UTF-8"?>\n<world version="1">\n</world>\n'
 _ROUNDING = 1e-9
 _MARGIN_M, _ROOM_M = 1.0, 0.4
 """Around a plan that becomes a world, and around the centre of its robot."""
@@ -94,12 +95,9 @@ class WorldBuilder:
 
     @classmethod
     def new(
-        cls,
-        length: float | str,
-        width: float | str,
-        name: str = "",
+        cls, length: float | str, width: float | str, name: str = "",
         path: str | os.PathLike[str] | None = None,
-    ) -> Self:
+    ) -> Self:  # fmt: skip
         """Return the builder of a new world without anything in it.
 
         Args:
@@ -108,9 +106,7 @@ class WorldBuilder:
             name: the name of the world; by default that of its file.
             path: the new file in which it is saved.
         """
-        builder = cls(
-            text='<?xml version="1.0" encoding="UTF-8"?>\n<world version="1">\n</world>\n'
-        )
+        builder = cls(text=_EMPTY)
         builder.set("world", name=name)
         builder.add("area", length=length, width=width)
         builder.path = None if path is None else Path(path)
@@ -252,8 +248,7 @@ class WorldBuilder:
             return None
         if isinstance(value, str):
             return value
-        kinds = {row.name: row.kind for row in properties(schema_of(self.document), tags)}
-        kind = kinds.get(name)
+        kind = {row.name: row.kind for row in properties(schema_of(self.document), tags)}.get(name)
         if kind in (LENGTH, ANGLE):
             assert kind is not None
             unit = self.document.length_unit if kind is LENGTH else _BEHIND_UNIT[kind]
@@ -286,6 +281,7 @@ class WorldBuilder:
             ValueError: there is no such element, or a value cannot be written.
         """
         given: dict[str, Value] = {}
+        inner: list[str] = []
         if not isinstance(kind, str):
             if isinstance(kind, Robot):
                 new = robot_element(kind, self._folder)
@@ -293,10 +289,8 @@ class WorldBuilder:
                 new = beacon_element(kind)
             else:
                 new = solid_element(kind)
-            kind, given = new.tag, dict(new.attributes)
             inner = [child.text for child in new.children]
-        else:
-            inner = []
+            kind, given = new.tag, dict(new.attributes)
         given |= {**(attributes or {}), **more}
         with self.together("add"):
             (name,) = self.apply("add", (), {"kind": kind, "into": into, "text": text}, given)
@@ -499,8 +493,7 @@ class WorldBuilder:
             raise WorldError(messages)
 
     def __repr__(self) -> str:
-        count = len(self.document.root.children)
-        return f"<{type(self).__name__} {self.document.file}: {count} elements>"
+        return f"<{type(self).__name__} {self.document.file}: {len(self.names())} elements>"
 
 
 def _several(names: Names) -> Sequence[str]:
