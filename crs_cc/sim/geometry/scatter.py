@@ -42,7 +42,7 @@ _GROWTH: Final = 4
 _MOST_TRIES: Final = 200_000
 _TRIES_EACH: Final = 10
 """Candidates: so many at first, then more and more at once, up to a number in all that bounds the
-work."""
+work, or until none of the most at once is free."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +111,10 @@ class Taken:
             candidates = region.draw(uniform, key, numbers)
             candidates = candidates[region.contains(candidates)]
             candidates = candidates[self._is_free(candidates, radius_m)]
+            before = len(found.places_m)
             found.add(candidates.tolist(), count)
+            if len(found.places_m) == before and tries == _MOST_AT_ONCE:
+                break
             tried, tries = tried + tries, min(tries * _GROWTH, _MOST_AT_ONCE)
         places_m = np.array(found.places_m).reshape(-1, 2)
         discs = np.column_stack([places_m, np.full(len(places_m), radius_m)])
