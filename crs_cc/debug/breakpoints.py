@@ -32,6 +32,7 @@ class Breakpoint:
         watch: what a watchpoint watches; None for the other kinds.
         condition: a C expression that must not be 0; empty for none.
         ignore: how many hits are still ignored.
+        every: of so many hits only the last stops the run.
         hits: how often it was hit, ignored hits included.
         temporary: whether it is deleted when hit.
         enabled: whether it is enabled.
@@ -46,6 +47,7 @@ class Breakpoint:
     watch: Watchpoint | None = None
     condition: str = ""
     ignore: int = 0
+    every: int = 1
     hits: int = 0
     temporary: bool = False
     enabled: bool = True

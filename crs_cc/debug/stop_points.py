@@ -256,6 +256,8 @@ class StopPoints:
             if own.ignore:
                 own.ignore -= 1
                 return False, ""
+            if own.hits % own.every:
+                return False, ""
             if own.log:
                 self.say(self._logged(own.log, self._whose(hit)))
         return not own.log, ""

@@ -138,7 +138,7 @@ def _info_display(context: CommandContext, _text: str) -> Answer:
     if not context.displays:
         yield "No displays."
     for number, display in context.displays.items():
-        yield f"{number}: {display.expression}"
+        yield f"{number}: {display.name}"
 
 
 def _variable(each: Variable) -> str:

@@ -19,8 +19,12 @@ class Display:
     expression: str
     format: OutputFormat
 
+    @property
+    def name(self) -> str:
+        """The expression, after its format if it has one."""
+        letter = self.format.letter
+        return f"/{letter} {self.expression}" if letter else self.expression
+
     def text(self, debugger: Debugger) -> str:
         """Return the expression with its current value; raise DebugError if it is invalid here."""
-        return (
-            f"{self.expression} = {formatted(debugger.view.look_up(self.expression), self.format)}"
-        )
+        return f"{self.name} = {formatted(debugger.view.look_up(self.expression), self.format)}"

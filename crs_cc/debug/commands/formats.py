@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.instruction import ByteState
-from crs_cc.ir.types import ArrayType, FloatType, PointerType, RecordType
+from crs_cc.ir.types import ArrayType, FloatType, FunctionType, PointerType, RecordType
 
 if TYPE_CHECKING:
     from crs_cc.debug.data.memory_inspection import MemoryInspector
@@ -31,7 +31,7 @@ def formatted(value: Value, wanted: OutputFormat) -> str:
         DebugError: the format does not apply.
     """
     if not wanted.letter:
-        return value.full
+        return _function(value) or value.full
     if isinstance(value.type, ArrayType | RecordType) and wanted.letter != "s":
         is_array = isinstance(value.type, ArrayType)
         parts = [
@@ -49,6 +49,17 @@ def formatted(value: Value, wanted: OutputFormat) -> str:
     if wanted.letter == "a" and isinstance(value.type, PointerType):
         return f"{value.number:#x} {value.full}"
     return letters(value.content, wanted.letter)
+
+
+def _function(value: Value) -> str:
+    """Return address and name of the function that a value points to, else ""."""
+    is_function = isinstance(value.type, PointerType) and isinstance(
+        value.type.target, FunctionType
+    )
+    if not is_function or not isinstance(value.number, int):
+        return ""
+    name = value.inspector.function_at(value.number)
+    return f"{value.number:#x} <{name}>" if name else ""
 
 
 def _whole(value: Value, letter: str) -> str:

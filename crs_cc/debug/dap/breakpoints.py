@@ -23,7 +23,7 @@ from crs_cc.debug.watch import AccessKind
 Group = tuple[str, str]
 """What is replaced together: `line` with the file, `function`, `data`, `exception`."""
 
-_HIT_CONDITION: Final = re.compile(r"\s*(>=|>|==|)\s*(\d{1,9})\s*")
+_HIT_CONDITION: Final = re.compile(r"\s*(>=|>|==|%|)\s*(\d{1,9})\s*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,18 +192,20 @@ def _remove(debugger: Debugger, obsolete: _ClientBreakpoint) -> None:
         debugger.stop_points.remove(obsolete.number)
 
 
-def _ignore_count(hits: str) -> int:
-    """Return how many hits to ignore; raise DebugError if the hit condition is malformed.
+def _counting(hits: str) -> dict[str, int]:
+    """Return how a breakpoint counts its hits; raise DebugError if the hit condition is malformed.
 
-    >>> _ignore_count(""), _ignore_count("3"), _ignore_count(">= 3"), _ignore_count(">3")
-    (0, 2, 2, 3)
+    >>> _counting(""), _counting("3"), _counting(">= 3"), _counting(">3"), _counting("% 50")
+    ({}, {'ignore': 2}, {'ignore': 2}, {'ignore': 3}, {'every': 50})
     """
     if not hits.strip():
-        return 0
+        return {}
     match = _HIT_CONDITION.fullmatch(hits)
     if match is None or (int(match[2]) == 0 and match[1] != ">"):
-        raise DebugError(f"'{hits}' is not a hit count (expected N, >= N or > N)")
-    return int(match[2]) - (match[1] != ">")
+        raise DebugError(f"'{hits}' is not a hit count (expected N, >= N, > N or % N)")
+    if match[1] == "%":
+        return {"every": int(match[2])}
+    return {"ignore": int(match[2]) - (match[1] != ">")}
 
 
 def _add_function(debugger: Debugger, request: RequestedBreakpoint) -> Breakpoint:
@@ -211,9 +213,9 @@ def _add_function(debugger: Debugger, request: RequestedBreakpoint) -> Breakpoin
 
 
 def _add_place(debugger: Debugger, place: str, request: RequestedBreakpoint) -> Breakpoint:
-    ignore = _ignore_count(request.hits)
+    counting = _counting(request.hits)
     add = debugger.stop_points.add_breakpoint
-    return add(place, condition=request.condition, ignore=ignore, log=request.log)
+    return add(place, condition=request.condition, log=request.log, **counting)
 
 
 def data_id(robot: int, function: str, expression: str) -> str:
@@ -244,8 +246,8 @@ def _add_data(debugger: Debugger, request: RequestedBreakpoint) -> Breakpoint:
             expression,
             ACCESS[request.access],
             condition=request.condition,
-            ignore=_ignore_count(request.hits),
             robot=int(robot),
+            **_counting(request.hits),
         )
     finally:
         view.robot, view.frame = before

@@ -127,6 +127,15 @@ def test_conditions_hit_counts_and_logs(client: Client, loop: Path) -> None:
     assert client.printed("console") == "made\ntotal 0\ntotal 2\n"
 
 
+def test_a_hit_condition_may_ask_for_every_second_hit(client: Client, loop: Path) -> None:
+    client.launch(loop)
+    [made] = client.break_at(loop, {"line": 15, "hitCondition": "% 2"})
+    assert made["verified"]
+    client.begin()
+    assert (client.line(), client.printed()) == (15, "0\n")
+    assert not client.break_at(loop, {"line": 16, "hitCondition": "% 0"})[0]["verified"]
+
+
 def test_unchanged_breakpoints_keep_their_ids(client: Client, loop: Path) -> None:
     client.launch(loop)
     first = client.break_at(loop, 6, 17)
