@@ -11,12 +11,17 @@ from __future__ import annotations
 import csv
 import os
 import sys
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Final
 
+from bridge_results import by_minute
+
 from crs_cc.sweeps.report.findings import medians
 from crs_cc.sweeps.report.page import drawn
-from crs_cc.sweeps.report.results import Group, results
+from crs_cc.sweeps.report.results import Group, Results, results
+from crs_cc.sweeps.rows import Row
 from crs_cc.sweeps.sweep import Sweep
 
 FOLDER: Final = Path(__file__).parent
@@ -25,11 +30,12 @@ RESULTS: Final = FOLDER / "results"
 FIGURES: Final = ROOT / "docs" / "images"
 RUNS: Final = ROOT / "build" / "swarm"
 
-SHOWN: Final = {
-    "foraging": ("items_per_min", "curve"),
-    "heat": ("goal.cool.at_s", "survival"),
+SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
+    "bridge": (by_minute, "curve"),
+    "foraging": (partial(results, measure="items_per_min"), "curve"),
+    "heat": (partial(results, measure="goal.cool.at_s"), "survival"),
 }
-"""The measure of each experiment, and the figure that shows it."""
+"""Of each experiment: what its rows show, and the figure that shows it."""
 
 _COLLISIONS: Final = "collisions_per_robot_min"
 
@@ -41,24 +47,24 @@ def renew(name: str, runs: Path = RUNS) -> None:
         name: its name.
         runs: the folder of the results of all runs.
     """
-    measure, figure = SHOWN[name]
+    summarize, figure = SHOWN[name]
     sweep = Sweep(FOLDER / f"{name}.toml", runs / name)
     sweep.run(os.cpu_count() or 1, resume=True)
-    found = results(list(sweep.rows.values()), measure)
+    found = summarize(list(sweep.rows.values()))
     table = medians(found)
     RESULTS.mkdir(exist_ok=True)
     with (RESULTS / f"{name}.csv").open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow([*table.heading, "collisions per robot and minute"])
         for cells, group in zip(table.rows, found.groups, strict=True):
-            writer.writerow([*cells, f"{collisions(group):.3f}"])
+            writer.writerow([*cells, collisions(group)])
     (FIGURES / f"swarm-{name}.svg").write_text(drawn(found)[figure], "utf-8")
 
 
-def collisions(group: Group) -> float:
-    """Return how many collisions robots began per minute, the mean of the runs."""
+def collisions(group: Group) -> str:
+    """Return how many collisions robots began per minute, the mean of the runs; "" for none."""
     values = [row["measures"][_COLLISIONS] for row in group.rows]
-    return sum(values) / len(values)
+    return f"{sum(values) / len(values):.3f}" if values else ""
 
 
 if __name__ == "__main__":

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import runpy
 from pathlib import Path
 from typing import Any
+
+import pytest
 
 from crs_cc.sweeps.sweep import Sweep
 from tests.sweeps.trials import inline
@@ -11,14 +14,16 @@ from tests.sweeps.trials import inline
 SWARM = Path(__file__).parents[2] / "samples" / "swarm"
 
 
-def rows_of(name: str, folder: Path, robots: list[int], duration: str) -> list[dict[str, Any]]:
-    """Run an experiment with some numbers of robots and one seed; return the rows."""
-    changes = {"seeds": "[2]", "robots": str(robots), "duration": f'"{duration}"'}
+def rows_of(
+    name: str, folder: Path, parameter: str, values: list[int], duration: str
+) -> list[dict[str, Any]]:
+    """Run an experiment with some values of its parameter and one seed; return the rows."""
+    changes = {"seeds": "[2]", parameter: str(values), "duration": f'"{duration}"'}
     lines = (SWARM / f"{name}.toml").read_text().splitlines()
     kept = [line for line in lines if line.partition(" =")[0] not in changes]
     at = kept.index("[parameters]")
     kept[at:at] = [f"{key} = {changes[key]}" for key in ("seeds", "duration")]
-    text = "\n".join([*kept, f"robots = {changes['robots']}"])
+    text = "\n".join([*kept, f"{parameter} = {changes[parameter]}"])
     sweep = Sweep(SWARM / f"{name}.toml", folder / name, text)
     sweep.run(1, pool=inline)
     rows = [sweep.rows[number] for number in sorted(sweep.rows)]
@@ -28,7 +33,7 @@ def rows_of(name: str, folder: Path, robots: list[int], duration: str) -> list[d
 
 
 def test_several_robots_cool_everything_before_one_does(tmp_path: Path) -> None:
-    one, several = rows_of("heat", tmp_path, [1, 4], "60s")
+    one, several = rows_of("heat", tmp_path, "robots", [1, 4], "60s")
     assert one["goals"]["cool"]["status"] == "open"
     assert several["goals"]["cool"]["status"] == "met"
 
@@ -36,7 +41,25 @@ def test_several_robots_cool_everything_before_one_does(tmp_path: Path) -> None:
 def test_too_many_foragers_bring_less(tmp_path: Path) -> None:
     few, some, too_many = (
         row["measures"]["items_per_min"]
-        for row in rows_of("foraging", tmp_path, [2, 20, 200], "40s")
+        for row in rows_of("foraging", tmp_path, "robots", [2, 20, 200], "40s")
     )
     assert few < some
     assert too_many < some
+
+
+def test_robots_that_follow_their_trail_agree_on_one_of_two_branches(tmp_path: Path) -> None:
+    (row,) = rows_of("bridge", tmp_path, "define.DETOUR", [0], "120s")
+    shares = list(map(float, row["measures"]["north_by_minute"].split()))
+    assert max(shares[-1], 1.0 - shares[-1]) > 0.75  # 0.5 if they did not smell
+
+
+def test_ants_without_bodies_choose_the_short_branch_more_often() -> None:
+    model = runpy.run_path(str(SWARM / "bridge_model.py"))
+
+    def won(second_s: float) -> float:
+        """Return the share of colonies that choose the first branch more often in the end."""
+        ends = [model["shares_by_minute"](second_s, 3, seed)[-1] for seed in range(200)]
+        return sum(end > 0.5 for end in ends) / len(ends)
+
+    assert won(model["SHORT_S"]) == pytest.approx(0.5, abs=0.1)
+    assert won(model["LONG_S"]) > 0.55
