@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from bridge_model import LONG_S, SHORT_S, shares_by_minute
+from bridge_model import SHORT_S, shares_by_minute
 
 from crs_cc.sweeps.report.results import Group, Results
 from crs_cc.sweeps.rows import Row
@@ -13,32 +13,24 @@ from crs_cc.sweeps.rows import Row
 COLONIES: Final = 300
 """Colonies without bodies."""
 
-_BRANCHES: Final = {"equal": SHORT_S, "unequal": LONG_S}
-"""By DETOUR in cross.c: the name of the bridge, and the time over its second branch [s]."""
-
 
 def by_minute(rows: Sequence[Row]) -> Results:
-    """Return the share of the shorter branch in each minute, of equal ones that of the leading one.
+    """Return the share of the branch that leads in the end, in each minute, for both colonies.
 
     Args:
         rows: the rows of the sweep.
     """
+    rows = sorted(rows, key=lambda row: int(row["run"]))
+    robots = [list(map(float, row["measures"]["north_by_minute"].split())) for row in rows]
+    minutes = len(robots[0])
+    ants = [shares_by_minute(SHORT_S, minutes, seed) for seed in range(COLONIES)]
     groups = []
-    for detour, (branches, second_s) in enumerate(_BRANCHES.items()):
-        chosen = [row for row in rows if row["parameters"]["define.DETOUR"] == detour]
-        chosen.sort(key=lambda row: int(row["seed"]))
-        robots = [list(map(float, row["measures"]["north_by_minute"].split())) for row in chosen]
-        minutes = len(robots[0])
-        ants = [shares_by_minute(second_s, minutes, seed) for seed in range(COLONIES)]
-        for colony, members, of_colony in (
-            ("robots", tuple(chosen), robots),
-            ("without bodies", (), ants),
-        ):
-            shares = of_colony if detour else [_of_leader(each) for each in of_colony]
-            for minute, values in enumerate(zip(*shares, strict=True), 1):
-                names = {"minute": minute, "branches": branches, "colony": colony}
-                groups.append(Group(names, members, values, (True,) * len(values)))
-    return Results("share", ("minute", "branches", "colony"), tuple(groups), 0)
+    for colony, members, shares in (("robots", tuple(rows), robots), ("without bodies", (), ants)):
+        leading = [_of_leader(each) for each in shares]
+        for minute, values in enumerate(zip(*leading, strict=True), 1):
+            names = {"minute": minute, "colony": colony}
+            groups.append(Group(names, members, values, (True,) * len(values)))
+    return Results("share", ("minute", "colony"), tuple(groups), 0)
 
 
 def _of_leader(shares: list[float]) -> list[float]:
