@@ -84,7 +84,7 @@ def test_a_page_can_hold_a_run_that_goes_on_by_itself(
     url = f"ws://127.0.0.1:{found[1]}/channel"
     with connect(url, subprotocols=words, proxy=None) as page:  # type: ignore[arg-type]
         hello = json.loads(page.recv(20))
-        assert hello["can"] == ["play"]
+        assert hello["can"] == ["change", "play"]
         page.send(json.dumps({"id": 1, "do": "seek", "time_s": 0.0}))
         page.send(json.dumps({"id": 2, "do": "speed", "speed": 0.0}))
         told = [json.loads(each) for each in page if isinstance(each, str)]
