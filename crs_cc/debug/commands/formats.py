@@ -58,8 +58,8 @@ def _function(value: Value) -> str:
     )
     if not is_function or not isinstance(value.number, int):
         return ""
-    name = value.inspector.function_at(value.number)
-    return f"{value.number:#x} <{name}>" if name else ""
+    name = value.full
+    return f"{value.number:#x} <{name}>" if name.isidentifier() and value.number else ""
 
 
 def _whole(value: Value, letter: str) -> str:

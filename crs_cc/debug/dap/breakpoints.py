@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 from crs_cc.core.source import Location
 from crs_cc.debug.breakpoints import Breakpoint
@@ -192,7 +192,7 @@ def _remove(debugger: Debugger, obsolete: _ClientBreakpoint) -> None:
         debugger.stop_points.remove(obsolete.number)
 
 
-def _counting(hits: str) -> dict[str, int]:
+def _counting(hits: str) -> dict[str, Any]:
     """Return how a breakpoint counts its hits; raise DebugError if the hit condition is malformed.
 
     >>> _counting(""), _counting("3"), _counting(">= 3"), _counting(">3"), _counting("% 50")
