@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -26,6 +25,8 @@ def recorded(options: Options) -> Iterator[Options]:
     if options.record is not None or not is_exported(options):
         yield options
         return
+    import tempfile  # slow to import
+
     with tempfile.TemporaryDirectory(prefix="crs-run-") as folder:
         yield replace(options, record=Path(folder, "run.mcap"))
 

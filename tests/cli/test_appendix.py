@@ -149,6 +149,7 @@ def test_the_command_lines_of_the_appendix(folder: Path, tmp_path: Path, mode: s
     for line, status, out, errors in done:
         assert status == 0, (line, out, errors)
         if " view " in line:
+            assert out, (line, errors)
             seen = json.loads(out)
             assert (seen["role"], seen["robots"]) == ("view", ["robot0", "robot1", "robot2"])
             assert seen["frames"] > 5

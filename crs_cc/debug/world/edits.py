@@ -257,7 +257,8 @@ def _evaporate(environment: Environment, words: Words) -> str:
             f"the evaporation time must be {TIME.show(SHORTEST_EVAPORATION_S)} or more"
         )
     environment.set_evaporation(words[0], evaporation_s)
-    return f"field {words[0]} evaporates in {words[1]} now"
+    how = "no longer evaporates" if words[1] == "never" else f"evaporates in {words[1]} now"
+    return f"field {words[0]} {how}"
 
 
 EDITS: Final = {

@@ -155,7 +155,7 @@ class Fields:
         fields.deposit_cell, fields.deposit = cells[:0].copy(), deposit[:0].copy()
         first = np.flatnonzero(np.diff(cells, prepend=-1))
         cells, deposit = cells[first], np.add.reduceat(deposit, first)
-        field = np.searchsorted(self._grid.first_tile, cells // SIDE**2, side="right") - 1
+        field = np.searchsorted(self._grid.first_tile, cells // (SIDE * SIDE), side="right") - 1
         most = np.rint(self._saturation / self._units(fields, state.cycle, 1)).astype(np.int64)
         field_tiles.add(fields, self._grid, cells, deposit, most[field])
 

@@ -19,7 +19,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
 from crs_cc.sim.geometry.field_grid import NOWHERE, TILE
 from crs_cc.sim.model.world import WorldModel
 
-UNIT: Final = 2.0**-16
+UNIT: Final = 1.0 / 65536.0
 """Amount of the integer 1 at the base time; our choice. 10^6 times e^5 (the largest factor between
 two bases) from each of 100,000 robots at once is less than 2^63."""
 
