@@ -154,7 +154,7 @@ class Recorder:
 
     def step(self, step: Step) -> None:
         """Record what happened in a timestep."""
-        self._moved = True
+        self._note_movement()
         if self.failed is not None:
             return
         time_ns = ns(step.time_s)
@@ -206,9 +206,17 @@ class Recorder:
         if self.failed is None:
             self._add_json(topics.INPUT, ns(self._session.time_s), data)
 
+    def _note_movement(self) -> None:
+        if not self._moved:
+            self._last = self._session.timesteps - 1  # until then nothing moved
+        self._moved = True
+
     def seconds_left(self) -> float:
         """Return how much time may be simulated before the next call of `sample` [s]."""
-        left = self._next_hash - self._session.timesteps
+        timesteps = self._session.timesteps
+        left = self._next_hash - timesteps
+        if self._moved:
+            left = min(left, self._stride - timesteps % self._stride)
         return max(1, left) * self._session.environment.timestep_s
 
     def sample(self) -> None:

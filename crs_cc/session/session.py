@@ -244,7 +244,7 @@ class Session:
         return self.advance(1)
 
     def advance(self, most: int) -> bool:
-        """Run at least one timestep, and further ones as long as nothing happens in the world.
+        """Run at least one timestep, and further ones as long as nothing has happened in the world.
 
         Args:
             most: the maximum number of timesteps, at least 1.
@@ -257,9 +257,10 @@ class Session:
         while self.timesteps < end:
             while self.run_round():
                 pass
+            was_quiet = self._is_quiet
             if not self.end_cycle():
                 return False
-            if not self._is_quiet:
+            if not (was_quiet and self._is_quiet):
                 break
             self._run_quietly(end)
         return self._can_continue

@@ -62,3 +62,14 @@ def test_traces_are_the_same(
     skipping, whole = shown(arguments, capfd, monkeypatch)
     assert skipping == whole
     assert len(skipping[2].splitlines()) >= {"requests": 160, "messages": 2}[what]
+
+
+@pytest.mark.parametrize("name", ["prints", "anything"])
+@pytest.mark.parametrize("every", ["50ms", "150ms"])
+def test_a_run_at_some_speed_has_the_recording_of_one_as_fast_as_possible(
+    name: str, every: str
+) -> None:
+    run = ["run", f"{name}.c", "pair.xml", "--max-time", "9.37", "--record-every", every]
+    for speed in ("max", "100"):
+        main([*run, "--speed", speed, "--record", f"{speed}.mcap"])
+    assert Path("max.mcap").read_bytes() == Path("100.mcap").read_bytes()
