@@ -97,6 +97,11 @@ class McapWriter:
         self._first_ns, self._last_ns = 2**64 - 1, 0
         self._write(MAGIC + record(Op.HEADER, text(PROFILE) + text(f"crs_cc {__version__}")))
 
+    def define(self, channels: Iterable[Channel]) -> None:
+        """Define channels before their use: no number depends on what is saved when."""
+        for channel in channels:
+            self._number(channel)
+
     def metadata(self, name: str, values: Mapping[str, str]) -> None:
         """Write named strings."""
         written = record(Op.METADATA, text(name) + text_map(values))
@@ -169,7 +174,9 @@ class McapWriter:
         self._write(record(Op.DATA_END, struct.pack("<I", 0)))
         indexes = (record(op, row) for op, rows in self._indexes.items() for row in rows)
         statistics = record(Op.STATISTICS, self._statistics())
-        parts = [*self._schemas.values(), *self._channels.values(), statistics, *indexes]
+        schemas = [data for name, data in self._schemas.items() if name in self._is_described]
+        channels = [data for number, data in self._channels.items() if self._counts[number]]
+        parts = [*schemas, *channels, statistics, *indexes]
         start, summary = self._at, b"".join(parts)
         head = PREFIX.pack(Op.FOOTER, 20) + struct.pack("<QQ", start, 0)  # 0: no summary offsets
         crc = zlib.crc32(summary + head)
@@ -287,16 +294,17 @@ class McapWriter:
 
     def _statistics(self) -> bytes:
         first_ns = min(self._first_ns, self._last_ns)
+        used = {number: count for number, count in self._counts.items() if count}
         counts = (
-            len(self._schemas),
-            len(self._channels),
+            len(self._is_described - {""}),
+            len(used),
             len(self._indexes[Op.ATTACHMENT_INDEX]),
             len(self._indexes[Op.METADATA_INDEX]),
             len(self._indexes[Op.CHUNK_INDEX]),
         )
-        total = sum(self._counts.values())
+        total = sum(used.values())
         head = struct.pack("<QHIIIIQQ", total, *counts, first_ns, self._last_ns)
-        return head + count_map(self._counts)
+        return head + count_map(used)
 
     def _write(self, data: bytes) -> None:
         self._file.write(data)

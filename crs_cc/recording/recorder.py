@@ -111,6 +111,7 @@ class Recorder:
         self._options = options
         self._file: BinaryIO = path.open("wb", buffering=0)
         self._writer = McapWriter(_Whole(self._file))
+        self._writer.define(topics.TOPICS.values())
         self._writer.metadata(topics.RUN, run)
         for name, content in attachments.items():
             self._writer.attachment(name, "application/octet-stream", content)

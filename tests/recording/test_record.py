@@ -240,6 +240,24 @@ def test_the_file_is_valid_whenever_the_writer_is_stopped(size: int, tmp_path: P
         assert sizes[4] < sizes[3]
 
 
+def test_a_file_does_not_depend_on_when_seconds_were_saved() -> None:
+    files = []
+    for saves in (False, True):
+        file = io.BytesIO()
+        writer = McapWriter(file)
+        writer.define(topics.TOPICS.values())
+        if saves:
+            writer.save([(topics.OUTPUT, 2, b"{}")])
+        writer.add(topics.EVENT, 1, b"{}")
+        writer.add(topics.OUTPUT, 2, b"{}")
+        writer.finish()
+        files.append(file.getvalue())
+    assert files[0] == files[1]
+    summary = make_reader(io.BytesIO(files[0])).get_summary()
+    assert summary is not None
+    assert [each.topic for each in summary.channels.values()] == ["/crs/event", "/crs/output"]
+
+
 def test_a_full_disk_ends_the_recording_and_not_the_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
