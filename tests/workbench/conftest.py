@@ -15,8 +15,13 @@ from tests.workbench.in_browser import FLAGS
 __all__ = ["recorded"]
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
+    """Return Chromium, for a module and not for the session.
+
+    Playwright leaves an event loop running until it is closed, and the screens of the terminal,
+    tested by the same worker, start one of their own.
+    """
     chromium = shutil.which("chromium") or shutil.which("chromium-browser")
     if chromium is None:
         if os.environ.get("CI"):
