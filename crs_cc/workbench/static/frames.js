@@ -48,6 +48,13 @@ export function decodeFrame(data, before, earlier = null) {
   return { whole, columns, rows };
 }
 
+/** The values of a frame in metres and radians. @param {Int32Array} whole */
+function measured(whole) {
+  const values = new Float32Array(whole.length); // a loop: Float32Array.from with a function takes ten times as long
+  for (let index = 0; index < whole.length; index++) values[index] = whole[index] === NOWHERE ? NaN : whole[index] / PER_UNIT;
+  return values;
+}
+
 /** @param {Uint8Array} content @returns {Frame[]} */
 export function decodeBlock(content) {
   const view = new DataView(content.buffer, content.byteOffset, content.byteLength);
@@ -58,8 +65,7 @@ export function decodeBlock(content) {
     const size = view.getUint32(at + 8, true);
     const frame = decodeFrame(content.subarray(at + 12, at + 12 + size), before, earlier);
     [earlier, before] = [before, frame.whole];
-    const values = Float32Array.from(before, (each) => (each === NOWHERE ? NaN : each / PER_UNIT));
-    frames.push({ time, columns: frame.columns, rows: frame.rows, values });
+    frames.push({ time, columns: frame.columns, rows: frame.rows, values: measured(frame.whole) });
     at += 12 + size;
   }
   return frames;
@@ -108,8 +114,7 @@ export class Frames {
   add(time, data) {
     const { whole, columns, rows } = decodeFrame(data, data[0] === 1 ? this.last : null);
     this.last = whole;
-    const values = Float32Array.from(whole, (each) => (each === NOWHERE ? NaN : each / PER_UNIT));
-    const frame = { time, columns, rows, values };
+    const frame = { time, columns, rows, values: measured(whole) };
     this.exact = frame;
     const end = this.tail.at(-1)?.time ?? -1;
     if (time <= end) this.tail = time === end ? this.tail : [];

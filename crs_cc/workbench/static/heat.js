@@ -56,8 +56,8 @@ export function heatAt(things, x, y) {
 /** What is hot in a scene: things, and robots where they are. @param {any} scene */
 export function hotThings(scene) {
   const robots = scene.bodies
-    .map((body) => ({ ...body, heat: scene.robots.get(body.id)?.heat ?? 0 }))
-    .filter((body) => body.heat > 0);
+    .filter((body) => (scene.robots.get(body.id)?.heat ?? 0) > 0)
+    .map((body) => ({ ...body, heat: scene.robots.get(body.id).heat }));
   return [...scene.shapes.filter((shape) => (shape.heat ?? 0) > 0), ...robots];
 }
 

@@ -20,8 +20,10 @@ export class Scene {
     this.shapes = run.world.shapes.map((shape) => ({ ...shape }));
     this.byId = new Map(this.shapes.map((shape) => [shape.id, shape]));
     this.robots = new Map(run.world.robots.map((robot) => [robot.id, robot]));
-    /** @type {Body[]} */
+    /** @type {Body[]} the robots in the world */
     this.bodies = [];
+    /** @type {Body[]} by row, of the frames so far: made once, as there may be thousands */
+    this.known = [];
     this.time = -1;
     /** @type {Map<string, number>} how high things are that robots carry [m] */
     this.carried = new Map();
@@ -53,29 +55,14 @@ export class Scene {
     for (let row = 0; row < count; row++) {
       const x = values[row];
       if (Number.isNaN(x)) continue;
-      const id = roster.robots[row];
-      const known = this.robots.get(id) ?? { radius: 0.2, colour: "#888888" };
+      const body = this.bodyOf(row, roster.robots[row]);
       const y = values[rows + row];
-      const kind = this.run.world.kinds?.[known.kind];
-      const heading = values[2 * rows + row];
-      const turret = columns > 3 && kind?.turret !== false ? values[3 * rows + row] : null;
-      const base = kind?.steers ? (known.start?.[2] ?? 0) : heading;
-      this.bodies.push({
-        id,
-        row,
-        x,
-        y,
-        z: this.ground.height(x, y),
-        heading,
-        turret,
-        base,
-        mount: turret ?? base,
-        slope: this.ground.slope(x, y),
-        radius: known.radius,
-        height: kind?.height ?? HEIGHT,
-        colour: known.colour,
-        kind,
-      });
+      [body.x, body.y, body.z, body.slope] = [x, y, this.ground.height(x, y), this.ground.slope(x, y)];
+      body.heading = values[2 * rows + row];
+      if (!body.kind?.steers) body.base = body.heading;
+      body.turret = columns > 3 && body.kind?.turret !== false ? values[3 * rows + row] : null;
+      body.mount = body.turret ?? body.base;
+      this.bodies.push(body);
     }
     roster.objects.forEach((id, number) => {
       const [shape, row] = [this.byId.get(id), roster.robots.length + number];
@@ -83,6 +70,17 @@ export class Scene {
       shape.lift = this.carried.get(id) ?? 0;
       [shape.x, shape.y, shape.angle] = [values[row], values[rows + row], values[2 * rows + row]];
     });
+  }
+
+  /** The body of a robot, with what does not change; `place` sets the rest. @param {number} row @param {string} id */
+  bodyOf(row, id) {
+    const before = this.known[row];
+    if (before?.id === id) return before;
+    const { kind: name, start, radius, colour } = this.robots.get(id) ?? { radius: 0.2, colour: "#888888" };
+    const kind = this.run.world.kinds?.[name];
+    const body = { id, row, kind, radius, colour, height: kind?.height ?? HEIGHT, x: 0, y: 0, z: 0, slope: null, heading: 0, turret: null, base: start?.[2] ?? 0, mount: 0 };
+    this.known[row] = body;
+    return body;
   }
 
   /** The robot of a row. @param {number} row */

@@ -229,10 +229,11 @@ export class Timeline {
   /** Show the time and, if something has changed, everything else. @param {number} time */
   show(time) {
     const { model } = this;
+    const { clientWidth, clientHeight } = this.track; // read before anything is written: no layout is needed for it
     this.clock.textContent = clockText(time);
     const isMoved = Math.abs(time - (this.shown ?? -1)) > 1e-6;
     this.shown = time;
-    if (!isMoved && !this.isStale && this.track.clientWidth === this.width) return;
+    if (!isMoved && !this.isStale && clientWidth === this.width) return;
     const { state } = model;
     if (this.isStale) {
       const isOn = state.playing || state.busy;
@@ -250,12 +251,12 @@ export class Timeline {
       this.playButton.disabled = this.speed.disabled = !mayPlay;
       this.isStale = false;
     }
-    this.draw(time);
+    this.width = clientWidth;
+    this.draw(time, clientWidth, clientHeight);
   }
 
-  draw(time) {
+  draw(time, width, height) {
     const ratio = window.devicePixelRatio || 1;
-    const [width, height] = [(this.width = this.track.clientWidth), this.track.clientHeight];
     if (this.canvas.width !== Math.round(width * ratio)) this.canvas.width = Math.round(width * ratio);
     if (this.canvas.height !== Math.round(height * ratio)) this.canvas.height = Math.round(height * ratio);
     const pen = this.canvas.getContext("2d");

@@ -67,8 +67,7 @@ export class View3D {
   draw(camera, body, look, isFine = false) {
     const { canvas, renderer } = this;
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-    renderer.setPixelRatio(this.isSoft ? 1 + Number(isFine) : window.devicePixelRatio || 1);
-    renderer.setSize(width, height, false);
+    this.resize(width, height, this.isSoft ? 1 + Number(isFine) : window.devicePixelRatio || 1);
     this.paint(look);
     this.grid.visible = look.show.grid && !look.heat;
     for (const [shape, mesh] of this.meshes) {
@@ -79,6 +78,15 @@ export class View3D {
     const lens = this.aim(camera, body, width, height);
     this.placeRobots(look, camera, width, height);
     renderer.render(this.world, lens);
+  }
+
+  /** Set the size of the canvas, where it is another: that empties it and makes its buffers anew. */
+  resize(width, height, ratio) {
+    const key = [width, height, ratio].join();
+    if (key === this.size) return;
+    this.size = key;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
   }
 
   aim(camera, body, width, height) {
@@ -201,7 +209,8 @@ export class View3D {
       else byKind.set(body.kind, [body]);
     }
     for (const [kind, group] of this.groups) if (!byKind.has(kind)) for (const mesh of group.meshes) mesh.count = 0;
-    const [place, paint] = [new THREE.Object3D(), new THREE.Color()];
+    const place = new THREE.Object3D();
+    const cold = look.heat?.(0);
     const detail = bodies.length > (this.isSoft ? NEAR_SOFT : NEAR_ROBOTS) ? "far" : "near";
     for (const [kind, list] of byKind) {
       const { meshes } = this.group(kind, list[0].radius, list.length, detail);
@@ -214,7 +223,7 @@ export class View3D {
         const front = body.turret ?? body.heading;
         if (front !== body.base) turned(place, front, body.slope);
         top.setMatrixAt(number, place.matrix);
-        painted.setColorAt(number, paint.set(look.heat ? look.heat(0) : body.colour));
+        painted.setColorAt(number, colourOf(cold ?? body.colour));
       });
       for (const mesh of meshes) {
         mesh.count = list.length;
@@ -239,11 +248,11 @@ export class View3D {
       this.dots = { points, room: bodies.length };
     }
     const { position, color } = this.dots.points.geometry.attributes;
-    const paint = new THREE.Color();
+    const cold = look.heat?.(0);
     bodies.forEach((body, number) => {
+      const { r, g, b } = colourOf(cold ?? body.colour);
       position.setXYZ(number, body.x, body.y, body.z + body.height);
-      paint.set(look.heat ? look.heat(0) : body.colour);
-      color.setXYZ(number, paint.r, paint.g, paint.b);
+      color.setXYZ(number, r, g, b);
     });
     this.dots.points.geometry.setDrawRange(0, bodies.length);
     position.needsUpdate = color.needsUpdate = true;
@@ -275,6 +284,16 @@ export class View3D {
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
+}
+
+/** @type {Map<string, any>} */
+const COLOURS = new Map();
+
+/** A colour by its text: read once, as thousands of robots have the same few. @param {string} text */
+function colourOf(text) {
+  const found = COLOURS.get(text) ?? new THREE.Color(text);
+  COLOURS.set(text, found);
+  return found;
 }
 
 const UP = new THREE.Vector3(0, 0, 1);

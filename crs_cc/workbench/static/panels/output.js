@@ -17,13 +17,13 @@ export const output = {
     let key = "";
 
     const draw = (isForced = false) => {
-      if (!model.run || (!isForced && !root.offsetParent && !model.channel.isLocal)) return;
+      if (!model.run) return;
       const time = model.clock.shown + 1e-9;
       const all = model.run.output;
       let count = all.length;
       while (count > 0 && all[count - 1][0] > time) count--;
       const now = `${count} ${all.length} ${model.state.robot} ${only.checked}`;
-      if (now === key) return;
+      if (now === key || (!isForced && !root.offsetParent && !model.channel.isLocal)) return;
       key = now;
       const names = model.run.rosters.at(-1)?.robots ?? [];
       const several = names.length > 1;
