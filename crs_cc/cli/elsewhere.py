@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from crs_cc.cli.messages import say
 from crs_cc.debug.timeline.change import Change
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from crs_cc.session.session import Session
     from crs_cc.workbench.server import Front
 
+_SHOWN: Final = 5
+
 
 class Elsewhere:
     """The hosts of a run.
@@ -29,6 +31,8 @@ class Elsewhere:
     Attributes:
         fleet: the programs.
         front: where pages connect; None for nowhere.
+        tell_waiting: is told, again and again, of the robots whose hosts the run waits for, as
+            text, and of none as it goes on.
     """
 
     def __init__(
@@ -58,6 +62,7 @@ class Elsewhere:
         self._roster, self._waits, self.front = roster, waits, front
         self._resumption = resumption
         self._is_interrupted: Callable[[], bool] = lambda: False
+        self.tell_waiting: Callable[[str], None] = lambda _names: None
         self._seats = {seat.names: seat for seat in seats}
         self._stopped: list[str] = []  # robots whose programs have just stopped with their host
         links = []
@@ -130,14 +135,20 @@ class Elsewhere:
 
     def _replace(self, link: HostLink, reason: str) -> Channel:
         """Return a connection to another host in place of a lost one, see `host_link`."""
-        names, seat = ",".join(link.names), self._seats[link.names]
+        names, seat = shown_names(link.names), self._seats[link.names]
         self._roster.lose(seat)
         if not self._waits:
             say(f"crs: {names}: the host is lost ({reason}); its programs and robots stop")
             self._stopped += link.names
             raise HostGoneError(f"the host is lost: {reason}")
         say(f"crs: {names}: the host is lost ({reason}); the run waits for another one")
-        channel = self._roster.take(seat, self._is_interrupted)
+
+        def is_ended() -> bool:
+            self.tell_waiting(names)
+            return self._is_interrupted()
+
+        channel = self._roster.take(seat, is_ended)
+        self.tell_waiting("")
         if channel is None:
             raise HostGoneError("the run was interrupted while its host was lost")
         say(f"crs: {names}: taken over")
@@ -148,3 +159,8 @@ class Elsewhere:
         status = self._session.state.host.exit_status[robot]
         failed = bool(self.fleet.slots["status"][robot] == FAILED)
         return {"exit_status": status, "failed": failed}
+
+
+def shown_names(robots: Sequence[str]) -> str:
+    """Return names of robots as text, the first few of many."""
+    return ", ".join(robots[:_SHOWN]) + (", ..." if len(robots) > _SHOWN else "")

@@ -87,6 +87,10 @@ class RunView:
         count = self._player.timesteps(lambda: self._session.time_s)
         return min(count, 1) if math.isfinite(self._player.speed) else count
 
+    def wait_for(self, robots: str) -> None:
+        """Show that the run waits for the hosts of robots; for none as it goes on."""
+        self._screen.wait_for(robots)
+
     def step(self, step: Step) -> None:
         """Show what happened in a timestep."""
         self._watcher.step(step)

@@ -212,6 +212,8 @@ class Runner:
             self._view.begin(
                 self.session, lambda: self._interrupt.requested, self._made, repeats_until_s
             )
+            if self._elsewhere is not None:
+                self._elsewhere.tell_waiting = self._view.wait_for
         if self._clients is not None:
             pointing = None if self._view is None else self._view.pointing
             self._clients.begin(self.session, pointing, lambda: self._interrupt.requested)

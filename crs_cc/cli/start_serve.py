@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import click
 
-from crs_cc.cli.elsewhere import Elsewhere
+from crs_cc.cli.elsewhere import Elsewhere, shown_names
 from crs_cc.cli.inputs import Inputs
 from crs_cc.cli.load import Loaded, arguments_of, load_world_of, program_of, users_files
 from crs_cc.cli.messages import say
@@ -160,8 +160,7 @@ def _seats(roster: Roster, options: ServeOptions) -> list[Seat]:
     told: list[str] = []
     while missing := roster.missing():
         if missing != told and not options.quiet:
-            shown = ", ".join(missing[:5]) + (", ..." if len(missing) > 5 else "")
-            say(f"crs: waiting for {shown}")
+            say(f"crs: waiting for {shown_names(missing)}")
         told = missing
         roster.wait()
     if not options.quiet:

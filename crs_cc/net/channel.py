@@ -94,6 +94,7 @@ class Channel:
 
     Attributes:
         is_closed: whether it has been closed on this side.
+        heard_s: when something has last come from the other side, by `time.monotonic()` [s].
     """
 
     def __init__(self, connection: Connection) -> None:
@@ -103,10 +104,10 @@ class Channel:
         connection.settimeout(SILENCE_S)
         self.is_closed = False
         self._connection = connection
-        self._sending = threading.Lock()
+        self._sending, self._receiving = threading.Lock(), threading.Lock()
         self._rest = bytearray()  # received, and not read
         self._sent = self._received = 0
-        self._sent_s = time.monotonic()
+        self._sent_s = self.heard_s = time.monotonic()
 
     def send(self, kind: Kind, content: bytes = b"") -> None:
         """Send a message.
@@ -133,13 +134,13 @@ class Channel:
         with contextlib.suppress(
             ConnectionLostError, OSError, ValueError
         ):  # who receives finds out
-            if self._can_send():
+            if self._is_ready(selectors.EVENT_WRITE):
                 self.send(Kind.ALIVE)
 
-    def _can_send(self) -> bool:
-        """Return whether sending a short message does not have to wait."""
+    def _is_ready(self, event: int) -> bool:
+        """Return whether receiving, or sending a short message, does not have to wait."""
         with selectors.DefaultSelector() as selector:
-            selector.register(self._connection, selectors.EVENT_WRITE)
+            selector.register(self._connection, event)
             return bool(selector.select(0.0))
 
     def receive(self, *allowed: Kind, within_s: float | None = None) -> Message:
@@ -177,7 +178,9 @@ class Channel:
         while len(rest) < size:
             if end_s is not None and time.monotonic() > end_s:
                 raise ConnectionLostError("too slow")
-            rest += self._part(size - len(rest))
+            with self._receiving:
+                if len(rest) < size:  # or else somebody has listened meanwhile
+                    rest += self._part(size - len(rest))
             if (now_s := time.monotonic()) > look_s:
                 if len(rest) < min(size, least):
                     raise ConnectionLostError("too slow")
@@ -196,18 +199,23 @@ class Channel:
             raise ConnectionLostError(_reason(error)) from None
         if not part:
             raise ConnectionLostError("the other side has closed the connection")
+        self.heard_s = time.monotonic()
         return part
 
-    def has_ended(self) -> bool:
-        """Return whether the other side is known to be gone; what it has said is not read."""
+    def listen(self) -> None:
+        """Note what has come, and close the connection if the other side has; do not wait.
+
+        Any thread may do so while nobody receives: what has come is kept for who receives next.
+        """
+        if not self._receiving.acquire(blocking=False):
+            return  # who receives finds out
         try:
-            with selectors.DefaultSelector() as selector:
-                selector.register(self._connection, selectors.EVENT_READ)
-                if not selector.select(0.0):
-                    return False
-            return not self._connection.recv(1, socket.MSG_PEEK)
-        except (OSError, ValueError):  # it has been closed here
-            return True
+            while len(self._rest) < _CHUNK and self._is_ready(selectors.EVENT_READ):
+                self._rest += self._part(_CHUNK)
+        except (OSError, ValueError):  # or it has been closed here
+            self.close()
+        finally:
+            self._receiving.release()
 
     def close(self) -> None:
         """Close the connection; who waits for it is told."""

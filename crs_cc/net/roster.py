@@ -6,11 +6,13 @@ Hosts are met in threads of their own; the run waits for them in its own thread.
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.suggest import unknown
+from crs_cc.net.channel import SILENCE_S
 from crs_cc.net.handshake import Hello, RefusedError, definition_of, devices_digest, require_same
 
 if TYPE_CHECKING:
@@ -20,6 +22,9 @@ if TYPE_CHECKING:
 
 LOOK_S: Final = 0.1
 """How often a run that waits for hosts looks at interrupts [s]."""
+
+LISTEN_S: Final = 0.02
+"""How often to listen whether a host is alive [s]."""
 
 
 @dataclass(slots=True, eq=False)
@@ -67,6 +72,7 @@ class Roster:
             RefusedError: there is none for it.
         """
         require_same("device libraries", self._devices, hello.devices)
+        self._look_for_losses(hello)
         with self._changed:
             if self.has_ended:
                 raise RefusedError("the run has ended")
@@ -81,6 +87,32 @@ class Roster:
                     "every robot has a host already" if not names else "a robot is named twice"
                 )
             return self._claim(names, hello)
+
+    def _look_for_losses(self, hello: Hello) -> None:
+        """Close the connections of others to robots that a host wants, if they are lost.
+
+        Nobody receives from a host that has nothing to run, as in a run that is paused. So this
+        waits until each has said that it is alive, or nothing for `SILENCE_S`.
+        """
+        with self._changed:
+            others = [
+                seat.channel
+                for seat in self._seats
+                if seat.channel is not None
+                and seat.host != hello.host
+                and (not hello.robots or set(hello.robots) & set(seat.names))
+            ]
+        for channel in others:
+            channel.listen()  # what it says from now on shows that it is alive
+        began_s = now_s = time.monotonic()
+        while others and now_s < began_s + SILENCE_S:
+            time.sleep(LISTEN_S)
+            for channel in others:
+                channel.listen()
+            others = [each for each in others if not each.is_closed and each.heard_s < began_s]
+            now_s = time.monotonic()
+        for channel in others:
+            channel.close()
 
     def _free(self) -> tuple[str, ...]:
         """Return the robots without a host; the lost host's if the run waits for those."""
@@ -171,4 +203,4 @@ class Roster:
 
 def _is_lost(seat: Seat) -> bool:
     """Return whether a seat has had a host that is gone."""
-    return seat.program is not None and (seat.channel is None or seat.channel.has_ended())
+    return seat.program is not None and (seat.channel is None or seat.channel.is_closed)

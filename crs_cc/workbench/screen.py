@@ -45,6 +45,7 @@ class Screen:
         server: serves the pages.
         robot: the selected robot.
         pointing: poses for which programs have asked the user.
+        waits: the robots whose hosts the run waits for, as text.
     """
 
     def __init__(
@@ -59,6 +60,7 @@ class Screen:
         self.robot = 0
         self.pointing = Pointing()
         self.is_busy = False
+        self.waits = ""
         self._waiting = 0
         self._newest: dict[str, int] = {}
         self._told_s = self._table_s = 0.0
@@ -118,8 +120,9 @@ class Screen:
             "state",
             t=self.run.time_s,
             end=self.feed.end_s,
-            playing=player.is_playing,
-            busy=self.is_busy,
+            playing=player.is_playing and not self.waits,
+            busy=self.is_busy or bool(self.waits),
+            waits=self.waits,
             speed=None if math.isinf(player.speed) else player.speed,
             rate=round(player.rate, 3),
             span=player.span,
@@ -158,6 +161,13 @@ class Screen:
             self.run.settle()
             self.stopped()
             self._meet()
+
+    def wait_for(self, robots: str) -> None:
+        """Tell that the run waits for the hosts of robots; for none as it goes on."""
+        if robots != self.waits:
+            self.waits = robots
+            self._told_s = 0.0
+        self.tick()
 
     # -- what pages ask for; in the server's thread ----------------------------------------------
 

@@ -19,10 +19,10 @@ from tests.session.programs import ROAM
 from tests.workbench.test_screen import Page
 
 EARLY = (
-    *("degrade left sonar.0 dead", "move right to 3 1 90", "sleep left 0.4", "charge left 50"),
+    *("degrade left sonar.0 dead", "move right to 3 1 90", "sleep right 9", "charge left 50"),
     *("shut from left", "message right to left: hello", "heat left 5", "drive right 0.1 20"),
 )
-LATER = ("heal left", "open from left", "wake left", "hold right")
+LATER = ("heal left", "open from left", "wake right", "hold right")
 LAST = "remove right"
 
 
@@ -68,6 +68,7 @@ def test_a_run_that_pages_changed_is_that_of_a_local_run_with_the_same_changes(
             lost.kill()
             lost.communicate()
             page.ask("play")
+            page.take_until(lambda: page.told["state"]["waits"] == "left")
             hosts = [join(folder, "left", *words), kept]
             page.take_until(lambda: page.told["state"]["t"] > 0.3)
             change(page, *LATER)

@@ -128,11 +128,23 @@ def test_a_side_that_closes_or_is_silent_is_given_up(
     with pytest.raises(ConnectionLostError, match="nothing heard"):
         Channel(here).receive(Kind.RAN)
     other.close()
-    assert not receiver.has_ended()
     there.close()
-    with pytest.raises(ConnectionLostError):
+    with pytest.raises(ConnectionLostError, match="closed the connection"):
         receiver.receive(Kind.RAN)
-    assert receiver.has_ended()
+
+
+def test_who_listens_takes_nothing_from_who_receives(ends: tuple[Channel, socket.socket]) -> None:
+    receiver, there = ends
+    parts = frames(b"one", b"two")
+    for part in (parts[0], parts[1][:7], parts[1][7:]):
+        there.sendall(part)
+        receiver.listen()
+    assert [receiver.receive(Kind.RAN).content for _ in range(2)] == [b"one", b"two"]
+    assert not receiver.is_closed
+    there.sendall(parts[0])  # which does not hide that the other side is gone
+    there.close()
+    receiver.listen()
+    assert receiver.is_closed
 
 
 def test_a_side_with_nothing_to_say_stays_alive(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import pytest
 
+from crs_cc.net import roster as roster_module
 from crs_cc.net.access import Access
 from crs_cc.net.channel import MAGIC, Channel, ConnectionLostError, Kind, Pulse
 from crs_cc.net.gate import Gate, bound
@@ -107,6 +108,25 @@ def test_a_lost_host_is_replaced_by_one_with_the_same_program(opened: Open) -> N
     with pytest.raises(RefusedError, match="the environment has program"):
         opened.visit("left", "right", host="two", program=replace(PROGRAM, checked=False))
     assert opened.visit(host="two").robots == ("left", "right")
+    assert opened.roster.take(seat, lambda: False)
+
+
+@pytest.mark.parametrize("way", ["killed", "cut off"])
+def test_a_host_that_is_lost_while_it_has_nothing_to_run_is_replaced(
+    opened: Open, way: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As while the run is paused, when nobody receives the signs of life that it has sent."""
+    monkeypatch.setattr(roster_module, "SILENCE_S", 0.1)
+    lost = opened.visit("left", "right").channel
+    wait_until_ready(opened, "left", "right")
+    seat = opened.roster.begin()[0]
+    assert opened.roster.take(seat, lambda: False)
+    lost.send(Kind.ALIVE)
+    if way == "killed":
+        lost.close()
+    else:
+        opened.pulse.remove(lost)
+    assert opened.visit("left", "right", host="two").robots == ("left", "right")
     assert opened.roster.take(seat, lambda: False)
 
 

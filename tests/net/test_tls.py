@@ -51,7 +51,8 @@ def test_a_host_that_knows_the_fingerprint_is_taken(gate: Gate, server: tls.Serv
         spelled = server.fingerprint.upper()
         found = come(gate, tls.Client("127.0.0.1", f"{spelled[:2]}:{spelled[2:]}"), pulse)
         assert found.robots == ("left", "right")
-        assert not found.channel.has_ended()
+        found.channel.listen()
+        assert not found.channel.is_closed
         found.channel.close()
 
 

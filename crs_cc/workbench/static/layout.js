@@ -3,7 +3,7 @@ import { button, el, fill, part } from "crs/dom.js";
 import { PANELS } from "crs/panels/index.js";
 import { setTheme, theme } from "crs/theme.js";
 
-const STATES = { playing: "running", busy: "working", end: "ended", error: "stopped by an error", start: "ready", lost: "not connected", breakpoint: "at a breakpoint", watchpoint: "a value has changed", catchpoint: "at an event", exit: "a program has ended", step: "paused" };
+const STATES = { playing: "running", waits: "waiting", busy: "working", end: "ended", error: "stopped by an error", start: "ready", lost: "not connected", breakpoint: "at a breakpoint", watchpoint: "a value has changed", catchpoint: "at an event", exit: "a program has ended", step: "paused" };
 
 export class Layout {
   /** @param {any} model @param {any} look @param {any} page what panels may use of each other */
@@ -64,7 +64,7 @@ export class Layout {
 
   show() {
     const { state, run, isConnected } = this.model;
-    const reason = !isConnected ? "lost" : state.playing ? "playing" : state.busy ? "busy" : state.halt.reason;
+    const reason = !isConnected ? "lost" : state.waits ? "waits" : state.playing ? "playing" : state.busy ? "busy" : state.halt.reason;
     this.chip.dataset.state = reason;
     this.chip.textContent = STATES[reason] ?? (reason === "paused" ? "paused" : `stopped: ${reason}`);
     if (!isConnected && this.model.lost) {
@@ -75,7 +75,7 @@ export class Layout {
       const robots = run.rosters.at(-1)?.robots.length ?? 0;
       const count = `${robots} robot${robots === 1 ? "" : "s"}`;
       const looks = run.role === "view" ? " · view only" : "";
-      this.note.textContent = run.note ?? `seed ${run.seed} · ${count}${looks}`;
+      this.note.textContent = state.waits ? `waits for a host of ${state.waits}` : run.note ?? `seed ${run.seed} · ${count}${looks}`;
     }
     document.body.classList.toggle("disconnected", !isConnected);
   }

@@ -19,7 +19,7 @@ export class Model {
     /** @type {any} */
     this.channel = null;
     this.run = null;
-    this.state = { t: 0, end: 0, playing: false, busy: false, speed: 1, rate: 0, span: null, robot: 0, halt: QUIET };
+    this.state = { t: 0, end: 0, playing: false, busy: false, waits: "", speed: 1, rate: 0, span: null, robot: 0, halt: QUIET };
     this.status = { t: 0, first: 0, robots: [], sensors: { believed: [], echoes: [], bumpers: [] } };
     /** @type {any} */
     this.where = null;

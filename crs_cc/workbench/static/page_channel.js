@@ -53,6 +53,7 @@ export class PageChannel {
       end: this.run.end_s,
       playing: this.isPlaying,
       busy: false,
+      waits: "",
       speed: Number.isFinite(this.speed) ? this.speed : null,
       rate: this.isPlaying ? this.speed : 0,
       span: this.span,
