@@ -64,7 +64,7 @@ def _joints(environment: Environment, rows: Sequence[int]) -> Iterator[tuple[int
 
 def _holds(environment: Environment, rows: Sequence[int]) -> Iterator[tuple[int, list[str]]]:
     """Yield the names of what robots hold."""
-    things = environment.state.bodies.holds.thing
+    things = environment.state.bodies.holds.object
     for robot in rows:
         held = [environment.pushables[each] for each in things[robot].tolist() if each >= 0]
         if held:

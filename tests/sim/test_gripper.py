@@ -27,7 +27,7 @@ def found(things, mount=(0.0, 0.0, 0.0), strip=(0.2, 0.3)):
     rows = between(moving, 1, np.array([mount]), np.array([strip]))
     return [
         (scene.names[thing], *(round(float(value), 6) for value in values))
-        for thing, *values in zip(rows.thing, rows.right_m, rows.left_m, rows.near_m, strict=True)
+        for thing, *values in zip(rows.object, rows.right_m, rows.left_m, rows.near_m, strict=True)
     ]
 
 

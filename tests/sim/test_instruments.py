@@ -120,7 +120,7 @@ def test_nothing_is_measured_without_request():
     assert not rings(state).count.any()
     assert not compasses(state).count.any()
     assert not state.devices.laser.readings.count.any()
-    assert len(state.pos_data.told) == 0
+    assert len(state.pos_data.reported) == 0
 
 
 def test_scouts_have_no_state_for_missing_devices():

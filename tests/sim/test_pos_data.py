@@ -140,7 +140,7 @@ def test_times_above_31_bits_keep_their_bits(tmp_path):
 
 def test_each_robot_has_its_own_entries_without_cost_for_others():
     driver = Driver.of(open_world(NOMAD + "".join(f'<robot x="0" y="{y}m"/>' for y in (3, 6, 9))))
-    assert len(driver.state.pos_data.told) == 0
+    assert len(driver.state.pos_data.reported) == 0
     request(driver, SONAR, robot=2)
     request(driver, INFRARED, robot=0)
     request(driver, SONAR, robot=2)

@@ -89,11 +89,11 @@ def test_held_object_stays_behind_and_cannot_be_moved() -> None:
         )
     )
     holds = driver.state.bodies.holds
-    holds.thing[0, 0] = 0
+    holds.object[0, 0] = 0
     with pytest.raises(ValueError, match="'robot0' holds 'can'"):
         driver.environment.carry("can", Pose(1.0, 1.0))
     driver.environment.carry("robot0", Pose(2.0, 2.0))
-    assert holds.thing[0, 0] == -1
+    assert holds.object[0, 0] == -1
     assert driver.state.bodies.position_m[1].tolist() == [9.0, 9.0]
 
 

@@ -228,7 +228,8 @@ def _devices(environment: Environment, robot: int, model: RobotModel) -> Iterato
         yield Row(title, text)
     if state.heat.left[robot]:
         yield Row("heat", f"{state.heat.left[robot]:g}")
-    held = [environment.pushables[thing] for thing in state.bodies.holds.thing[robot] if thing >= 0]
+    numbers = state.bodies.holds.object[robot]
+    held = [environment.pushables[number] for number in numbers if number >= 0]
     if held:
         yield Row("holds", ", ".join(held))
     inbox = state.messages.receptions

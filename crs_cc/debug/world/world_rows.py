@@ -52,7 +52,7 @@ def _things(environment: Environment) -> Iterator[Row]:
     for place, name in enumerate(environment.pushables, first):
         x_m, y_m = state.bodies.position_m[place].tolist()
         text = pose_text(x_m, y_m, float(state.bodies.angle_rad[place]))
-        holders = np.flatnonzero((state.bodies.holds.thing == place - first).any(axis=1)).tolist()
+        holders = np.flatnonzero((state.bodies.holds.object == place - first).any(axis=1)).tolist()
         held = "".join(f", held by {world.robots[robot].id}" for robot in holders)
         children.append(Row(name, text + held))
     fixed = sum(not is_pushable(solid) for solid in solids)

@@ -201,7 +201,7 @@ class GoalJudge:
         if isinstance(condition, Reach):
             return can & _inside(condition.place, state.x_m, state.y_m)
         assert isinstance(condition, Approach)
-        thing = self._numbers.get(condition.thing)
+        thing = self._numbers.get(condition.object)
         if thing is None:  # a program has removed it
             return np.zeros_like(can)
         shapes, things = self._constants.shapes, np.full(len(can), thing)

@@ -304,7 +304,7 @@ class WorldData:
         number = self.pushables.index(name)
         if self.constants.scene.pushables[number].part_of:
             return f"{name!r} is part of {self.constants.scene.pushables[number].part_of!r}"
-        holders = np.flatnonzero((self.state.bodies.holds.thing == number).any(axis=1)).tolist()
+        holders = np.flatnonzero((self.state.bodies.holds.object == number).any(axis=1)).tolist()
         return f"{self._robot_ids[holders[0]]!r} holds {name!r}" if holders else ""
 
     def _equip(self, world: WorldModel) -> None:

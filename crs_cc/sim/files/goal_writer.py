@@ -32,7 +32,7 @@ def _condition(condition: goals.Condition) -> Element:
             distance = LENGTH.exact(condition.distance_m)
             return _element(
                 "approach",
-                object=condition.thing, distance=distance, stay=_stay(condition.stay_s),
+                object=condition.object, distance=distance, stay=_stay(condition.stay_s),
             )  # fmt: skip
         case goals.Visit():
             places = [Element("place", 0, _place(place)) for place in condition.places]

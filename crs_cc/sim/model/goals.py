@@ -47,7 +47,7 @@ class Reach:
 class Approach:
     """A robot's centre is near the surface of an object, and stays there without a break."""
 
-    thing: str
+    object: str
     distance_m: float
     stay_s: float = 0.0
 

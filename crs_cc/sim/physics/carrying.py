@@ -185,7 +185,7 @@ def release(state: EnvState, rows: IndexArray) -> None:
     The physics must be restarted from this state.
     """
     holds = state.bodies.holds
-    objects = holds.thing[rows]
+    objects = holds.object[rows]
     for kind in (GRIPPER, HAND):
         holds.drop(rows, kind)
     grasp_anew(state, objects[objects >= 0].astype(np.intp))

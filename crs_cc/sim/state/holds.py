@@ -28,14 +28,14 @@ class Holds:
     """The objects that robots hold; arrays have a column for the gripper and one for the hand.
 
     Attributes:
-        thing: number of the object among the movable ones, -1 for none, (robots, 2).
+        object: number of the object among the movable ones, -1 for none, (robots, 2).
         grasp: its pose: x, y [m] and direction [rad], for a gripper in the frame of the mount, for
             a hand in the frame of the hand, (robots, 2, 3).
         grip: of the gripper that holds it: distance [m] of the fingers' centre ahead of the mount's
             centre, and the force [N] that pulls out an object that others hold too, (robots, 2).
     """
 
-    thing: Int64Array
+    object: Int64Array
     grasp: FloatArray
     grip: FloatArray
 
@@ -52,27 +52,27 @@ class Holds:
         """Return a copy with one more robot, which holds nothing."""
         more = self.nothing(1)
         return type(self)(
-            np.concatenate([self.thing, more.thing]),
+            np.concatenate([self.object, more.object]),
             np.concatenate([self.grasp, more.grasp]),
             np.concatenate([self.grip, more.grip]),
         )
 
     def copy(self) -> Self:
         """Return a deep copy."""
-        return type(self)(self.thing.copy(), self.grasp.copy(), self.grip.copy())
+        return type(self)(self.object.copy(), self.grasp.copy(), self.grip.copy())
 
     def any(self) -> bool:
         """Return whether any object is held."""
-        return any_of(self.thing >= 0)
+        return any_of(self.object >= 0)
 
     def take(self, rows: IndexArray, kind: int, things: IndexArray, grasp: FloatArray) -> None:
         """Put objects into the grippers or hands of robots."""
-        self.thing[rows, kind] = things
+        self.object[rows, kind] = things
         self.grasp[rows, kind] = grasp
 
     def drop(self, rows: IndexArray, kind: int) -> None:
         """Remove objects from the grippers or hands of robots."""
-        self.thing[rows, kind] = -1
+        self.object[rows, kind] = -1
         self.grasp[rows, kind] = 0.0
 
     def in_grippers(self) -> tuple[IndexArray, IndexArray]:
@@ -90,8 +90,8 @@ class Holds:
             kept: which of the movable objects are left, (things,).
         """
         numbers = np.append(np.where(kept, np.cumsum(kept) - 1, -1), -1)
-        return type(self)(numbers[self.thing], self.grasp.copy(), self.grip.copy())
+        return type(self)(numbers[self.object], self.grasp.copy(), self.grip.copy())
 
     def _held(self, kind: int) -> tuple[IndexArray, IndexArray]:
-        rows = np.flatnonzero(self.thing[:, kind] >= 0)
-        return rows, self.thing[rows, kind].astype(np.intp)
+        rows = np.flatnonzero(self.object[:, kind] >= 0)
+        return rows, self.object[rows, kind].astype(np.intp)

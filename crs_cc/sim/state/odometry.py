@@ -22,7 +22,7 @@ class OdometryState:
         heading_rad: the direction of its wheels.
         turret_rad: the direction of its turret; 0 without one.
         shaft: true position of each encoder's shaft, in the unit of its axis, (robots, 3).
-        told: position by the counts of the encoder, (robots, 3).
+        reported: position by the counts of the encoder, (robots, 3).
     """
 
     x_m: FloatArray
@@ -30,7 +30,7 @@ class OdometryState:
     heading_rad: FloatArray
     turret_rad: FloatArray
     shaft: FloatArray
-    told: FloatArray
+    reported: FloatArray
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:

@@ -30,12 +30,12 @@ class PosDataState:
     """The data reported to programs that have requested it.
 
     Attributes:
-        row: the row of each robot in `told`, -1 for one that has not requested it, (robots,).
-        told: the vendor's `PosData` of each sensor, (rows, 35, 9).
+        row: the row of each robot in `reported`, -1 for one that has not requested it, (robots,).
+        reported: the vendor's `PosData` of each sensor, (rows, 35, 9).
     """
 
     row: IndexArray
-    told: Int32Array
+    reported: Int32Array
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -46,6 +46,6 @@ class PosDataState:
     def attach(self, robots: IndexArray) -> None:
         """Add rows for robots that request the data."""
         new = robots[self.row[robots] < 0]
-        self.row[new] = len(self.told) + np.arange(len(new))
+        self.row[new] = len(self.reported) + np.arange(len(new))
         room = np.zeros((len(new), _SENSORS, NUMBERS), dtype=np.int32)
-        self.told = np.concatenate([self.told, room])
+        self.reported = np.concatenate([self.reported, room])

@@ -48,7 +48,7 @@ _NUMBER: Final = 8  # bytes
 _UNKNOWN: Final = -1.0
 _ROBOT: Final = (
     ("drive.axes", [each.name for each in fields(Axes)]),
-    ("odometry", ["shaft", "told", "x_m", "y_m", "heading_rad", "turret_rad"]),
+    ("odometry", ["shaft", "reported", "x_m", "y_m", "heading_rad", "turret_rad"]),
     ("drive", ["slice", "moved_m", "facing_rad", "turret_rad", "clock_s"]),
     ("drive", ["timeout_s", "deadline_s"]),
     ("timers", ["soonest_s"]),

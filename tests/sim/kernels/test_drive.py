@@ -100,15 +100,15 @@ def test_axes_and_robots_move_as_with_numpy(seed: int) -> None:
     assert np.array_equal(state.drive.facing_rad, facing_rad + turn_rad)
     assert np.array_equal(state.drive.turret_rad, before.drive.turret_rad + way[:, 2])
     shaft, count = old.shaft + way, drives.table[:, 12:15]
-    told = np.rint(shaft / count) * count
-    whole = told - old.told
+    reported = np.rint(shaft / count) * count
+    whole = reported - old.reported
     x_m, y_m = odometry.arc(
         old.heading_rad, weighted(whole, drives.forward), weighted(whole, drives.turn)
     )
     heading_rad = (old.heading_rad + weighted(whole, drives.turn)) % TURN
     turret_rad = (old.turret_rad + np.where(drives.turret, whole[:, 2], 0.0)) % TURN
     assert np.array_equal(state.odometry.shaft, shaft)
-    assert np.array_equal(state.odometry.told, told)
+    assert np.array_equal(state.odometry.reported, reported)
     assert np.array_equal(state.odometry.x_m, old.x_m + x_m)
     assert np.array_equal(state.odometry.y_m, old.y_m + y_m)
     assert np.array_equal(state.odometry.heading_rad, heading_rad)

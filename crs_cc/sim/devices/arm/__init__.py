@@ -92,7 +92,7 @@ class Arms:
         angles = np.rint(rad_to_tenths_deg(angles_rad))
         tip = np.rint(m_to_tenths_inch(self._hands(which, angles_rad)[:, :2]))
         pushables = context.constants.scene.pushables
-        held = context.state.bodies.holds.thing[self._rows[which], HAND].tolist()
+        held = context.state.bodies.holds.object[self._rows[which], HAND].tolist()
         mass_kg = [pushables[thing].mass_kg if thing >= 0 else 0.0 for thing in held]
         weight_g = np.array(mass_kg) * _GRAMS
         columns = (*angles.T, *tip.T, np.minimum(np.rint(weight_g), LARGEST))
@@ -128,7 +128,7 @@ class Arms:
         rows, arm = self._rows, arm_of(state)
         if not any_of(arm.acts):
             return False
-        held = state.bodies.holds.thing[rows, HAND] >= 0
+        held = state.bodies.holds.object[rows, HAND] >= 0
         opening = np.flatnonzero(arm.acts & ~arm.closed)
         closing = np.flatnonzero(arm.acts & arm.closed & ~held)
         arm.acts[arm.closed] = False
@@ -173,7 +173,7 @@ class Arms:
         away_m = things.distance_m(poses, pushables[found], hands[hand, 0], hands[hand, 1])
         good = can_be_taken(scene, found, self._most_kg[closing[hand]])
         good &= away_m <= self._hand_m[closing[hand]]
-        good &= ~np.isin(found, bodies.holds.thing)
+        good &= ~np.isin(found, bodies.holds.object)
         taken: list[int] = []
         for pair in nearest(hand, away_m, good).tolist():
             thing, robot = int(found[pair]), int(self._rows[closing[hand[pair]]])
@@ -187,7 +187,7 @@ class Arms:
     def _open(self, state: EnvState, constants: RobotConstants, which: int, end_s: float) -> bool:
         """Release a hand's object if the space below is free; return whether it did."""
         row, scene = self._rows[which], constants.scene
-        thing = int(state.bodies.holds.thing[row, HAND])
+        thing = int(state.bodies.holds.object[row, HAND])
         if not is_space_free(constants, state.bodies, thing):
             return False
         state.bodies.holds.drop(self._rows[[which]], HAND)

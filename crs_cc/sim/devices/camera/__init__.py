@@ -146,11 +146,11 @@ class CameraState:
     Attributes:
         readings: the range of each column [m], from left to right, not finite if no object is in
             range; then the colour of each, 0xRRGGBB.
-        told: contents of the last reply.
+        reply: contents of the last reply.
     """
 
     readings: Readings
-    told: PagedReply
+    reply: PagedReply
 
 
 def state_at_start(models: Sequence[Camera]) -> CameraState:
@@ -213,7 +213,7 @@ class _Cameras:
         )  # fmt: skip
         self.installed = self._sensor.installed(
             {"CAMERA": self.take_picture}, self._fans,
-            announced=lambda state: camera_state(state).told,
+            announced=lambda state: camera_state(state).reply,
         )  # fmt: skip
 
     def _measure(self, now: Measurement) -> FloatArray:
@@ -234,13 +234,13 @@ class _Cameras:
         """Answer CAMERA with the number of pixels or blobs; refuse robots without a camera."""
         has, mine = self._sensor.asked(context)
         wants_blobs = context["blobs"] != 0
-        told = camera_state(context.state).told
+        reply = camera_state(context.state).reply
         for are_blobs, keep in ((False, self._keep_pixels), (True, self._keep_blobs)):
             some = has & (wants_blobs == are_blobs)
             numbers = mine[some[has]]
             if len(numbers):
                 keep(context.state, numbers)
-                context.put("count", told.count[numbers], some)
+                context.put("count", reply.count[numbers], some)
         return has
 
     def _pictures(self, state: EnvState, numbers: IndexArray) -> tuple[Int32Array, Int32Array]:
@@ -248,7 +248,7 @@ class _Cameras:
 
     def _keep_pixels(self, state: EnvState, numbers: IndexArray) -> None:
         pixels = np.stack(self._pictures(state, numbers), axis=2)
-        camera_state(state).told.keep(numbers, _PIXEL, self._columns[numbers], pixels)
+        camera_state(state).reply.keep(numbers, _PIXEL, self._columns[numbers], pixels)
 
     def _keep_blobs(self, state: EnvState, numbers: IndexArray) -> None:
         """Keep angle and width [0.1 deg], colour and range [0.1 in] of blobs."""
@@ -261,7 +261,7 @@ class _Cameras:
         rows = np.zeros((len(numbers), int(counts.max()), _BLOB), dtype=np.int32)
         inside = np.arange(rows.shape[1]) < counts[:, None]
         rows[inside] = np.column_stack([angle, width, colour, nearest])
-        camera_state(state).told.keep(numbers, _BLOB, counts, rows)
+        camera_state(state).reply.keep(numbers, _BLOB, counts, rows)
 
 
 def _step(camera: Camera) -> float:

@@ -111,12 +111,12 @@ class Grippers:
         """Make grippers grasp, release and lose objects; return whether any did."""
         if not len(self._rows):
             return False
-        gripper, held = gripper_of(state), state.bodies.holds.thing[self._rows, GRIPPER]
+        gripper, held = gripper_of(state), state.bodies.holds.object[self._rows, GRIPPER]
         torn, opens = np.isin(self._rows, contacts.torn), (held >= 0) & ~gripper.closing
         gone = np.flatnonzero(torn | opens)
         if len(gone):
             self._let_go(state, constants, gone, torn[gone], end_s)
-        free = state.bodies.holds.thing[self._rows, GRIPPER] < 0
+        free = state.bodies.holds.object[self._rows, GRIPPER] < 0
         gripper.width_m[free] = 0.0
         apart_m = self._apart_m(state, np.arange(len(self._rows)), np.full(len(self._rows), end_s))
         closed = free & gripper.closing & (apart_m < gripper.before_m)
@@ -160,7 +160,7 @@ class Grippers:
         rows = self._rows[closing]
         mounts = np.column_stack([bodies.position_m[rows], state.mount_rad[rows]])
         found = between(moving, robots, mounts, self._strip_m[closing])
-        which, thing = closing[found.gripper], found.thing - robots
+        which, thing = closing[found.gripper], found.object - robots
         half_m = self._opening_m[which] / 2 + _SAME_M
         fits = (found.right_m >= -half_m) & (found.left_m <= half_m)
         fits &= found.width_m >= apart_m[which] - _SAME_M
@@ -190,7 +190,7 @@ class Grippers:
     ) -> None:
         """Release objects from grippers; they rest where they are."""
         rows, bodies, gripper = self._rows[gone], state.bodies, gripper_of(state)
-        things = bodies.holds.thing[rows, GRIPPER].astype(np.intp)
+        things = bodies.holds.object[rows, GRIPPER].astype(np.intp)
         bodies.holds.drop(rows, GRIPPER)
         still = things[~np.isin(things, bodies.holds.in_grippers()[1])] + len(state.heading_rad)
         bodies.velocity_mps[still] = bodies.spin_radps[still] = 0.0
@@ -206,7 +206,7 @@ class Grippers:
 def _weight_kg(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
     """Return the weights in the grippers; several that hold one object share it equally."""
     holds, pushables = state.bodies.holds, constants.scene.pushables
-    held = holds.thing[rows, GRIPPER]
+    held = holds.object[rows, GRIPPER]
     together = np.bincount(holds.in_grippers()[1], minlength=len(pushables) + 1)[held]
     mass_kg = [pushables[thing].mass_kg if thing >= 0 else 0.0 for thing in held.tolist()]
     return np.asarray(np.array(mass_kg) / np.maximum(together, 1))

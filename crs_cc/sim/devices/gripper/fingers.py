@@ -26,14 +26,14 @@ class Between:
     """Objects between fingers, a row for each gripper and object, in ascending order of both.
 
     Attributes:
-        thing: the object, as in `Scene.names`.
+        object: the object, as in `Scene.names`.
         right_m: y of its right side in the gripper's frame; mostly negative.
         left_m: y of its left side.
         near_m: x of its nearest point between the fingers, from the mount's centre.
     """
 
     gripper: IndexArray
-    thing: IndexArray
+    object: IndexArray
     right_m: FloatArray
     left_m: FloatArray
     near_m: FloatArray

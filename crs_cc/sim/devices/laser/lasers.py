@@ -71,7 +71,7 @@ class Lasers:
             "LASER": self.get_ranges,
         }
         fans = [self._fan(laser, laser.points) for laser in self._kinds]
-        installed = self.sensor.installed(handlers, fans, lambda state: laser_state(state).told)
+        installed = self.sensor.installed(handlers, fans, lambda state: laser_state(state).reply)
         self.installed = dataclasses.replace(installed, device=self)
 
     def _fan(self, laser: Laser, points: int) -> Fan:
@@ -139,7 +139,7 @@ class Lasers:
         seen = np.isfinite(range_m) & measured
         tenths = np.rint(m_to_tenths_inch(np.where(seen, range_m, 0.0)))
         tenths = np.where(seen, tenths, -1).astype(np.int32)
-        laser.told.keep(numbers, 1, wanted, tenths[:, :, None])
+        laser.reply.keep(numbers, 1, wanted, tenths[:, :, None])
         context.put("count", wanted, has)
         return has
 
@@ -172,8 +172,8 @@ class Lasers:
         value = laser.readings.value
         points = value[mine, NUM_LASER].astype(np.intp)
         range_m = value[mine, : int(points.max(initial=0))]
-        self._keep(laser, laser.told, mine, range_m, points, width=width)
-        counts[requested] = laser.told.count[mine]
+        self._keep(laser, laser.reply, mine, range_m, points, width=width)
+        counts[requested] = laser.reply.count[mine]
         return counts
 
     def predict(
@@ -205,7 +205,7 @@ class Lasers:
     def _keep(
         self,
         laser: LaserState,
-        told: PagedReply,
+        reply: PagedReply,
         numbers: IndexArray,
         range_m: FloatArray,
         counts: npt.NDArray[np.number],
@@ -216,7 +216,7 @@ class Lasers:
 
         Args:
             laser: what the programs have set.
-            told: their storage, changed in place.
+            reply: their storage, changed in place.
             numbers: which lasers, k of them.
             range_m: their ranges, (k, most).
             counts: number of ranges of each, (k,).
@@ -227,13 +227,13 @@ class Lasers:
         if width is not None:
             has_segments[:] = width == _SEGMENT
         some = np.flatnonzero(~has_segments)
-        told.keep(numbers[some], _POINT, counts[some], points[some])
+        reply.keep(numbers[some], _POINT, counts[some], points[some])
         for place in np.flatnonzero(has_segments).tolist():
             threshold, min_points, gap = laser.segments[numbers[place]].tolist()
             scan = points[place, : counts[place]].astype(np.float64)
             found = segments(scan, threshold, min_points, gap)
             count = np.array([len(found)])
-            told.keep(numbers[place, None], _SEGMENT, count, np.rint(found)[None])
+            reply.keep(numbers[place, None], _SEGMENT, count, np.rint(found)[None])
 
     def _points(
         self, numbers: IndexArray, range_m: FloatArray, counts: IndexArray
@@ -290,9 +290,9 @@ def page(context: RequestContext) -> BoolArray:
     laser, mine = laser_state(context.state), context.constants.numbers["laser"][context.rows]
     first, predicted = context["first"].copy(), context["predicted"] != 0
     context.clear_data()
-    for told, is_predicted in ((laser.told, False), (laser.predicted, True)):
+    for reply, is_predicted in ((laser.reply, False), (laser.predicted, True)):
         places = np.flatnonzero((mine >= 0) & (predicted == is_predicted))
-        told.page(mine[places], first[places], context.messages, places)
+        reply.page(mine[places], first[places], context.messages, places)
     return np.asarray(mine >= 0)
 
 

@@ -82,7 +82,7 @@ class LaserState:
         segments: threshold, minimum number of points and gap, as set by `conf_sg`, (n, 3).
         readings: the ranges [m], from right to left, not finite for none; then their number, and
             the robot's configuration, as in `State`.
-        told: contents of the last reply.
+        reply: contents of the last reply.
         predicted: contents of the last reply to PREDICT.
     """
 
@@ -91,7 +91,7 @@ class LaserState:
     averaged: Int32Array
     segments: Int32Array
     readings: Readings
-    told: PagedReply
+    reply: PagedReply
     predicted: PagedReply
 
 
@@ -104,7 +104,7 @@ def state_at_start(models: Sequence[Laser]) -> LaserState:
         averaged=np.ones(count, dtype=np.int32),
         segments=np.tile(np.array(_USUAL_SEGMENTS, dtype=np.int32), (count, 1)),
         readings=Readings.never(count, NUM_LASER + 1 + CONFIGURATION),
-        told=PagedReply.nothing(count, _ROOM),
+        reply=PagedReply.nothing(count, _ROOM),
         predicted=PagedReply.nothing(count, _ROOM),
     )
 

@@ -76,13 +76,13 @@ def count_turns(
 def columns(odometry: OdometryState, rows: Rows) -> list[FloatArray]:
     """Return the columns of some robots that kernels change, see `kernels/drive.c`."""
     pose = odometry.x_m, odometry.y_m, odometry.heading_rad, odometry.turret_rad
-    return [take(column, rows) for column in (odometry.shaft, odometry.told, *pose)]
+    return [take(column, rows) for column in (odometry.shaft, odometry.reported, *pose)]
 
 
 def note(odometry: OdometryState, rows: Rows, found: FloatArray, count: int) -> None:
     """Set the odometry of robots from the columns that a kernel has changed."""
     shafts, poses = found[: 6 * count].reshape(2, count, AXES), found[6 * count : COLUMNS * count]
-    odometry.shaft[rows], odometry.told[rows] = shafts
+    odometry.shaft[rows], odometry.reported[rows] = shafts
     odometry.x_m[rows], odometry.y_m[rows], odometry.heading_rad[rows], turret_rad = poses.reshape(
         4, count
     )

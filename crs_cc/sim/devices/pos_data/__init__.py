@@ -51,7 +51,7 @@ def keep(
         rows: the robots, k of them.
         kinds: the kinds of sensors whose readings the reply carries, as the vendor's bits.
     """
-    if not len(state.pos_data.told):
+    if not len(state.pos_data.reported):
         return
     wanted = state.mask[rows, POS_DATA] & kinds
     if not np.count_nonzero(wanted):
@@ -72,7 +72,7 @@ def page(context: RequestContext) -> None:
     for place, (row, kind, start) in enumerate(pages):
         if row < 0 or kind not in PLACES or start < 0:
             continue
-        part = kept.told[row, PLACES[kind]][start : start + _PAGE]
+        part = kept.reported[row, PLACES[kind]][start : start + _PAGE]
         context.put("count", len(part), place)
         context.put_data(part.ravel(), place)
 
@@ -118,4 +118,4 @@ def _copy(
     reported[..., : NUMBERS - 2] = configuration
     reported[..., NUMBERS - 2 :] = ms[..., None]
     reported[~once] = 0
-    state.pos_data.told[state.pos_data.row[robots], places] = reported
+    state.pos_data.reported[state.pos_data.row[robots], places] = reported
