@@ -36,7 +36,6 @@ from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
 from crs_cc.runtime.codegen import frame_states, jumps, stopping
 from crs_cc.runtime.codegen.activation import Activation
 from crs_cc.runtime.codegen.body import Body
-from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.call_checks import check_pointer, check_value
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
@@ -65,6 +64,7 @@ from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.rotation import rotated_loops
 from crs_cc.runtime.codegen.scalar_replacement import Partly
 from crs_cc.runtime.codegen.selection import Selector
+from crs_cc.runtime.codegen.stop_marks import begin, stop_if_marked
 from crs_cc.runtime.codegen.struct_registers import with_structs_in_registers
 from crs_cc.runtime.codegen.structuring import emit
 from crs_cc.runtime.codegen.switches import lower_switch

@@ -24,7 +24,6 @@ from crs_cc.runtime.codegen import (
     same_object,
     shadow,
 )
-from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
 from crs_cc.runtime.codegen.convention import (
@@ -44,6 +43,7 @@ from crs_cc.runtime.codegen.indices import (
 from crs_cc.runtime.codegen.library_code import generate_shared
 from crs_cc.runtime.codegen.signatures import pointer_tables, valueless_functions
 from crs_cc.runtime.codegen.small_functions import Bodies, small_functions
+from crs_cc.runtime.codegen.stop_marks import add_marks
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.codegen.watchpoints import update_bounds, watch
 from crs_cc.runtime.compiled import Compiled

@@ -1,4 +1,4 @@
-"""The breakpoint map of debug builds: a byte for each statement in the user's files, 1 to stop.
+"""Stop marks of debug builds: a byte for each statement in the user's files, 1 to stop.
 
 It is in a memory of its own, after the watched ranges (`runtime.watch_ranges`), and followed by as
 many bytes that are all set, which are used for stepping.
