@@ -10,20 +10,18 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
-from pathlib import Path
+from contextlib import AbstractContextManager, suppress
 from typing import Final
 
 import click
 
+from crs_cc.cli.port_note import note_left, read_note
 from crs_cc.core.loopback import LOOPBACK
-from crs_cc.toolchain.cache import folder
 
 TOKEN_VARIABLE: Final = "CRS_TOKEN"  # noqa: S105 - the name of a variable
 
 _ADDRESS: Final = re.compile(r"(\[[0-9a-fA-F:.]+\]|[A-Za-z0-9._-]*):(\d{1,5})")
-_PRIVATE: Final = 0o600
+_SERVED: Final = "served"
 
 
 def is_net_address(word: str) -> bool:
@@ -65,29 +63,10 @@ def token_for(given: str | None, port: int) -> str:
     if known:
         return known
     with suppress(OSError):
-        return _file(port).read_text("utf-8").strip()
+        return read_note(_SERVED, port)
     return ""
 
 
-@contextmanager
-def token_left(port: int, token: str) -> Iterator[None]:
+def token_left(port: int, token: str) -> AbstractContextManager[None]:
     """Let hosts of this user on this machine find the token inside a `with` block."""
-    with suppress(OSError):  # then it must be given
-        path = _file(port)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.unlink(missing_ok=True)
-        handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, _PRIVATE)
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(token)
-    try:
-        yield
-    finally:
-        with suppress(OSError):
-            _file(port).unlink(missing_ok=True)
-
-
-def _file(port: int) -> Path:
-    place = folder()
-    if place is None:
-        raise OSError("no folder")
-    return place / "served" / str(port)
+    return note_left(_SERVED, port, token)
