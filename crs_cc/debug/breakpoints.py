@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Literal
 
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation
+from crs_cc.debug.surroundings import mentions_world
+from crs_cc.debug.watch import Watched, WatchedWorld
 from crs_cc.debug.world.events import is_of, world_events
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
     from crs_cc.debug.timeline.recorded_run import RecordedRun
     from crs_cc.debug.timeline.run_event import RunEvent, WatchHit
-    from crs_cc.debug.watch import Watched
     from crs_cc.debug.watchpoints import Watchpoint
 
 BreakpointKind = Literal["breakpoint", "watchpoint", "catchpoint"]
@@ -115,17 +116,29 @@ class Breakpoints:
         places = [each.place for each in self._all.values() if each.concerns(robot)]
         return frozenset().union(*(each.statements.get(robot, ()) for each in places if each))
 
-    def need_world(self) -> bool:
-        """Return whether any of them catches an event of the world."""
-        return any(
-            each.kind == "catchpoint" and each.enabled and each.text != "exit"
+    def need_world(self, names: Sequence[str]) -> bool:
+        """Return whether any of them catches an event of the world, or depends on its state.
+
+        Args:
+            names: the names of all objects of the world.
+        """
+        return bool(self.watched_world()) or any(
+            (each.kind == "catchpoint" and each.text != "exit")
+            or mentions_world(each.condition, names)
             for each in self._all.values()
+            if each.enabled
         )
 
     def watched(self, robot: int) -> tuple[Watched, ...]:
         """Return what is watched in a robot's memory."""
         points = [each.watch for each in self._all.values() if each.concerns(robot)]
-        return tuple(each.watched for each in points if each)
+        watched = (each.watched for each in points if each)
+        return tuple(each for each in watched if not isinstance(each, WatchedWorld))
+
+    def watched_world(self) -> tuple[WatchedWorld, ...]:
+        """Return the watched expressions that use the world."""
+        watched = [each.watch.watched for each in self._all.values() if each.watch and each.enabled]
+        return tuple(each for each in watched if isinstance(each, WatchedWorld))
 
     def watchpoint_hits(self, event: RunEvent) -> list[BreakpointHit]:
         """Return the hits of watchpoints, whatever their conditions."""

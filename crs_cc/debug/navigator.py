@@ -111,7 +111,9 @@ class Navigator:
         statements = {robot: self._breakpoints.statements(robot) for robot in robots}
         watched = {robot: self._breakpoints.watched(robot) for robot in robots}
         marks = StopRequest(
-            statements, watched={key: some for key, some in watched.items() if some}
+            statements,
+            watched={key: some for key, some in watched.items() if some},
+            world=self._breakpoints.watched_world(),
         )
         if aim is None:
             return marks
@@ -226,7 +228,8 @@ class Navigator:
         """
         run, found = self._run, list[_StopCandidate]()
         run.arm(replace(self._marks(None), at_once=True))
-        for event in run.replay(begin, limit, needs_world=self._breakpoints.need_world()):
+        needs_world = self._breakpoints.need_world(run.session.environment.names)
+        for event in run.replay(begin, limit, needs_world=needs_world):
             for each in (self._met(event), *self._touched(event)):
                 if each is not None and each.target < start:
                     found = [*(one for one in found if one.may_count_with(each)), each]

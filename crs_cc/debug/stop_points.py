@@ -13,7 +13,7 @@ from crs_cc.core.suggest import unknown
 from crs_cc.debug.breakpoints import Breakpoint, BreakpointHit, BreakpointKind, Breakpoints
 from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.expression_compiler import NOWHERE
-from crs_cc.debug.data.notation import slice_in
+from crs_cc.debug.data.notation import RobotName, slice_in
 from crs_cc.debug.data.scope import is_own
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation, find_location
@@ -24,6 +24,7 @@ from crs_cc.debug.watchpoints import (
     same_activation,
     watched_expression,
     watched_object,
+    watched_world,
 )
 from crs_cc.debug.world.events import check_event_kind
 from crs_cc.runtime.diagnosis.inspect import StackFrame
@@ -116,7 +117,15 @@ class StopPoints:
         if kind not in KINDS:
             raise DebugError(unknown("access kind", kind, list(KINDS)))
         active, evaluator = self._view.active_frame(robot), self._view.evaluator(robot)
+        alone = evaluator.outside_alone(expression, active)
+        if isinstance(alone, RobotName):
+            options["robot"] = self._view.names.index(alone.robot)
+            return self.add_watchpoint(alone.text, kind, location=location, **options)
         number = self.breakpoints.next_number
+        if not slice_in(expression) and evaluator.uses_outside(expression, active):
+            if location or kind != "change":
+                raise DebugError(f"'{expression}' is a value, not an object in memory")
+            return self.add_world_watch(expression, **{**options, "robot": robot})
         if location or slice_in(expression):
             made = watched_object(number, expression, kind, evaluator, active)
         else:
@@ -127,6 +136,31 @@ class StopPoints:
         return self.breakpoints.add(
             lambda number: Breakpoint(
                 number, "watchpoint", expression, watch=made, **{**options, "robot": robot}
+            )
+        )
+
+    def add_world_watch(
+        self, expression: str, robot: int, *, rises: bool = False, **options: Any
+    ) -> Breakpoint:
+        """Add a watchpoint for an expression that uses the world.
+
+        Args:
+            expression: the expression, in the scope of the selected frame.
+            robot: the robot in whose program it is evaluated.
+            rises: whether it is a condition, which stops the run when it becomes true.
+            options: further attributes of the `Breakpoint`.
+
+        Raises:
+            DebugError: it cannot be watched.
+        """
+        again = partial(self._view.evaluator, robot)
+        number = self.breakpoints.next_number
+        made = watched_world(number, expression, robot, again, rises=rises)
+        self._check(options.get("condition", ""), None, robot)
+        kind: BreakpointKind = "breakpoint" if rises else "watchpoint"
+        return self.breakpoints.add(
+            lambda number: Breakpoint(
+                number, kind, expression, watch=made, **{**options, "robot": robot}
             )
         )
 

@@ -15,6 +15,7 @@ from crs_cc.debug.data.scope import Storage
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.surroundings import Surroundings
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.recorded_run import RecordedRun
 from crs_cc.debug.world.state_fields import StateField, state_fields
@@ -239,6 +240,7 @@ class View:
             stopped = functools.partial(self.run.stopped, robot)
             drive = self.session.environment.world.robots[robot].model.drive
             fields = state_fields(program.options.dialect, synchro=drive.steering is not None)
-            made = Evaluator(stopped, names, self.convenience_values, fields)
+            outside = Surroundings(self, robot)
+            made = Evaluator(stopped, names, self.convenience_values, fields, outside)
             self._evaluators[robot, build] = made
         return self._evaluators[robot, build]

@@ -107,7 +107,26 @@ class WatchedExpression:
     frame: StackFrame | None = None
 
 
-Watched: TypeAlias = WatchedObject | WatchedExpression
+@dataclass(frozen=True, slots=True)
+class WatchedWorld:
+    """An expression that is evaluated at the start of each timestep, as it uses the world.
+
+    Attributes:
+        robot: the robot in whose program it is evaluated.
+        observe: evaluates it; returns no bytes if that is impossible.
+        rises: whether only a change from 0 counts.
+        frame: None: it uses no local variables.
+    """
+
+    number: int
+    robot: int
+    observe: Callable[[], Content]
+    rises: bool = False
+    kind: AccessKind = "change"
+    frame: StackFrame | None = None
+
+
+Watched: TypeAlias = WatchedObject | WatchedExpression | WatchedWorld
 
 
 @dataclass(frozen=True, slots=True)
@@ -311,6 +330,8 @@ class WatchSet:
 
     def _look(self, watched: Watched) -> Observation:
         """Return the value now, and what it depends on."""
+        if isinstance(watched, WatchedWorld):
+            return Observation(watched.observe())
         if isinstance(watched, WatchedExpression):
             return watched.observe() or UNREADABLE
         part = slice(watched.address, watched.address + watched.size)

@@ -24,6 +24,7 @@ from crs_cc.debug.watch import (
     Watched,
     WatchedExpression,
     WatchedObject,
+    WatchedWorld,
 )
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.types import CType
@@ -56,6 +57,8 @@ class Watchpoint:
     @property
     def note(self) -> str:
         """Return a remark on how long it lasts; empty for ever."""
+        if isinstance(self.watched, WatchedWorld):
+            return "evaluated at the start of each timestep"
         frame = self.watched.frame
         return f"lasts until '{plain_name(frame.function)}' returns" if frame else ""
 
@@ -128,6 +131,35 @@ def watched_expression(
     return Watchpoint(text, ctype, WatchedExpression(number, kind, observe, scope.innermost))
 
 
+def watched_world(
+    number: int, text: str, robot: int, evaluator: Callable[[], Evaluator], *, rises: bool = False
+) -> Watchpoint:
+    """Resolve an expression that uses the world, to be evaluated at the start of each timestep.
+
+    Args:
+        number: the number of the watchpoint.
+        text: the expression.
+        robot: the robot in whose program it is evaluated.
+        evaluator: returns the evaluator of this program, wherever the run is then.
+        rises: whether to stop only when its value is not 0 any more.
+
+    Raises:
+        DebugError: it is invalid, uses local variables, or has side effects.
+    """
+    now = evaluator()
+    names = now.global_scope(text)
+    if now.has_effects(text):
+        raise DebugError(f"'{text}' would change the program")
+    condition = f"!!({text})" if rises else text
+
+    def observe() -> Content:
+        return evaluator().observe(condition, names).content
+
+    return Watchpoint(
+        text, now.type_of(condition), WatchedWorld(number, robot, observe, rises=rises)
+    )
+
+
 def _again(stack: Sequence[StackFrame], frame: StackFrame) -> StackFrame | None:
     """Return the frame of an activation where it is now; None if it is not active."""
     return next((each for each in stack if same_activation(each, frame)), None)
@@ -157,6 +189,8 @@ def change_text(watchpoint: Watchpoint, access: MemoryAccess, inspector: MemoryI
     if access.what == "return":
         function = plain_name(watchpoint.watched.frame.function) if watchpoint.watched.frame else ""
         return f"{watchpoint.text} went out of scope: '{function}' has returned{where}"
+    if isinstance(watchpoint.watched, WatchedWorld) and watchpoint.watched.rises:
+        return f"{watchpoint.text} is true"
     old, new = (_value(inspector, watchpoint, each) for each in (access.old, access.new))
     if old is None or new is None:
         texts = [each.text if each else _UNREADABLE for each in (old, new)]

@@ -1,9 +1,15 @@
-"""Tables of `docs/debugger.md`: the commands, from the debugger's command table."""
+"""Tables of `docs/debugger.md`: commands and values of the world, from the debugger's tables."""
 
 from __future__ import annotations
 
 from crs_cc.debug.commands.command import Command
 from crs_cc.debug.commands.table import GROUPS
+from crs_cc.debug.world.world_values import (
+    OBJECT_VALUES,
+    ROBOT_VALUES,
+    WORLD_VALUES,
+    WorldValue,
+)
 from docs.generate import Fillers, cell, table
 
 
@@ -22,4 +28,19 @@ def _row(command: Command) -> tuple[str, ...]:
     return f"`{cell(command.usage)}`", aliases, cell(description)
 
 
-FILLERS: Fillers = {"commands": commands}
+def world_values() -> str:
+    """Return a table of the values of the world that expressions can use."""
+    rows = [
+        *(_value("$world.", each) for each in WORLD_VALUES),
+        *(_value("$world.OBJECT.", each) for each in OBJECT_VALUES),
+        *(_value("$world.ROBOT.", each) for each in ROBOT_VALUES if each not in OBJECT_VALUES),
+        ("`$world.distance(A, B)`", "m", "", "the true distance between two objects' centres"),
+    ]
+    return table(("value", "unit", "frame", "meaning"), rows)
+
+
+def _value(before: str, value: WorldValue) -> tuple[str, ...]:
+    return f"`{before}{value.name}`", cell(value.unit), value.frame, cell(value.meaning)
+
+
+FILLERS: Fillers = {"commands": commands, "world_values": world_values}

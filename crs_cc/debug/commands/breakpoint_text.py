@@ -30,6 +30,8 @@ def described(one: Breakpoint) -> str:
     """Return a description of a breakpoint's location."""
     location = one.place.location if one.place else None
     if one.watch is not None:
+        if one.kind == "breakpoint":
+            return f"if {one.text}"
         option = "-location " * one.watch.is_location
         return f"{option}{one.text}, {_ACCESSES[one.watch.watched.kind]}"
     if one.place is None:

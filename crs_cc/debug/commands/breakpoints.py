@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Sequence
 from functools import partial
@@ -81,6 +82,15 @@ def _warned(context: CommandContext, one: Breakpoint) -> Answer:
 
 def _break(context: CommandContext, text: str, *, temporary: bool = False) -> Answer:
     where = parse_breakpoint_arguments(text)
+    if not where.place and where.condition and _is_of_world(context, where.condition):
+        robot = _robot(context, where.robot)
+        made = context.debugger.stop_points.add_world_watch(
+            where.condition,
+            context.debugger.view.robot if robot is None else robot,
+            rises=True,
+            temporary=temporary,
+        )
+        return _made(context, made)
     made = context.debugger.stop_points.add_breakpoint(
         where.place or _here(context),
         condition=where.condition,
@@ -88,6 +98,17 @@ def _break(context: CommandContext, text: str, *, temporary: bool = False) -> An
         robot=_robot(context, where.robot),
     )
     return _made(context, made)
+
+
+def _is_of_world(context: CommandContext, condition: str) -> bool:
+    """Return whether a condition uses the world, and no local variables."""
+    evaluator = context.debugger.view.evaluator(context.debugger.view.robot)
+    if not evaluator.uses_outside(condition):
+        return False
+    with contextlib.suppress(DebugError):
+        evaluator.global_scope(condition)
+        return True
+    return False
 
 
 def _rbreak(context: CommandContext, text: str) -> Answer:
@@ -253,7 +274,8 @@ def _of_robot(context: CommandContext, one: Breakpoint) -> str:
 _PLACES: Final = (
     "LOCATION is a line (12), a line of a file (turn.c:12), a function of the program (turn), or"
     " one of the robot (ws, get_sn): then it stops when the robot is called. A line without code"
-    " means the next line with code. Default is the current line. With"
+    " means the next line with code. Default is the current line; if CONDITION uses the world and"
+    " no local variable, the start of any timestep at which it becomes true. With"
     " several robots it stops any of them unless one is named. CONDITION is a C expression."
 )
 _NUMBERS: Final = (

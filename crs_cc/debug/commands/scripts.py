@@ -80,6 +80,8 @@ def _command(context: CommandContext, one: Breakpoint) -> str:
     robot = f" robot {context.debugger.names[one.robot]}" if one.robot is not None else ""
     if one.log:
         return f"log {one.text} {one.log}"
+    if one.watch is not None and one.kind == "breakpoint":
+        return f"{'t' * one.temporary}break{robot} if {one.text}"
     if one.watch is not None:
         location = "-location " * one.watch.is_location
         return f"{_WATCHES[one.watch.watched.kind]} {location}{one.text}{robot}"

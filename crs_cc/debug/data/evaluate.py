@@ -10,6 +10,7 @@ Side effects of an expression apply to the program; a failed evaluation has none
 from __future__ import annotations
 
 import contextlib
+import re
 import struct
 from collections.abc import Callable
 from dataclasses import replace
@@ -26,12 +27,21 @@ from crs_cc.debug.data.expression_compiler import (
     Use,
 )
 from crs_cc.debug.data.expression_memory import EvaluationError
+from crs_cc.debug.data.expression_scope import active_call, global_scope, lasting_scope
 from crs_cc.debug.data.interpret import SCRATCH, Interpreter
 from crs_cc.debug.data.memory import MemoryReads, SavedRegister, StoppedMemory
 from crs_cc.debug.data.memory_inspection import MemoryInspector
-from crs_cc.debug.data.notation import Slice, convenience_assignment, slice_in
-from crs_cc.debug.data.observation import UNREADABLE, Observation, Span
+from crs_cc.debug.data.notation import (
+    NAME,
+    OutsideName,
+    Slice,
+    convenience_assignment,
+    slice_in,
+    spelled,
+)
+from crs_cc.debug.data.observation import UNREADABLE, Observation
 from crs_cc.debug.data.operators import unsigned
+from crs_cc.debug.data.outside import Nothing, Outside, OutsideUse
 from crs_cc.debug.data.scope import FrameAddresses, Scopes, Storage
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
@@ -39,7 +49,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.state_fields import StateField
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.instruction import ByteState
-from crs_cc.ir.names import LIBRARY, in_library, plain_name
+from crs_cc.ir.names import LIBRARY, in_library
 from crs_cc.ir.program import Data, Function
 from crs_cc.ir.types import (
     LONG,
@@ -53,11 +63,11 @@ from crs_cc.ir.types import (
     is_complete,
 )
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
-from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
 from crs_cc.session.library import library
 
 MAX_ELEMENTS: Final = 100_000
 """Longer slices are refused."""
+_MAY_BE_OUTSIDE: Final = re.compile(r"::|\$world|\w\s*\.\s*\w|distance\s*\(")
 _WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
 _PURE: Final = tuple(f"{LIBRARY}{part}/" for part in ("math", "stdlib", "string", "wide"))
 """The parts of the library that programs need not have linked for expressions to use them."""
@@ -76,6 +86,7 @@ class Evaluator:
         names: SourceNames,
         convenience_values: dict[str, Value] | None = None,
         fields: tuple[StateField, ...] = (),
+        outside: Outside | None = None,
     ) -> None:
         """Create an evaluator.
 
@@ -84,6 +95,7 @@ class Evaluator:
             names: the names of its source files.
             convenience_values: the convenience variables, shared with other programs.
             fields: the fields of `State[]` for its robot.
+            outside: the world and the other robots; None if there is no world.
         """
         self.convenience_values: dict[str, Value] = (
             {} if convenience_values is None else convenience_values
@@ -95,7 +107,10 @@ class Evaluator:
         now = stopped()
         self._compiled = now.compiled
         self._scopes = Scopes(now.program, now.compiled)
-        self._preparation = ExpressionCompiler(names, self._scopes, self.convenience_values)
+        self._outside = outside or Nothing()
+        self._preparation = ExpressionCompiler(
+            names, self._scopes, self.convenience_values, self._outside
+        )
         self._memory = StoppedMemory(now, self._explain)
         self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory, _lend)
 
@@ -121,6 +136,9 @@ class Evaluator:
         wanted = slice_in(text)
         if wanted is not None:
             return Evaluation(self._slice(wanted, frame))
+        alone = self.outside_alone(text, frame)
+        if alone is not None:
+            return Evaluation(self._outside.value(alone))
         prepared, result = self._run(text, stopped, frame)
         try:
             value = self._value(prepared.compiled, result)
@@ -174,13 +192,14 @@ class Evaluator:
         Raises:
             DebugError: it is invalid here.
         """
-        stopped = self._stopped()
-        frame = frame or _innermost(stopped)
+        frame = frame or _innermost(self._stopped())
         wanted = slice_in(text)
         if wanted is not None:
             return self._slice(wanted, frame).type
-        standing = self._standing(stopped, frame, FrameAddresses.of(stopped, frame))
-        return self._preparation.of(text, standing).compiled.type
+        alone = self.outside_alone(text, frame)
+        if alone is not None:
+            return self._outside.value(alone).type
+        return self._prepared(text, frame).compiled.type
 
     def scope_of(self, text: str, frame: StackFrame | None = None) -> ExpressionScope:
         """Return where the names of an expression have their meaning.
@@ -190,19 +209,7 @@ class Evaluator:
         """
         stopped = self._stopped()
         frame = frame or _innermost(stopped)
-        names = self._standing(stopped, frame, FrameAddresses.of(stopped, frame))
-        prepared = self._preparation.of(text, names)
-        if any(isinstance(each, bytes) for each in prepared.uses):
-            raise DebugError(f"'{text}' uses values of the debugger's")
-        uses = [each for each in prepared.uses if isinstance(each, Use)]
-        is_local = any(each.storage.in_frame and not each.inside for each in uses)
-        inside = [_active_call(each.inside, stopped, frame) for each in uses if each.inside]
-        if is_local and any(frame and each.fp < frame.fp for each in inside):
-            raise DebugError(f"'{text}' uses variables of an inner call: select its frame")
-        frames = [*inside, *([frame] if is_local and frame else [])]
-        innermost = min(frames, key=lambda each: each.fp, default=None)
-        own = frame if is_local else innermost
-        return ExpressionScope(replace(names, sizes={}), own, innermost, prepared.compiled.is_place)
+        return lasting_scope(text, self._prepared(text, frame), self._here(frame), stopped, frame)
 
     def observe(
         self, text: str, scope: ExpressionContext, frame: StackFrame | None = None
@@ -234,7 +241,7 @@ class Evaluator:
         except (EvaluationError, DebugError, RecursionError) as wrong:
             if isinstance(wrong, DebugError) and not reads.spans:
                 raise
-            return Observation(UNREADABLE.content, None, _in_program(reads))
+            return Observation(UNREADABLE.content, None, reads.in_program())
         finally:
             self._memory.undo()
             self._memory.reads = None
@@ -250,10 +257,10 @@ class Evaluator:
         else:
             return self._observed_object(address, ctype, reads)
         states = _WITHOUT * len(content) if reads.is_unset else b""
-        return Observation((content, states), None, _in_program(reads))
+        return Observation((content, states), None, reads.in_program())
 
     def _observed_object(self, address: int, ctype: CType, reads: MemoryReads) -> Observation:
-        spans, is_whole = _in_program(reads), not isinstance(ctype, ArrayType | RecordType)
+        spans, is_whole = reads.in_program(), not isinstance(ctype, ArrayType | RecordType)
         content = self._memory.read(address, ctype.size, judged=is_whole)
         states = b"" if is_whole else self._memory.states(address, ctype.size)
         if reads.is_unset:
@@ -311,6 +318,39 @@ class Evaluator:
         """Return an inspector of the program's current memory."""
         return MemoryInspector(self._stopped(), self._interpreter.scratch, self._fields)
 
+    def uses_outside(self, text: str, frame: StackFrame | None = None) -> bool:
+        """Return whether an expression uses the world, or the programs of other robots.
+
+        Raises:
+            DebugError: it is invalid here.
+        """
+        return any(isinstance(each, OutsideUse) for each in self._prepared(text, frame).uses)
+
+    def global_scope(self, text: str, frame: StackFrame | None = None) -> ExpressionContext:
+        """Return where the names of an expression have their meaning, whatever is called.
+
+        Raises:
+            DebugError: it is invalid here, or uses local variables or values of the debugger's.
+        """
+        return global_scope(text, self._prepared(text, frame), self._here(frame))
+
+    def _prepared(self, text: str, frame: StackFrame | None) -> PreparedExpression:
+        return self._preparation.of(text, self._here(frame))
+
+    def _here(self, frame: StackFrame | None) -> ExpressionContext:
+        """Return the scope of a frame, by default the innermost of the user's."""
+        stopped = self._stopped()
+        frame = frame or _innermost(stopped)
+        return self._standing(stopped, frame, FrameAddresses.of(stopped, frame))
+
+    def outside_alone(self, text: str, frame: StackFrame | None = None) -> OutsideName | None:
+        """Return the value from outside that an expression is; None if it is more than that."""
+        if not _MAY_BE_OUTSIDE.search(text):
+            return None
+        rest, special = self._preparation.rewritten(text, self._here(frame))
+        is_alone = rest.strip() == NAME.format(0) and len(special) == 1
+        return special[0] if is_alone and isinstance(special[0], OutsideName) else None
+
     # -- running -----------------------------------------------------------------------------
 
     def _standing(
@@ -350,13 +390,13 @@ class Evaluator:
         arguments: list[int | bytes] = []
         saved: list[SavedRegister] = []
         for use in prepared.uses:
-            if isinstance(use, bytes):
-                arguments.append(use)
+            if isinstance(use, bytes | OutsideUse):
+                arguments.append(use if isinstance(use, bytes) else self._content(use))
                 continue
             where = (
                 known
                 if not use.inside
-                else FrameAddresses.of(stopped, _active_call(use.inside, stopped, frame))
+                else FrameAddresses.of(stopped, active_call(use.inside, stopped, frame))
             )
             own = where.saved(use.storage)
             if own is not None:
@@ -366,6 +406,13 @@ class Evaluator:
                 arguments[-1] = self._pointer(use, own, arguments[-1])
         self._memory.begin(saved)
         return self._interpreter.evaluate(prepared.compiled.program, EXPRESSION, arguments)
+
+    def _content(self, use: OutsideUse) -> bytes:
+        """Return the bytes of a value from outside."""
+        value = self._outside.value(use.name)
+        if not value.is_initialised:
+            raise EvaluationError(f"'{spelled(use.name)}' is uninitialised")
+        return value.content
 
     def _pointer(self, use: Use, saved: SavedRegister | None, address: int | bytes) -> int:
         """Return the address of an array that is held by a hidden pointer."""
@@ -434,12 +481,6 @@ class Evaluator:
         return self.inspector().explain(address, size, reading)
 
 
-def _in_program(reads: MemoryReads) -> tuple[Span, ...]:
-    """Return what has been read of the program's memory, in the order of addresses."""
-    inside = (each for each in reads.spans if each[0] >= NULL_SIZE and sum(each) <= MEMORY_BYTES)
-    return tuple(sorted(inside))
-
-
 def _lend(name: str) -> Function | Data | None:
     """Return a function or object of the library, if it does not need the simulated world."""
     found = library().find(name)
@@ -448,15 +489,6 @@ def _lend(name: str) -> Function | Data | None:
 
 def _innermost(stopped: Stopped) -> StackFrame | None:
     return next((each for each in stopped.stack if not in_library(each.location)), None)
-
-
-def _active_call(function: str, stopped: Stopped, frame: StackFrame | None) -> StackFrame:
-    """Return the frame of a function: the nearest outer one, or else the innermost."""
-    active = [each for each in stopped.stack if each.function == function]
-    if not active:
-        raise DebugError(f"'{plain_name(function)}' is not active: it has no variables")
-    outside = [each for each in active if frame is None or each.fp >= frame.fp]
-    return (outside or active)[0]
 
 
 def _bytes(ctype: CType, result: Any) -> bytes:

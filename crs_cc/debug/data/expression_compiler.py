@@ -12,7 +12,17 @@ from typing import Any, Final
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
-from crs_cc.debug.data.notation import NAME, ConvenienceVariable, QualifiedName, restored, rewritten
+from crs_cc.debug.data.notation import (
+    NAME,
+    ConvenienceVariable,
+    QualifiedName,
+    SpecialName,
+    restored,
+    rewritten,
+    spelled,
+    with_world,
+)
+from crs_cc.debug.data.outside import Outside, OutsideUse, outside_use
 from crs_cc.debug.data.scope import Scopes, Storage, concrete
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
@@ -76,12 +86,13 @@ class PreparedExpression:
 
     Attributes:
         compiled: the expression.
-        uses: its arguments: addresses of variables, and bytes of convenience variables.
+        uses: its arguments: addresses of variables, values from outside, and bytes of convenience
+            variables.
         sizes: the sizes of types for which it was compiled.
     """
 
     compiled: CompiledExpression
-    uses: tuple[Use | bytes, ...]
+    uses: tuple[Use | OutsideUse | bytes, ...]
     sizes: Sizes
 
 
@@ -147,18 +158,21 @@ class SourceNames:
 class ExpressionCompiler:
     """Compiles expressions and caches them."""
 
-    def __init__(self, names: SourceNames, scopes: Scopes, kept: Mapping[str, Value]) -> None:
-        """Store the names of files and functions, and the convenience variables."""
+    def __init__(
+        self, names: SourceNames, scopes: Scopes, kept: Mapping[str, Value], outside: Outside
+    ) -> None:
+        """Store the names of files and functions, the convenience variables, and the world."""
         self._names = names
         self._scopes = scopes
         self._kept = kept
+        self._outside = outside
         self._known: dict[tuple[Any, ...], PreparedExpression] = {}
 
     def of(self, text: str, standing: ExpressionContext) -> PreparedExpression:
         """Compile an expression; raise DebugError if it is invalid there."""
         key = text, standing.function, standing.place
         found = self._known.get(key)
-        if found is not None and found.sizes == standing.sizes:
+        if found is not None and found.sizes == standing.sizes and self._is_current(found):
             return found
         if len(text) > MAX_LENGTH:
             raise DebugError("the expression is too long")
@@ -169,21 +183,22 @@ class ExpressionCompiler:
             self._known[key] = found
         return found
 
+    def _is_current(self, found: PreparedExpression) -> bool:
+        """Return whether the types of values from outside are as they were."""
+        outside = (each for each in found.uses if isinstance(each, OutsideUse))
+        return all(self._outside.state(each.name) == each.state for each in outside)
+
     def _compile(self, text: str, standing: ExpressionContext) -> PreparedExpression:
         names = self._names.of(standing.function, standing.place.file)
-        rest, special = rewritten(text)
+        rest, special = self.rewritten(text, standing)
         known = self._visible(standing, names, set(_WORD.findall(rest)))
-        found: list[tuple[str, Use | bytes, CType]] = [
+        found: list[tuple[str, Use | OutsideUse | bytes, CType]] = [
             (name, Use(storage), self._type(names, storage, standing)) for name, storage in known
         ]
-        for number, each in enumerate(special):
-            name = NAME.format(number)
-            if isinstance(each, QualifiedName):
-                use = self._outer(each)
-                found.append((name, use, self._type(names, use.storage, standing)))
-            else:
-                value = self._value(each)
-                found.append((name, value.content, value.type))
+        found += [
+            (NAME.format(number), *self._special(each, names, standing))
+            for number, each in enumerate(special)
+        ]
         pairs = [(name, ctype) for name, _, ctype in found]
         try:
             warnings = Diagnostics()
@@ -198,6 +213,41 @@ class ExpressionCompiler:
             if warning.text.startswith(_LOSES_POINTER):
                 raise DebugError(restored(f"{warning.text} (cast it if that is meant)", special))
         return PreparedExpression(compiled, tuple(use for _, use, _ in found), standing.sizes)
+
+    def rewritten(
+        self, text: str, standing: ExpressionContext
+    ) -> tuple[str, tuple[SpecialName, ...]]:
+        """Return an expression in C, and its names that C does not have.
+
+        Raises:
+            DebugError: the names of the file are not known.
+        """
+        names = self._names.of(standing.function, standing.place.file)
+
+        def is_in_c(name: str) -> bool:
+            return names.knows(name) or bool(self._visible(standing, names, {name}))
+
+        def is_robot(name: str) -> bool:
+            return self._outside.is_robot(name) and not self._scopes.functions(name)
+
+        return rewritten(with_world(text, self._outside.is_object, is_in_c), is_robot)
+
+    def _special(
+        self, name: SpecialName, names: FileNames, standing: ExpressionContext
+    ) -> tuple[Use | OutsideUse | bytes, CType]:
+        """Return what a name that C does not have stands for, and its type."""
+        match name:
+            case QualifiedName():
+                use = self._outer(name)
+                return use, self._type(names, use.storage, standing)
+            case ConvenienceVariable():
+                value = self._value(name)
+                return value.content, value.type
+        try:
+            outside = outside_use(self._outside, name)
+        except DebugError as wrong:
+            raise DebugError(f"{spelled(name)}: {wrong}") from None
+        return outside, outside.type
 
     def _type(self, names: FileNames, storage: Storage, standing: ExpressionContext) -> CType:
         """Return the type of the variable in a storage."""

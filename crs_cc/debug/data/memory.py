@@ -79,6 +79,11 @@ class MemoryReads:
     spans: set[tuple[int, int]] = field(default_factory=set)
     is_unset: bool = False
 
+    def in_program(self) -> tuple[tuple[int, int], ...]:
+        """Return what lies in the program's memory, in the order of addresses."""
+        inside = (each for each in self.spans if each[0] >= NULL_SIZE and sum(each) <= MEMORY_BYTES)
+        return tuple(sorted(inside))
+
 
 class StoppedMemory:
     """The memory of a stopped program; stays valid when the program resumes.

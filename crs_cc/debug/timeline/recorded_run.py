@@ -17,17 +17,18 @@ from typing import Any, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray, Int32Array
+from crs_cc.core.arrays import IndexArray
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.timeline.change import Change, MemoryPatch, write
 from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.debug.timeline.history import History, RunSnapshot
 from crs_cc.debug.timeline.input_log import InputLog
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.debug.timeline.run_event import RunEvent, StopRequest, WatchHit
+from crs_cc.debug.timeline.run_event import RunEvent, StopRequest, WatchHit, posted_requests
 from crs_cc.debug.uploads import Uploads
 from crs_cc.debug.watch import WatchSet
 from crs_cc.debug.world.event_history import EventHistory
+from crs_cc.debug.world_watch import WorldWatchSet
 from crs_cc.requests import CODES, FAILED, SUSPENDED
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.executable import Executable
@@ -110,6 +111,7 @@ class RecordedRun:
         fleet = self.session.fleet
         self._watches = [WatchSet(fleet, robot, self._watching) for robot in range(len(programs))]
         self._watching_builds: dict[int, Executable] = {}
+        self._world_watches = WorldWatchSet()
         self._note_begun()  # by robot, at the start of the round
         self.history.keep(BEGINNING, self._kept())
 
@@ -181,6 +183,7 @@ class RecordedRun:
             own[: self._statements(robot)] = 0
             own[list(marks.statements.get(robot, ()))] = 1
         self._marks.enter(self.session.fleet.slots)
+        self._world_watches.arm(marks.world)
 
     def _statements(self, robot: int) -> int:
         return len(self.programs[robot].executable.detail().compiled.statements)
@@ -303,7 +306,7 @@ class RecordedRun:
         slots = self.session.fleet.slots
         codes = slots["code"][robots]
         over = (slots["status"][robots] != SUSPENDED) | (codes == CODES["EXIT"])
-        return RunEvent("round", _posted(robots, codes), tuple(robots[over].tolist()))
+        return RunEvent("round", posted_requests(robots, codes), tuple(robots[over].tolist()))
 
     def _answer_interrupt(self) -> None:
         if self.interrupted:
@@ -356,7 +359,7 @@ class RecordedRun:
         session = self.session
         slots = session.fleet.slots
         ran = np.flatnonzero(session.state.pending)
-        posted = _posted(ran, slots["code"][ran])
+        posted = posted_requests(ran, slots["code"][ran])
         session.end_round()
         ended = ran[~session.state.alive[ran]]
         return RunEvent("round", posted, tuple(ended.tolist()))
@@ -369,7 +372,8 @@ class RecordedRun:
         self.input_log.end(timestep, rounds, ended)
         assert self._step is not None
         self.event_history.hear(self._step, session.environment)
-        return RunEvent("timestep", ended=ended, step=self._step, over=not can_advance)
+        changes = self._world_watches.take(self.position)
+        return RunEvent("timestep", (), ended, self._step, not can_advance, changes)
 
     # -- going anywhere ----------------------------------------------------------------------
 
@@ -451,6 +455,7 @@ class RecordedRun:
         self._note_begun()
         for watches in self._watches:
             watches.forget()
+        self._world_watches.forget()
 
     def _kept(self) -> RunSnapshot:
         return RunSnapshot(self.session.snapshot(), self.console.snapshot())
@@ -490,10 +495,3 @@ class RecordedRun:
     def has_failed(self, robot: int) -> bool:
         """Return whether a program was stopped by an error."""
         return bool(self.session.fleet.slots["status"][robot] == FAILED)
-
-
-def _posted(robots: IndexArray, codes: Int32Array) -> tuple[tuple[int, int], ...]:
-    """Return robots with the codes of the requests that they have posted."""
-    return tuple(
-        (robot, code) for robot, code in zip(robots.tolist(), codes.tolist(), strict=True) if code
-    )

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from crs_cc.core.arrays import Records
+from crs_cc.core.arrays import IndexArray, Int32Array, Records
 from crs_cc.debug.timeline.position import Position
-from crs_cc.debug.watch import MemoryAccess, Watched
+from crs_cc.debug.watch import MemoryAccess, Watched, WatchedWorld
 from crs_cc.sim.engine.step import Step
 
 
@@ -21,6 +21,7 @@ class StopRequest:
         all: the robots that stop before every statement.
         since: by robot, how many statements must have started before it stops at all.
         watched: by robot, what is watched: it stops after accesses to that.
+        world: the watched expressions that use the world.
         at_once: whether accesses are reported at the end of the round, and not only where the
             program has stopped for them: for backward searches.
     """
@@ -29,6 +30,7 @@ class StopRequest:
     all: frozenset[int] = frozenset()
     since: Mapping[int, int] = field(default_factory=dict)
     watched: Mapping[int, Sequence[Watched]] = field(default_factory=dict)
+    world: Sequence[WatchedWorld] = ()
     at_once: bool = False
 
     def enter(self, slots: Records) -> None:
@@ -47,7 +49,8 @@ class WatchHit:
 
     Attributes:
         robot: the robot that runs the program.
-        before: the last position before it: before its statement, or else before the round.
+        before: the last position before it: before its statement, or else before the round; for a
+            change of the world, the start of the timestep that shows it.
     """
 
     robot: int
@@ -76,3 +79,10 @@ class RunEvent:
     step: Step | None = None
     over: bool = False
     accesses: tuple[WatchHit, ...] = ()
+
+
+def posted_requests(robots: IndexArray, codes: Int32Array) -> tuple[tuple[int, int], ...]:
+    """Return robots with the codes of the requests that they have posted."""
+    return tuple(
+        (robot, code) for robot, code in zip(robots.tolist(), codes.tolist(), strict=True) if code
+    )
