@@ -1,23 +1,24 @@
 """What has changed in the slots of some programs, as bytes.
 
 Both ends of a connection have a table with a row of 64-bit words for each program: its slot and its
-clock. Whoever changes rows sends the words that are new, with a bit for each word that is sent. So
+clock. Whoever changes rows sends a bit for each word of the table, and the words that are new. So
 the used part of a slot crosses and nothing else, and both tables have the same bits afterwards.
 
->>> here, there = np.zeros((3, 56), np.uint64), np.zeros((3, 56), np.uint64)
+>>> here, there = np.zeros((3, WORDS), np.uint64), np.zeros((3, WORDS), np.uint64)
 >>> known = here.copy()
 >>> here[1, 5], here[2, 0] = 7, 9
 >>> content = pack(known, here)
->>> len(content), apply(content, there).tolist(), bool((there == here).all())
-(42, [1, 2], True)
->>> pack(known, here) == pack(known, known)  # what has been packed is known
-True
+>>> changes = unpack(content, len(there))
+>>> len(content), changes.places.tolist(), changes.words.tolist()
+(37, [61, 112], [7, 9])
+>>> changes.enter(there)
+>>> bool((there == here).all()), pack(known, here)  # what has been packed is known
+(True, b'')
 """
 
 from __future__ import annotations
 
-import struct
-from typing import Final, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -28,13 +29,31 @@ from crs_cc.runtime.turns import RECORD
 WORDS: Final = RECORD.itemsize // 8
 """Words of a row."""
 
+Words: TypeAlias = npt.NDArray[np.uint64]
+
 Table: TypeAlias = npt.NDArray[np.uint64]
 """A row of `WORDS` words for each program."""
 
-_COUNT: Final = struct.Struct("<I")
-_MASK_BYTES: Final = WORDS // 8
-_ROW: Final = np.dtype("<u4")
 _WORD: Final = np.dtype("<u8")
+
+
+class Changes(NamedTuple):
+    """Words of a table that have changed.
+
+    Attributes:
+        places: their numbers in the table, counted through all rows, in order.
+        words: the words.
+    """
+
+    places: IndexArray
+    words: Words
+
+    def enter(self, table: Table) -> None:
+        """Enter them into a table of as many rows."""
+        table.put(self.places, self.words)
+
+
+_NOTHING: Final = Changes(np.zeros(0, np.intp), np.zeros(0, np.uint64))
 
 
 def pack(known: Table, now: Table) -> bytes:
@@ -45,46 +64,28 @@ def pack(known: Table, now: Table) -> bytes:
         now: the table.
     """
     changed = known != now
-    rows = changed.any(axis=1).nonzero()[0]
-    if not rows.size:
-        return _COUNT.pack(0)
-    changed, words = changed[rows], now[rows]
-    known[rows] = words
-    masks = np.packbits(changed, axis=1, bitorder="little")
-    parts = _COUNT.pack(len(rows)), rows.astype(_ROW).tobytes(), masks.tobytes()
-    return b"".join((*parts, words[changed].tobytes()))
+    words = now[changed]
+    if not words.size:
+        return b""
+    known[...] = now
+    return b"".join((np.packbits(changed, bitorder="little").tobytes(), words.tobytes()))
 
 
-def apply(content: bytes, table: Table) -> IndexArray:
-    """Change a table as the other side has changed its own; return the rows.
+def unpack(content: bytes, rows: int) -> Changes:
+    """Return what the other side has changed in its table of a number of rows.
 
     Raises:
-        ValueError: the content does not fit to the table, which is unchanged then.
+        ValueError: the content does not fit to the table.
     """
-    rows, masks, words = _parts(content, len(table))
-    if rows.size:
-        found = table[rows]
-        found[masks] = words
-        table[rows] = found
-    return rows
-
-
-def _parts(
-    content: bytes, count: int
-) -> tuple[IndexArray, npt.NDArray[np.bool_], npt.NDArray[np.uint64]]:
-    if len(content) < _COUNT.size:
+    if not content:
+        return _NOTHING
+    count = rows * WORDS
+    words_at = -(-count // 8)
+    if len(content) < words_at or (len(content) - words_at) % _WORD.itemsize:
         raise ValueError("changes end early")
-    (changed,) = _COUNT.unpack_from(content)
-    masks_at = _COUNT.size + changed * _ROW.itemsize
-    words_at = masks_at + changed * _MASK_BYTES
-    if changed > count or words_at > len(content):
-        raise ValueError("changes of more programs than there are")
-    rows = np.frombuffer(content, _ROW, changed, _COUNT.size).astype(np.intp)
-    packed = np.frombuffer(content, np.uint8, words_at - masks_at, masks_at)
-    bits = np.unpackbits(packed.reshape(changed, _MASK_BYTES), axis=1, bitorder="little")
-    masks = bits.view(np.bool_)
-    if changed and (rows[-1] >= count or (rows[1:] <= rows[:-1]).any()):
-        raise ValueError("changes of programs that are not there")
-    if len(content) - words_at != int(np.count_nonzero(masks)) * _WORD.itemsize:
+    packed = np.frombuffer(content, np.uint8, words_at)
+    bits = np.unpackbits(packed, count=count, bitorder="little")
+    places, words = bits.view(np.bool_).nonzero()[0], np.frombuffer(content, _WORD, offset=words_at)
+    if len(places) != len(words):
         raise ValueError("changes of another size than declared")
-    return rows, masks, np.frombuffer(content, _WORD, offset=words_at)
+    return Changes(places, words)

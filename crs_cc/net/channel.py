@@ -29,7 +29,7 @@ ALIVE_S: Final = 0.4
 MAGIC: Final = b"CRS slots\r\n\x1a"
 """The first bytes of a connection: no request of HTTP and no greeting of TLS begins so."""
 
-PROTOCOL: Final = 1
+PROTOCOL: Final = 2
 """The version of what is said here."""
 
 

@@ -102,7 +102,7 @@ class DistantFleet(Fleet):
         runs = timing["alive"] & (timing["clock_s"] < end_s) & (timing["due_s"] == np.inf)
         granted = []
         for link in self.links:
-            if link.ended or link.is_ahead or not runs[link.robots].any():
+            if link.ended or link.is_ahead or not runs[link.selection].any():
                 continue
             if self._try(link, functools.partial(link.grant, end_s, self._table)):
                 granted.append(link)
@@ -131,7 +131,7 @@ class DistantFleet(Fleet):
         for link in self.links:
             if link.ended:
                 continue
-            runs = bool(self.timing["alive"][link.robots].any())
+            runs = bool(self.timing["alive"][link.selection].any())
             if everyone or (link.has_run and not runs):
                 outcomes = [self.outcome(robot) for robot in link.robots.tolist()]
                 self._try(link, functools.partial(link.end, outcomes))

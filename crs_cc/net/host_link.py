@@ -18,11 +18,11 @@ import numpy as np
 
 from crs_cc.core.arrays import IndexArray
 from crs_cc.net import changed_words, memories
-from crs_cc.net.changed_words import WORDS, Table
+from crs_cc.net.changed_words import WORDS, Changes, Table
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import report_of
 from crs_cc.net.memories import Memory
-from crs_cc.requests import ERROR_KINDS, FAILED, slot_offset, timing_offset
+from crs_cc.net.slot_rules import check
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
@@ -60,6 +60,7 @@ class HostLink:
     Attributes:
         names: its robots.
         robots: their numbers.
+        selection: the same, as an index of their rows.
         is_ahead: whether what they ask for has not been looked at.
         asks: whether they ask for anything.
         round: how many rounds of this cycle they have run.
@@ -79,13 +80,14 @@ class HostLink:
             replace: returns a connection to another host in its place, see `Replace`.
         """
         self.names, self.robots = names, robots
+        self.selection = _selection(robots)
         self.is_ahead = self.asks = self.ended = False
         self.round = 0
         self.reports: dict[int, ErrorReport] = {}
         self._channel = channel
         self._replace = replace
         self._known: Table = np.zeros((len(robots), WORDS), np.uint64)
-        self._found = self._known
+        self._changes: Changes | None = None  # which have not been entered
         self._log: list[bytes] = []
         self._log_bytes = 0
         self._number = 0
@@ -102,7 +104,7 @@ class HostLink:
         most_bytes = max(LEAST_LOG_BYTES, len(self._start))
         if len(self._log) >= MAX_LOG_GRANTS or self._log_bytes >= most_bytes:
             self.memories()
-        changes = changed_words.pack(self._known, table[self.robots])
+        changes = changed_words.pack(self._known, table[self.selection])
         self._saved = None
         self._number += 1
         self._log.append(GRANT.pack(self._number, end_s, True) + changes)
@@ -133,15 +135,12 @@ class HostLink:
         number, rounds = RAN.unpack_from(content)
         if number != self._number or rounds > MAX_ROUNDS:
             raise ValueError("answer to another grant")
-        found = self._known.copy()
-        rows = changed_words.apply(content[RAN.size :], found)
-        after = found[rows]
-        _check(self._known[rows], after)
-        self._found = found
-        self.round += rounds
-        self.asks = bool((after[:, _FLAGS] & _ASKS).any())
+        changes = changed_words.unpack(content[RAN.size :], len(self._known))
+        self.asks = check(self._known, changes)
         if self.asks and not rounds:
             raise ValueError("requests without a round")
+        self._changes = changes
+        self.round += rounds
 
     def _note_failure(self, data: Any) -> None:
         robot = data.get("robot") if isinstance(data, dict) else None
@@ -152,8 +151,9 @@ class HostLink:
     def enter(self, table: Table) -> None:
         """Enter what the programs have done into the table."""
         self.is_ahead = False
-        self._known = self._found
-        table[self.robots] = self._known
+        assert self._changes is not None
+        self._changes.enter(self._known)
+        table[self.selection] = self._known
 
     # -- memories and input ----------------------------------------------------------------------
 
@@ -286,41 +286,13 @@ class HostLink:
         return rows + (memories.pack(self._kept) if is_kept else b"")
 
 
-def _check(before: Table, after: Table) -> None:
-    """Check what a host says of programs that have run: it must not harm those of others.
-
-    Words are compared as a whole, since this is done in every round; numbers that are not negative
-    are ordered as their bits are, floating-point ones too.
-
-    Raises:
-        ValueError: it has changed what is not its own, or a clock goes back.
-    """
-    clock, fuel = after[:, _CLOCK], after[:, _FUEL]
-    wrong = (clock < before[:, _CLOCK]) | (clock >= _INFINITE)
-    wrong |= (fuel < before[:, _FUEL]) | (fuel >= _NEGATIVE)
-    wrong |= after[:, _PENDING] != 0
-    wrong |= (before[:, _FLAGS] ^ after[:, _FLAGS]) & ~_ASKS != 0
-    for constant in (_DUE, _SPEED):
-        wrong |= before[:, constant] != after[:, constant]
-    wrong |= after[:, _STATUS] >= _STATUS_END
-    wrong |= after[:, _ERROR_KIND] >= _ERROR_KIND_END
-    if wrong.any():
-        raise ValueError("it has changed what is not its own, or a clock goes back")
+def _selection(robots: IndexArray) -> slice | IndexArray:
+    """Return what selects robots: a slice if they are evenly spaced, which copies nothing."""
+    steps = np.diff(robots)
+    if steps.size and (steps != steps[0]).any():
+        return robots
+    step = int(steps[0]) if steps.size else 1
+    return slice(int(robots[0]), int(robots[-1]) + 1, step)
 
 
-def _word(field: str) -> int:
-    return timing_offset(field) // 8
-
-
-_CLOCK, _DUE, _SPEED, _FUEL = map(_word, ("clock_s", "due_s", "speed_hz", "fuel"))
-_PENDING, _FLAGS = map(_word, ("pending", "alive"))
-_INFINITE: Final = np.uint64(0x7FF << 52)
-"""The bits of the first number of seconds that is not finite."""
-_NEGATIVE: Final = np.uint64(1 << 63)
-_ASKS: Final = np.uint64(1 << 32)
-"""In the word of `alive`, the bit of `asks`."""
-_STATUS, _ERROR_KIND = (slot_offset(name) // 8 for name in ("status", "error_kind"))
-"""Words of which these are the upper halves."""
-_STATUS_END: Final = np.uint64((FAILED + 1) << 32)
-_ERROR_KIND_END: Final = np.uint64(len(ERROR_KINDS) << 32)
 _NO_MEMORY: Final = memories.unpack(bytes(8), 1)[0]

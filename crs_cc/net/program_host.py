@@ -75,7 +75,9 @@ class ProgramHost:
         self._streams = streams
         self._table = self.fleet.table()
         self._known: Table = np.zeros((len(executables), WORDS), np.uint64)
-        self._told: set[int] = set()
+        self._asks, self._alive = self.fleet.timing["asks"], self.fleet.timing["alive"]
+        self._status = self.fleet.slots["status"]
+        self._asking = self._asks.nonzero()[0]
 
     def serve(self, channel: Channel) -> Any:
         """Do what the environment asks for until the run ends; return what it says then.
@@ -109,34 +111,36 @@ class ProgramHost:
         if len(content) < GRANT.size:
             raise ValueError("a grant ends early")
         number, end_s, is_wanted = GRANT.unpack_from(content)
+        changes = changed_words.unpack(content[GRANT.size :], len(self._table))
         writers = self._writers()
-        rows = changed_words.apply(content[GRANT.size :], self._table)
-        self._known[rows] = self._table[rows]
+        changes.enter(self._table)
+        changes.enter(self._known)
         if number > self.shown:
             self.shown = number
             for robot, stream, text in writers:
                 self._streams.write(robot, stream, text)
         rounds = self._run(end_s)
+        self._asking = self._asks.nonzero()[0]
         if is_wanted:
             self._tell_failures(channel)
-        changes = changed_words.pack(self._known, self._table)
-        return (Kind.RAN, RAN.pack(number, rounds) + changes) if is_wanted else None
+        answer = RAN.pack(number, rounds) + changed_words.pack(self._known, self._table)
+        return (Kind.RAN, answer) if is_wanted else None
 
     def _run(self, end_s: float) -> int:
         """Run rounds; return how many."""
         total = 0
         while rounds := self.fleet.run_rounds(end_s):
             total += rounds
-            if self.fleet.is_whole or self.fleet.timing["asks"].any():
+            if self.fleet.is_whole or self._asks.any():
                 break
         return total
 
     def _writers(self) -> list[tuple[int, int, bytes]]:
         """Return what programs have asked to be written: robot, stream and content."""
-        slots, timing = self.fleet.slots, self.fleet.timing
-        asking = ((timing["asks"] != 0) & timing["alive"] & (slots["code"] == _WRITE)).nonzero()[0]
+        slots, asking = self.fleet.slots, self._asking
+        writers = asking[(self.fleet.codes[asking] == _WRITE) & self._alive[asking]]
         found = []
-        for robot in asking.tolist():
+        for robot in writers.tolist():
             message = slots["message"][robot]
             stream, size = int(message["i"][0]), int(message["size"])
             if stream in (1, 2) and 0 <= size <= DATA_SIZE:
@@ -144,8 +148,8 @@ class ProgramHost:
         return found
 
     def _tell_failures(self, channel: Channel) -> None:
-        failed = (self.fleet.timing["asks"] != 0) & (self.fleet.slots["status"] == FAILED)
-        for robot in failed.nonzero()[0].tolist():
+        failed = self._status[self._asking] == FAILED
+        for robot in self._asking[failed].tolist():
             data = data_of(self.fleet.report(robot)) | {"robot": robot}
             channel.send(Kind.FAILED, json.dumps(data).encode())
 
@@ -165,6 +169,7 @@ class ProgramHost:
                 self.fleet.restore(robot, Snapshot(slots[robot : robot + 1], *memory))
         self._table[:] = rows
         self._known[:] = rows
+        self._asking = self._asks.nonzero()[0]
 
     def _memories(self) -> bytes:
         """Return the programs' memories."""

@@ -39,7 +39,8 @@ class LocalHosts:
         self._threads: dict[tuple[str, ...], threading.Thread] = {}
         self._pulse = Pulse()
         self._pulse.__enter__()
-        parts = [np.arange(part, len(executables), count) for part in range(count)]
+        mixed = np.random.default_rng(1).permutation(len(executables))
+        parts = [np.sort(part) for part in np.array_split(mixed, count)]
         links = [self._link(robots) for robots in parts if robots.size]
         self.fleet = DistantFleet(executables, links)
 

@@ -1,0 +1,67 @@
+"""What a host may change in the slots and clocks of its programs.
+
+Each word of a row has bits that never change, a greatest value, and perhaps never falls. Words are
+compared as whole numbers, since this is done in every round; floating-point numbers that are not
+negative are ordered as their bits are.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from crs_cc.net.changed_words import WORDS, Changes, Table
+from crs_cc.requests import ERROR_KINDS, FAILED, slot_offset, timing_offset
+
+_ALL: Final = 2**64 - 1
+_INFINITE: Final = 0x7FF << 52
+"""The bits of the first number of seconds that is not finite."""
+
+_ASKS: Final = 1 << 32
+"""In the word of `alive`, the bit of `asks`."""
+
+_UPPER_HALF: Final = 1 << 32
+
+
+def _of_words(default: int, **values: int) -> np.ndarray:
+    """Return a number for each word of a row."""
+    found = np.full(WORDS, default, np.uint64)
+    for name, value in values.items():
+        is_timing = name in _TIMING
+        found[(timing_offset(name) if is_timing else slot_offset(name)) // 8] = value
+    return found
+
+
+_TIMING: Final = ("clock_s", "due_s", "speed_hz", "fuel", "pending", "alive")
+_FIXED: Final = _of_words(0, due_s=_ALL, speed_hz=_ALL, pending=_ALL, alive=_ALL ^ _ASKS)
+_MOST: Final = _of_words(
+    _ALL,
+    clock_s=_INFINITE - 1,
+    fuel=2**63 - 1,
+    status=(FAILED + 1) * _UPPER_HALF - 1,
+    error_kind=len(ERROR_KINDS) * _UPPER_HALF - 1,
+)
+_RISING: Final = _of_words(0, clock_s=_ALL, fuel=_ALL)
+_ASKING: Final = _of_words(0, alive=_ASKS)
+
+
+def check(known: Table, changes: Changes) -> bool:
+    """Check what a host has changed; return whether any program asks for something.
+
+    Args:
+        known: the rows before.
+        changes: what has changed in them.
+
+    Raises:
+        ValueError: it has changed what is not its own, or a clock goes back.
+    """
+    before, after = known.take(changes.places), changes.words
+    word, count = changes.places % WORDS, np.count_nonzero
+    if (
+        count((before ^ after) & _FIXED[word])
+        or count(after > _MOST[word])
+        or count(after < (before & _RISING[word]))
+    ):
+        raise ValueError("it has changed what is not its own, or a clock goes back")
+    return bool(count(after & _ASKING[word]))
