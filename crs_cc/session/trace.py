@@ -10,7 +10,7 @@ timestep, and the requests answered, each with the time at which the program res
 The robots' lines of a timestep are followed by its events, each with its time, the robot that it
 concerns (- for none) and its kind:
 
-    10.000 robot0  degradation: degradation0 began: sonar 3, bias 0.5m
+    10.000 robot0  degradation: sonar 3, bias 0.5m (degradation0 began)
 """
 
 from __future__ import annotations

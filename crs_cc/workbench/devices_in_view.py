@@ -1,8 +1,9 @@
-"""What the view draws of devices: arms and grippers, what is carried, lasers, what is degraded."""
+"""What the view draws of devices: arms, grippers, what is carried, degraded and hot, readings."""
 
 from __future__ import annotations
 
 import math
+from itertools import islice
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.degradation import Degradation
 
 MAX_DEGRADED: Final = 500
+MAX_HEATED: Final = 500
 
 
 def devices_in_view(environment: Environment, rows: Sequence[int], selected: int) -> dict[str, Any]:
@@ -30,6 +32,7 @@ def devices_in_view(environment: Environment, rows: Sequence[int], selected: int
         "joints": dict(_joints(environment, rows)),
         "holds": dict(_holds(environment, rows)),
         "degraded": list(_degraded(environment)),
+        "heats": dict(islice(_heats(environment), MAX_HEATED)),
         "laser": _laser(environment, selected),
         "camera": _camera(environment, selected),
         "infrared": _readings(environment, "infrared", selected),
@@ -81,6 +84,14 @@ def _degraded(environment: Environment) -> Iterator[tuple[int, str, int, str]]:
         if phase in {"acts", "fades"}:
             element = -1 if each.element is None else each.element
             yield robots[each.robot], each.device, element, phase
+
+
+def _heats(environment: Environment) -> Iterator[tuple[str, float]]:
+    """Yield the heat of what no longer has that of the world file."""
+    left = environment.state.heat.left.tolist()
+    for thing, heat in zip(environment.objects, left, strict=False):  # the ground has none
+        if heat != thing.heat:
+            yield thing.id, heat
 
 
 def _camera(environment: Environment, robot: int) -> list[tuple[str, float | None]]:

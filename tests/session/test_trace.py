@@ -82,9 +82,9 @@ def test_device_replies_and_events_are_traced(tmp_path: Path) -> None:
     session.step()
     assert re.search(r"GPS\(\) @0\.0\d\d reply=1010,500  ", rows[0])
     assert rows[1:] == [
-        "0.000 scout  degradation: late began: gps x, bias 0.0254m",
-        "0.020 scout  degradation: degradation1 began: bumper, dead",
-        "0.025 scout  degradation: degradation1 ended: bumper, dead",
+        "0.000 scout  degradation: gps x, bias 0.0254m (late began)",
+        "0.020 scout  degradation: bumper, dead (degradation1 began)",
+        "0.025 scout  degradation: bumper, dead (degradation1 ended)",
     ]
 
 

@@ -25,7 +25,7 @@ int main(void)
 {
     connect_robot(1);
     vm(100, 100, 0);
-    for (step = 0; step < 400; step++) {
+    for (step = 0; step < 1600; step++) {
         get_sn();
         if (step % 10 == 0)
             report();
@@ -121,6 +121,13 @@ def the_time_line_goes_back_to_any_instant(page: Any, screen: Screen) -> None:
     # The trail that is drawn ends here, not where the robot has been later.
     wait(page, "window.trailDrawn?.at(-1)?.t <= crs.model.state.t + 1e-6")
     assert page.evaluate("window.trailDrawn[0].t") < 0.1
+
+
+def a_button_goes_ten_seconds_back(page: Any) -> None:
+    page.evaluate("crs.timeline.seek(10.5)")
+    wait(page, "Math.abs(crs.model.state.t - 10.5) < 1e-6 && !crs.model.state.busy")
+    page.click("[title^='Ten seconds back']")
+    wait(page, "Math.abs(crs.model.state.t - 0.5) < 1e-6 && !crs.model.state.busy")
 
 
 def a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page: Any) -> None:
@@ -223,6 +230,7 @@ def test_a_run_is_watched_moved_stepped_and_left(browser: Any, page: Any, screen
     """One test, since each step begins where the one before has led."""
     it_shows_the_world_and_runs(page, screen)
     the_time_line_goes_back_to_any_instant(page, screen)
+    a_button_goes_ten_seconds_back(page)
     a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page)
     a_robot_is_selected_in_the_view_and_commands_change_the_run(page)
     two_fingers_enlarge_the_view_and_one_selects(page)

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crs_cc.debug.world.edits import edit
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.workbench.devices_in_view import devices_in_view
@@ -50,9 +51,16 @@ def test_the_camera_the_infrared_ring_and_the_heat_sensor_are_shown(
     assert left == ("#808080", pytest.approx(RADIUS_M + 5 * 0.0254, abs=0.003))
     assert found["infrared"][4] == pytest.approx(5.0, abs=0.05)  # of 16, the fourth looks left
     assert found["infrared"][0] == 15.0
+    assert found["heats"] == {}
     assert found["heat"] == 8.0
     kind = world_data(environment.world, ["robot0"])["kinds"]
     (about,) = kind.values()
     assert about["infrared"] == {"step": 0.0254, "z": 0.2, "farthest": 15}
     assert about["camera"]["range"] == 10.0
     assert about["heat"] == 3.0
+
+
+def test_the_heat_of_what_was_cooled_or_heated_is_told(environment: Environment) -> None:
+    edit(environment, "heat cylinder0 0")
+    edit(environment, "heat robot0 2.5")
+    assert devices_in_view(environment, range(1), 0)["heats"] == {"cylinder0": 0.0, "robot0": 2.5}

@@ -61,6 +61,16 @@ def what_is_degraded_is_told_and_slopes_are_measured(page: Any) -> None:
     assert flat is None
 
 
+def what_is_hot_is_marked_and_has_its_heat_of_now(page: Any) -> None:
+    shape = "crs.model.scene.shapes.find((each) => each.movable)"
+    mark = f"crs.views.active.view.meshes.get({shape}).children[0]"
+    assert page.evaluate(f"{mark} === undefined")
+    page.evaluate(f"crs.console(`heat ${{{shape}.id}} 7`)")
+    wait(page, f"{mark}?.visible && crs.model.scene.heat({shape}) === 7")
+    page.evaluate(f"crs.console(`heat ${{{shape}.id}} 0`)")
+    wait(page, f"!{mark}.visible && crs.model.scene.heat({shape}) === 0")
+
+
 def what_sensors_have_measured_is_drawn(page: Any) -> None:
     """Of the camera's picture, the left half is red and the right one green."""
     page.evaluate("crs.look.toggle('heat')")
@@ -154,6 +164,7 @@ def test_the_view_shows_devices_and_saves_what_it_shows(
         page.wait_for_selector(".robot b")
         an_arm_and_what_it_carries_are_where_they_are(page)
         what_is_degraded_is_told_and_slopes_are_measured(page)
+        what_is_hot_is_marked_and_has_its_heat_of_now(page)
         what_sensors_have_measured_is_drawn(page)
         lamps_light_the_night(page)
         views_are_kept_and_shown_again(page)

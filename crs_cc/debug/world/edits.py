@@ -9,7 +9,7 @@ in world files. `EDITS` is the table of changes; the help is generated from it.
 >>> edit(environment, "move robot0 to 1 2 90")
 'robot0 is at 1.000, 2.000 m, 90.0 deg now'
 >>> edit(environment, "degrade robot0 sonar.3 noise 5cm dropouts 0.1")
-'robot0 has degradation0 now: sonar 3, noise 0.05m, dropouts 0.1'
+'robot0: sonar 3, noise 0.05m, dropouts 0.1 (degradation0)'
 >>> edit(environment, "heal robot0")
 'robot0 no longer has degradation0'
 """
@@ -160,7 +160,7 @@ def _degrade(environment: Environment, words: Words) -> str:
         texts = (each.text.removeprefix("degrade, ") for each in diagnostics.messages)
         raise ValueError("\n".join(texts))
     name = environment.degradations.add(found)
-    return f"{robot.id} has {name} now: {described(found, robot.model)}"
+    return f"{robot.id}: {described(found, robot.model)} ({name})"
 
 
 def _faults(words: Words) -> dict[str, str]:

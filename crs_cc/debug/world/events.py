@@ -164,7 +164,7 @@ def _events(step: Step, _world: WorldModel) -> Iterator[WorldEvent]:
     for event in step.events:
         kind = "message-way" if event.kind == "message" else event.kind
         text = f"{step.names[event.robot]} {event.text}" if event.robot >= 0 else event.text
-        if kind == "degradation":  # the text is about its own id
+        if kind == "degradation":  # the text begins with a device
             text = f"{step.names[event.robot]}: {event.text}"
         yield WorldEvent(event.time_s, kind, event.robot, text)
 

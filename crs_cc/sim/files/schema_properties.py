@@ -14,12 +14,12 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Final
 
-from crs_cc.core.quantity import ANGLE, LENGTH, MASS, TIME, Kind
+from crs_cc.core.quantity import ANGLE, HEAT, LENGTH, MASS, TIME, Kind
 from crs_cc.sim.files.schema_names import Declarations, Node
 from crs_cc.sim.files.xml_document import schema_document
 
 _XS: Final = "{http://www.w3.org/2001/XMLSchema}"
-_KINDS: Final = {"length": LENGTH, "angle": ANGLE, "mass": MASS, "time": TIME}
+_KINDS: Final = {"length": LENGTH, "angle": ANGLE, "mass": MASS, "time": TIME, "heat": HEAT}
 
 
 @dataclass(frozen=True, slots=True)

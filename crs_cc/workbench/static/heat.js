@@ -55,10 +55,9 @@ export function heatAt(things, x, y) {
 
 /** What is hot in a scene: things, and robots where they are. @param {any} scene */
 export function hotThings(scene) {
-  const robots = scene.bodies
-    .filter((body) => (scene.robots.get(body.id)?.heat ?? 0) > 0)
-    .map((body) => ({ ...body, heat: scene.robots.get(body.id).heat }));
-  return [...scene.shapes.filter((shape) => (shape.heat ?? 0) > 0), ...robots];
+  return [...scene.shapes, ...scene.bodies]
+    .filter((each) => scene.heat(each) > 0)
+    .map((each) => ({ ...each, heat: scene.heat(each) }));
 }
 
 /** A picture of the heat on the floor, its lower left corner first. @param {any} scene */

@@ -17,6 +17,7 @@ function table(page) {
     { keys: ["ArrowLeft"], text: "a timestep back", does: () => timeline.step(-1) },
     { keys: ["Shift+ArrowRight"], text: "a second on", does: () => timeline.seek(model.clock.shown + 1) },
     { keys: ["Shift+ArrowLeft"], text: "a second back", does: () => timeline.seek(model.clock.shown - 1) },
+    { keys: ["Shift+ArrowDown"], text: "ten seconds back", does: () => timeline.back(10) },
     { keys: ["n"], text: "to the next event", does: () => timeline.jump(1) },
     { keys: ["p"], text: "to the event before", does: () => timeline.jump(-1) },
     { keys: ["Home"], text: "to the start", does: () => timeline.seek(0) },

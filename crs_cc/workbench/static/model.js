@@ -98,6 +98,7 @@ export class Model {
   hear_status(message) {
     this.status = message;
     this.scene?.hold(message.devices?.holds);
+    if (this.scene) this.scene.heats = message.devices?.heats ?? {};
     this.tell("status", message);
   }
 

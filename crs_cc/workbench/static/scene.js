@@ -27,6 +27,13 @@ export class Scene {
     this.time = -1;
     /** @type {Map<string, number>} how high things are that robots carry [m] */
     this.carried = new Map();
+    /** @type {Record<string, number>} of what no longer has the heat of the world */
+    this.heats = {};
+  }
+
+  /** The heat that a thing or a robot has now. @param {{id: string, heat?: number}} thing */
+  heat(thing) {
+    return this.heats[thing.id] ?? thing.heat ?? this.robots.get(thing.id)?.heat ?? 0;
   }
 
   /** Note what robots hold. @param {Record<number, string[]>} holds by robot */

@@ -43,6 +43,7 @@ export class Timeline {
         this.clockButton, this.wanted,
         el("div.group", {},
           button({ icon: "first", title: "Go to the start", key: "Home", onclick: () => this.seek(0) }),
+          button({ text: "−10 s", title: "Ten seconds back", key: "Shift+↓", onclick: () => this.back(10) }),
           button({ icon: "previous", title: "A timestep back", key: "←", onclick: () => this.step(-1) }),
           this.playButton,
           button({ icon: "next", title: "A timestep on", key: "→", onclick: () => this.step(1) })),
@@ -172,6 +173,11 @@ export class Timeline {
       model.ask("seek", { time_s: bounded });
     }
     this.isStale = true;
+  }
+
+  /** Go back by so many seconds. @param {number} seconds */
+  back(seconds) {
+    this.seek((this.model.clock.held ?? this.model.state.t) - seconds);
   }
 
   release() {

@@ -2,6 +2,8 @@
 import { cornersOf } from "crs/scene.js";
 import { gridStep } from "crs/units.js";
 
+const WARM = "#d1242f"; // a dot on what is hot
+
 export class View2D {
   /** @param {import("./scene.js").Scene} scene @param {HTMLCanvasElement} canvas */
   constructor(scene, canvas) {
@@ -78,7 +80,7 @@ export class View2D {
   }
 
   shape(pen, shape, look) {
-    pen.fillStyle = look.heat ? look.heat(shape.heat ?? 0) : shape.colour;
+    pen.fillStyle = look.heat ? look.heat(this.scene.heat(shape)) : shape.colour;
     pen.strokeStyle = look.colours.edge;
     pen.beginPath();
     if (shape.radius) pen.arc(shape.x, shape.y, shape.radius, 0, 2 * Math.PI);
@@ -86,11 +88,16 @@ export class View2D {
     pen.closePath();
     pen.fill();
     pen.stroke();
+    if (look.heat || !this.scene.heat(shape)) return;
+    pen.fillStyle = WARM;
+    pen.beginPath();
+    pen.arc(shape.x, shape.y, 4 / this.scale, 0, 2 * Math.PI);
+    pen.fill();
   }
 
   robot(pen, body, look) {
     const radius = Math.max(body.radius, 3 / this.scale);
-    pen.fillStyle = look.heat ? look.heat(this.scene.robots.get(body.id)?.heat ?? 0) : body.colour;
+    pen.fillStyle = look.heat ? look.heat(this.scene.heat(body)) : body.colour;
     pen.strokeStyle = "#ffffff";
     pen.beginPath();
     pen.arc(body.x, body.y, radius, 0, 2 * Math.PI);

@@ -3,7 +3,7 @@ import * as THREE from "three";
 import { heatPicture, hotThings, mostHeat } from "crs/heat.js";
 import { Limbs } from "crs/limbs.js";
 import { robotShape } from "crs/robot_shape.js";
-import { addGrid, addGround, addLamps, shapeGeometry } from "crs/world_shape.js";
+import { addGrid, addGround, addLamps, heatMark, shapeGeometry } from "crs/world_shape.js";
 
 const NEAR_ROBOTS = 400; // more are drawn without details
 const NEAR_SOFT = 40; // the same where the processor draws
@@ -73,6 +73,7 @@ export class View3D {
     for (const [shape, mesh] of this.meshes) {
       mesh.position.set(shape.x, shape.y, this.scene.ground.height(shape.x, shape.y) + (shape.lift ?? 0));
       mesh.rotation.z = shape.angle;
+      this.markHeat(shape, mesh, look);
     }
     this.limbs.place(this.scene.bodies.length > NEAR_ROBOTS ? [] : this.scene.bodies, look.devices);
     const lens = this.aim(camera, body, width, height);
@@ -117,12 +118,19 @@ export class View3D {
     return lens;
   }
 
+  /** A disc on the top of what is warm, while colours do not show it. */
+  markHeat(shape, mesh, look) {
+    const isMarked = !look.heat && this.scene.heat(shape) > 0;
+    if (isMarked && !mesh.children.length) mesh.add(heatMark(shape));
+    for (const mark of mesh.children) mark.visible = isMarked;
+  }
+
   /** Colours of the theme, or of heat. */
   paint(look) {
     const isHeat = Boolean(look.heat);
     const { light } = look;
-    const key = look.colours.sky + look.colours.floor + isHeat + light.version;
     if (isHeat) this.warm(look);
+    const key = [look.colours.sky, look.colours.floor, isHeat && this.warmed, light.version].join();
     if (key === this.painted) return;
     this.painted = key;
     this.sun.intensity = isHeat ? 0 : 1.9 * light.day; // heat is seen, not lit
@@ -136,8 +144,8 @@ export class View3D {
     this.grid.material.color.set(look.colours.grid).multiplyScalar(0.25 + 0.75 * light.day);
     this.floor.material.color.set(isHeat ? "#000000" : look.colours.floor);
     for (const [shape, mesh] of this.meshes) {
-      mesh.material.color.set(isHeat ? look.heat(shape.heat ?? 0) : shape.colour);
-      mesh.material.emissive.set(isHeat ? look.heat(shape.heat ?? 0) : "#000000");
+      mesh.material.color.set(isHeat ? look.heat(this.scene.heat(shape)) : shape.colour);
+      mesh.material.emissive.set(isHeat ? look.heat(this.scene.heat(shape)) : "#000000");
     }
   }
 

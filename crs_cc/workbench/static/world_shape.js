@@ -12,6 +12,20 @@ export function shapeGeometry(shape) {
   return new THREE.ExtrudeGeometry(outline, { depth: shape.height, bevelEnabled: false });
 }
 
+/** A disc for the top of something warm: red with a white rim, to be seen on any colour. @param {import("./scene.js").Shape} shape */
+export function heatMark(shape) {
+  const corners = shape.corners ?? [];
+  const span = (axis) => Math.max(...corners.map((each) => each[axis])) - Math.min(...corners.map((each) => each[axis]));
+  const size = shape.radius ?? Math.min(span(0), span(1)) / 2;
+  const mark = new THREE.Group();
+  for (const [share, colour, rise] of [[0.7, "#ffffff", 0.004], [0.52, "#d1242f", 0.008]]) {
+    const disc = new THREE.Mesh(new THREE.CircleGeometry(share * Math.min(0.4, size), 32), new THREE.MeshBasicMaterial({ color: colour }));
+    disc.position.z = shape.height + rise;
+    mark.add(disc);
+  }
+  return mark;
+}
+
 /** Add the floor, its ramps, and its map of heights; return the floor. */
 export function addGround(world, scene) {
   const { x, y, length, width } = scene.area;

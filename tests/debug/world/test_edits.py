@@ -37,7 +37,7 @@ def test_robots_and_objects_are_moved_in_various_units(driver) -> None:
 
 def test_devices_are_degraded_with_the_attributes_of_world_files(driver) -> None:
     environment = driver.environment
-    assert edit(environment, "degrade a sonar.3 dead") == "a has degradation0 now: sonar 3, dead"
+    assert edit(environment, "degrade a sonar.3 dead") == "a: sonar 3, dead (degradation0)"
     edit(environment, "degrade a drive.left gain=0.8 delay=200ms for 5s recovery 1s")
     edit(environment, "degrade b sonar stuck")
     edit(environment, "degrade b sonar.0 stuck 1.5m dropouts 0.25")

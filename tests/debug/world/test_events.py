@@ -67,8 +67,8 @@ def test_events_of_degradations_and_joining_name_the_robot() -> None:
     driver = Driver.of(world)
     driver.environment.degradations.add(Degradation("robot0", "sonar", 3, dead=True, onset_s=0.02))
     assert [row[1:] for row in told(driver, ["degradation"])] == [
-        ("degradation", 0, "robot0: degradation0 added: sonar 3, dead"),
-        ("degradation", 0, "robot0: degradation0 began: sonar 3, dead"),
+        ("degradation", 0, "robot0: sonar 3, dead (degradation0 added)"),
+        ("degradation", 0, "robot0: sonar 3, dead (degradation0 began)"),
     ]
     assert told(driver, ["join", "leave"]) == [(0.1, "join", 1, "robot1 joined")]
     assert told(driver, ["join", "leave"]) == [(0.2, "leave", 1, "robot1 left")]

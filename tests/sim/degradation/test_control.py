@@ -38,9 +38,9 @@ def test_it_begins_fades_and_is_over_at_its_instants():
     assert events(driver, 2) == []
     assert control.phase("worn") == "waits"
     assert events(driver, 4) == [
-        (0.12, "worn began: sonar 3, gain 0.5"),
-        (0.22, "worn began to fade: sonar 3, gain 0.5"),
-        (0.27, "worn ended: sonar 3, gain 0.5"),
+        (0.12, "sonar 3, gain 0.5 (worn began)"),
+        (0.22, "sonar 3, gain 0.5 (worn began to fade)"),
+        (0.27, "sonar 3, gain 0.5 (worn ended)"),
     ]
     assert control.phase("worn") == "over"
     assert not driver.state.degradation.present.any()
@@ -50,10 +50,10 @@ def test_it_begins_fades_and_is_over_at_its_instants():
 def test_at_its_very_onset_it_waits_and_what_is_told_of_it_is_told_in_the_next_cycle():
     before = dataclasses.replace(SONAR, element=1, onset_s=1.98)
     driver = driver_of(dataclasses.replace(SONAR, onset_s=2.0), before)
-    assert events(driver, 40) == [(1.98, "degradation1 began: sonar 1, stuck at 1m")]
+    assert events(driver, 40) == [(1.98, "sonar 1, stuck at 1m (degradation1 began)")]
     assert driver.environment.time_s == 2.0
     assert driver.environment.degradations.phase("degradation0") == "waits"
-    assert events(driver, 1) == [(2.0, "degradation0 began: sonar 0, stuck at 1m")]
+    assert events(driver, 1) == [(2.0, "sonar 0, stuck at 1m (degradation0 began)")]
     assert driver.environment.degradations.phase("degradation0") == "acts"
 
 
@@ -66,12 +66,12 @@ def test_what_is_added_begins_now_and_what_is_removed_ends_now():
     assert control.all() == (dataclasses.replace(SONAR, onset_s=2.0, id="degradation0"),)
     said = events(driver, 40)
     assert said == [
-        (2.0, "degradation0 added: sonar 0, stuck at 1m"),
-        (2.0, "degradation0 began: sonar 0, stuck at 1m"),
+        (2.0, "sonar 0, stuck at 1m (degradation0 added)"),
+        (2.0, "sonar 0, stuck at 1m (degradation0 began)"),
     ]
     assert told(driver) == round(1 / 0.0254)
     driver.environment.degradations.remove("degradation0")
-    assert events(driver, 40) == [(4.0, "degradation0 removed: sonar 0, stuck at 1m")]
+    assert events(driver, 40) == [(4.0, "sonar 0, stuck at 1m (degradation0 removed)")]
     assert told(driver) == 255
 
 
@@ -81,7 +81,7 @@ def test_a_change_counts_from_now_on():
     changed = driver.environment.degradations.change("degradation0", stuck=2.0)
     assert changed.stuck == 2.0
     assert driver.environment.degradations.all() == (changed,)
-    assert events(driver, 40) == [(2.0, "degradation0 changed: sonar 0, stuck at 2m")]
+    assert events(driver, 40) == [(2.0, "sonar 0, stuck at 2m (degradation0 changed)")]
     assert told(driver) == round(2 / 0.0254)
 
 
@@ -114,8 +114,8 @@ def test_a_turn_at_the_very_instant_of_a_change_is_still_to_come(changes, phase,
     control.change("degradation0", **changes)
     assert control.phase("degradation0") == phase
     assert events(driver, 1) == [
-        (2.0, "degradation0 changed: sonar 0, stuck at 1m"),
-        (2.0, f"degradation0 {turn}: sonar 0, stuck at 1m"),
+        (2.0, "sonar 0, stuck at 1m (degradation0 changed)"),
+        (2.0, f"sonar 0, stuck at 1m (degradation0 {turn})"),
     ]
 
 

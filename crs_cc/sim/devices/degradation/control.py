@@ -12,10 +12,10 @@ Arguments and results are plain data (`Degradation`). Every change is an event o
 0.25
 >>> for event in environment.step().events:
 ...     print(f"{event.time_s:.2f} {event.text}")
-0.00 degradation0 added: sonar 3, gain 0.5
-0.00 degradation0 changed: sonar 3, gain 0.25
-0.00 degradation0 began: sonar 3, gain 0.25
-0.02 degradation0 ended: sonar 3, gain 0.25
+0.00 sonar 3, gain 0.5 (degradation0 added)
+0.00 sonar 3, gain 0.25 (degradation0 changed)
+0.00 sonar 3, gain 0.25 (degradation0 began)
+0.02 sonar 3, gain 0.25 (degradation0 ended)
 >>> environment.degradations.remove("degradation0")
 >>> environment.degradations.all()
 ()
@@ -207,7 +207,7 @@ class DegradationControl:
     def _say(self, time_s: float, what: str, row: Any) -> None:
         degradation = self._degradation(row)
         model = self._running.world.robots[int(row["robot"])].model
-        text = f"{degradation.id} {what}: {described(degradation, model)}"
+        text = f"{described(degradation, model)} ({degradation.id} {what})"
         self._log.say(time_s, "degradation", text, int(row["robot"]))
 
 

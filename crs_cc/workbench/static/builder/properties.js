@@ -51,7 +51,14 @@ function property(model, names, row) {
     if (row.name === "id" && value) model.choose([value]);
   };
   const input = field(model, row, { onchange: (event) => set(event.target.value) });
-  return el("label.property", {}, el("span", { className: row.required ? "required" : "" }, row.name), input);
+  return el("label.property", {}, nameOf(row), input);
+}
+
+/** The name of an attribute, bold if it must be there; a quantity without a unit says so. */
+function nameOf(row) {
+  const isPlain = row.units.join() === "" && row.units.length;
+  const name = el("span", { className: row.required ? "required" : "", title: row.help }, row.name);
+  return isPlain ? el("span", {}, name, el("small", {}, " no unit")) : name;
 }
 
 let numbered = 0;
@@ -89,7 +96,7 @@ export function makeAddForm(model) {
       draw();
     };
     const chooser = el("select", { "aria-label": "kind to add", onchange: choose }, ...found.kinds.map((each) => el("option", { value: each, selected: each === kind }, each)));
-    const rows = found.rows.map((row) => el("label.property", {}, el("span", { className: row.required ? "required" : "" }, row.name), field(model, row, { name: row.name })));
+    const rows = found.rows.map((row) => el("label.property", {}, nameOf(row), field(model, row, { name: row.name })));
     const [needed, others] = [0, 1].map((at) => rows.filter((_, index) => Number(!found.rows[index].required) === at));
     const add = () => {
       const inputs = [...form.querySelectorAll("[name]")].filter((input) => input.value);
