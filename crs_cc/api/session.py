@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final, Self
 
 import numpy as np
 
@@ -28,11 +28,17 @@ from crs_cc.api.worlds import WorldSource, world_of
 from crs_cc.core.arrays import FloatArray, read_only
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.world.events import WorldEvent
+from crs_cc.runtime.executable import Executable
 from crs_cc.session.host import CLIENTS, Client
 from crs_cc.session.result import RunResult, SessionSnapshot
 from crs_cc.session.session import Session as InnerSession
 from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.model.world import WorldModel
+
+if TYPE_CHECKING:
+    from distributed import Client as DaskClient
+
+    from crs_cc.net.cluster_fleet import ClusterFleet
 
 _ROUNDING: Final = 1e-6  # [timesteps]
 _ROUNDING_S: Final = 1e-9
@@ -58,7 +64,7 @@ class Snapshot:
 
 
 class Session(Edits):
-    """A run of programs in a world.
+    """A run of programs in a world; `with` closes it where its programs are on other machines.
 
     Attributes:
         world: the world at the start.
@@ -82,6 +88,8 @@ class Session(Edits):
         stdin: bytes | str = b"",
         client: Client = "nclient",
         threads: int | None = None,
+        hosts: DaskClient | str | None = None,
+        per_host: int | None = None,
     ) -> None:
         """Load programs into the robots of a world.
 
@@ -99,12 +107,18 @@ class Session(Edits):
             stdin: the standard input of each program.
             client: which of the vendor's client libraries to emulate.
             threads: how many threads may run programs; results do not depend on it.
+            hosts: a Dask cluster whose workers run the programs: a client of it, or the
+                scheduler's address. Results do not depend on it; such a session goes forward only,
+                and is closed at its end.
+            per_host: how many robots a host there has at most; by default so many that each
+                thread of its workers has a host.
 
         Raises:
             TypeError: an argument has the wrong type.
             ValueError: an argument is invalid.
             CompileError: a program is invalid.
             WorldError: the world is invalid.
+            ClusterError: the cluster cannot be used.
         """
         self.world = world_of(world)
         check_number("seed", seed, whole=True)
@@ -121,6 +135,9 @@ class Session(Edits):
         self._events = EventCallbacks()
         self.streams = Streams(_content("stdin", stdin))
         executables, argv = executables_of(self.world, programs, arguments)
+        self._hosts = None
+        if hosts is not None:
+            self._hosts = _on_hosts(self.world, executables, hosts, per_host)
         self.inner = InnerSession(
             self.world,
             executables,
@@ -132,10 +149,22 @@ class Session(Edits):
             client=client,
             threads=threads,
             observer=self._events,
+            fleet=self._hosts,
         )
         self.programs = tuple(executables)
         self.robots = Robots(self.inner, self.streams)
         self._paths = Paths(self.positions_m)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Dismiss the hosts on a cluster, if there are any; results can be read afterwards."""
+        if self._hosts is not None:
+            self._hosts.close()
 
     # -- time ----------------------------------------------------------------------------------
 
@@ -267,8 +296,11 @@ class Session(Edits):
 
         Raises:
             TypeError: it is no snapshot.
-            ValueError: it is of another world, another seed or other programs; nothing changes.
+            ValueError: it is of another world, another seed or other programs, or the programs
+                are on a cluster; nothing changes.
         """
+        if self._hosts is not None:
+            raise ValueError("a session whose programs are on a cluster goes forward only")
         if not isinstance(snapshot, Snapshot):
             raise TypeError(f"a session restores a Snapshot, not {type(snapshot).__name__}")
         codes = tuple(each.machine_code for each in self.programs)
@@ -312,6 +344,21 @@ class Session(Edits):
         robots = len(self.robots)
         plural = "" if robots == 1 else "s"
         return f"<Session of {self.world.name}: {robots} robot{plural}, {self.time_s:g} s>"
+
+
+def _on_hosts(
+    world: WorldModel,
+    executables: Sequence[Executable],
+    hosts: DaskClient | str,
+    per_host: int | None,
+) -> ClusterFleet:
+    """Return programs that run on a cluster."""
+    check_number("per_host", per_host, whole=True)
+    if per_host is not None and per_host < 1:
+        raise ValueError(f"per_host must be 1 or more, not {per_host!r}")
+    from crs_cc.net.cluster_fleet import ClusterFleet
+
+    return ClusterFleet(world.robots, executables, hosts, per_host)
 
 
 def _content(name: str, content: bytes | str) -> bytes:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.cli.messages import say
+from crs_cc.cli.typed_input import OwnInput
 from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.world.run_edits import edit_run
@@ -17,6 +18,7 @@ from crs_cc.requests import FAILED
 if TYPE_CHECKING:
     from crs_cc.cli.resumption import Resumption
     from crs_cc.net.channel import Channel
+    from crs_cc.net.cluster_hosts import ClusterHosts
     from crs_cc.net.roster import Roster, Seat
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.session import Session
@@ -33,6 +35,7 @@ class Elsewhere:
         front: where pages connect; None for nowhere.
         tell_waiting: is told, again and again, of the robots whose hosts the run waits for, as
             text, and of none as it goes on.
+        shows_output: whether hosts show what their programs print.
     """
 
     def __init__(
@@ -45,6 +48,7 @@ class Elsewhere:
         waits: bool,
         front: Front | None,
         resumption: Resumption | None = None,
+        hosts: ClusterHosts | None = None,
     ) -> None:
         """Take the hosts that are ready.
 
@@ -56,11 +60,15 @@ class Elsewhere:
             waits: whether the run waits for another host in place of one that is lost.
             front: where pages connect; None for nowhere.
             resumption: what is known of the first part of the run.
+            hosts: what starts hosts again on a cluster, which have no streams of their own: these
+                are ours; None for hosts that users start.
         """
         import numpy as np
 
         self._roster, self._waits, self.front = roster, waits, front
-        self._resumption = resumption
+        self.shows_output = hosts is None
+        self._resumption, self._hosts = resumption, hosts
+        self._input: OwnInput | None = OwnInput() if hosts else None
         self._is_interrupted: Callable[[], bool] = lambda: False
         self.tell_waiting: Callable[[str], None] = lambda _names: None
         self._seats = {seat.names: seat for seat in seats}
@@ -84,15 +92,19 @@ class Elsewhere:
         return 0.0 if self._resumption is None else self._resumption.end_s
 
     def read(self, robot: int, wanted: int) -> bytes:
-        """Return standard input of the host of a robot."""
+        """Return standard input of the host of a robot, or ours."""
         if self._resumption is not None and self._session.time_s < self._resumption.end_s:
             return self._resumption.given.read(robot, wanted)
+        if self._input is not None:
+            return self._input.read(robot, wanted)
         return self.fleet.link(robot).read(robot, wanted, 0.0)
 
     def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
         """Return how much of it there is, and when there will be more, see `session.host`."""
         if self._resumption is not None and self._session.time_s < self._resumption.end_s:
             return self._resumption.given.waiting(robot, clock_s)
+        if self._input is not None:
+            return self._input.waiting(robot, clock_s)
         size, wait_s = json.loads(self.fleet.link(robot).read(robot, -1, clock_s))
         return int(size), float("inf") if wait_s is None else float(wait_s)
 
@@ -147,7 +159,8 @@ class Elsewhere:
             self.tell_waiting(names)
             return self._is_interrupted()
 
-        channel = self._roster.take(seat, is_ended)
+        source = self._hosts or self._roster
+        channel = source.take(seat, is_ended)
         self.tell_waiting("")
         if channel is None:
             raise HostGoneError("the run was interrupted while its host was lost")

@@ -2,17 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, Final, Literal
 
 import click
 from click.core import ParameterSource
 
-from crs_cc.cli.inputs import Inputs, check_recording_path, is_world, make_folder, parse_named_files
+from crs_cc.cli.cluster_options import cluster_options
+from crs_cc.cli.compiler_options import CompilerOptions, compiler_options
+from crs_cc.cli.inputs import (
+    Inputs,
+    check_recording_path,
+    make_folder,
+    parse_named_files,
+    sort_files,
+)
 from crs_cc.cli.net_address import parse_address
 from crs_cc.cli.path_options import written_folder
-from crs_cc.cli.program_options import READS, SEED, WRITES, robot_options
+from crs_cc.cli.program_options import (
+    READS,
+    SEED,
+    WRITES,
+    WithProgramArguments,
+    program_arguments,
+    robot_options,
+)
 from crs_cc.cli.record_options import record_options
 from crs_cc.cli.serve_options import ServeOptions
 from crs_cc.cli.time_options import MAX_TIME, SPEED
@@ -25,11 +42,15 @@ Examples:
   crs serve complex-3r.xml --listen 0.0.0.0:8000 --insecure
   crs serve complex-3r.xml --record run.mcap --max-time 60
   crs serve complex-3r.xml --nserver 7019                for programs linked with Nclient
+  crs serve wander.c hall.xml --hosts dask://hall:8786   with hosts on a cluster
   crs join robot0 procyon:8000 prog.c                    a robot's program, on any machine
 """
 
 
-_FOR_HOSTS: Final = ("listen", "tokens", "tls", "tls_cert", "tls_key", "on_loss", "resume")
+_FOR_HOSTS: Final = (
+    *("listen", "tokens", "tls", "tls_cert", "tls_key", "on_loss", "resume"),
+    *("hosts", "per_host"),
+)
 
 
 def _serve_vendor(options: ServeOptions) -> int:
@@ -58,11 +79,12 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
 
 
 @click.command(
+    cls=WithProgramArguments,
     epilog=_EXAMPLES,
     short_help="Serve a world to programs that run on other machines.",
     options_metavar="[OPTIONS]",
 )
-@click.argument("world", metavar="WORLD.xml", type=click.Path(path_type=Path))
+@click.argument("files", nargs=-1, required=True, metavar="[PROGRAM.c...] WORLD.xml [-- ARGS...]")
 @click.option(
     "--listen",
     default="127.0.0.1:8000",
@@ -123,6 +145,7 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     help="Let pages look at the run, on the same port (default): crs view HOST:PORT opens one. "
     "Without, timesteps in which nothing happens are skipped.",
 )
+@cluster_options
 @vendor_options
 @MAX_TIME
 @SEED
@@ -140,10 +163,18 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     default=None,
     help="Show the closing summary on stderr. Default: only on a terminal.",
 )
+@click.option(
+    "--unchecked", is_flag=True, help="Do not check memory accesses of programs on the cluster."
+)
+@click.option(
+    "--trap-overflow", is_flag=True, help="Stop a program on the cluster at signed overflow."
+)
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")
+@compiler_options
 def serve(
-    world: Path,
     *,
+    files: tuple[str, ...],
+    unchecked: bool,
     named_files: tuple[str, ...],
     outputs: Path | None,
     on_loss: Literal["wait", "stop"],
@@ -157,15 +188,18 @@ def serve(
     that programs read and write are here; what they print appears where they run. The exit status
     is that of crs run.
 
+    With --hosts, programs run on a Dask cluster, which starts lost hosts again. They are named
+    before the world, or in it; they print here, and read the standard input of this command.
+
     With --nserver, --serial or --tcp-robot, all robots are driven by programs that are linked with
     the vendor's own client libraries, in real time unless --speed says otherwise.
     """
-    if not is_world(world.name):
-        raise click.UsageError(f"{world} is not a world file: its name ends with .xml.")
     if outputs is not None:
         make_folder(outputs)
     wanted = ServeOptions(
-        inputs=Inputs((), world),
+        inputs=_inputs(files),
+        arguments=program_arguments(),
+        checked=not unchecked,
         inputs_on_disk=parse_named_files(named_files),
         outputs=outputs,
         on_loss=on_loss,
@@ -178,10 +212,48 @@ def serve(
         check_recording_path(wanted.record)
         if wanted.resume is not None and wanted.record.resolve() == wanted.resume.resolve():
             raise click.UsageError("--record and --resume name the same file.")
+    if not wanted.hosts:
+        _check_has_no_program(wanted)
     if wanted.vendor:
         return _serve_vendor(wanted)
     from crs_cc.cli.export_run import recorded
-    from crs_cc.cli.start_serve import start_serve
 
     with recorded(wanted) as run:
-        return start_serve(run)
+        return _serve_hosts(run)
+
+
+def _inputs(files: Sequence[str]) -> Inputs:
+    inputs = sort_files(files)
+    if inputs.world is None:
+        raise click.UsageError("no world file: its name ends with .xml.")
+    return inputs
+
+
+def _check_has_no_program(options: ServeOptions) -> None:
+    """Check that programs are named where they are compiled.
+
+    Raises:
+        click.UsageError: they are named here, and run elsewhere.
+    """
+    if options.per_host is not None:
+        raise click.UsageError("--per-host is for hosts on a cluster: --hosts.")
+    is_compiled = options.compiler != CompilerOptions() or options.trap_overflow
+    if options.inputs.sources or options.arguments or is_compiled or not options.checked:
+        text = "programs are named and compiled by crs join; here only with --hosts"
+        raise click.UsageError(f"{text}.")
+
+
+def _serve_hosts(options: ServeOptions) -> int:
+    """Serve programs on hosts; return the exit status."""
+    if not options.hosts:
+        from crs_cc.cli.start_serve import start_serve
+
+        return start_serve(options)
+    if find_spec("distributed") is None:
+        raise click.UsageError("--hosts needs Dask: pip install 'crs_cc[cluster]'.")
+    from crs_cc.cli.start_cluster import start_cluster
+
+    context = click.get_current_context()
+    if context.get_parameter_source("listen") is ParameterSource.DEFAULT:
+        options = replace(options, listen=("", options.listen[1]))
+    return start_cluster(options)

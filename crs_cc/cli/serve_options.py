@@ -22,6 +22,9 @@ class ServeOptions(RunOptions):
         insecure: whether to listen to other machines without TLS.
         on_loss: what to do when a host is lost: `wait` for another one, or `stop` its programs.
         resume: the recording at whose end the run goes on; None for a new run.
+        hosts: the address of the Dask cluster whose workers run the programs; empty for hosts that
+            users start.
+        per_host: how many robots a host on the cluster has; None for a host on each thread.
     """
 
     listen: tuple[str, int] = ("127.0.0.1", 8000)
@@ -32,6 +35,8 @@ class ServeOptions(RunOptions):
     insecure: bool = False
     on_loss: Literal["wait", "stop"] = "wait"
     resume: Path | None = None
+    hosts: str = ""
+    per_host: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

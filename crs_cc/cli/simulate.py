@@ -364,7 +364,7 @@ class Runner:
             yield
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
-        if self._elsewhere is None:  # or else it is shown there
+        if self._elsewhere is None or not self._elsewhere.shows_output:  # else it is shown there
             self._output.write(robot, stream, content)
         self.hints.wrote()
         if self._kept is not None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
@@ -14,30 +13,20 @@ from crs_cc.cli.elsewhere import Elsewhere, shown_names
 from crs_cc.cli.inputs import Inputs
 from crs_cc.cli.load import Loaded, arguments_of, load_world_of, program_of, users_files
 from crs_cc.cli.messages import say
-from crs_cc.cli.net_address import shown_address, token_left
 from crs_cc.cli.program_options import RobotProgram
 from crs_cc.cli.resumption import Resumption
+from crs_cc.cli.served_port import ServedPort, greet, served_port
 from crs_cc.cli.simulate import run_loaded
-from crs_cc.cli.view_address import announced
 from crs_cc.core.input_files import logged
-from crs_cc.core.loopback import LOOPBACK
 from crs_cc.core.source import Diagnostics
-from crs_cc.net import tls
-from crs_cc.net.access import Access, parsed
-from crs_cc.net.gate import Gate, bound, led_to
 from crs_cc.net.roster import Roster
 from crs_cc.runtime.executable import Executable
-from crs_cc.workbench.clients import Role as PageRole
-from crs_cc.workbench.server import Front
 
 if TYPE_CHECKING:
     from crs_cc.cli.serve_options import ServeOptions
     from crs_cc.net.handshake import Program
     from crs_cc.net.roster import Seat
     from crs_cc.sim.model.world import Robot, WorldModel
-
-_OWN_NAMES = ("127.0.0.1", "::1", "localhost")
-_ANY_NAME = ("0.0.0.0", "::")  # noqa: S104 - to listen at, not to connect to
 
 
 def start_serve(options: ServeOptions) -> int:
@@ -51,14 +40,9 @@ def start_serve(options: ServeOptions) -> int:
     with logged() as files_read:
         world = load_world_of(options)
     resumption = None if options.resume is None else Resumption(options.resume)
-    access = _access(options.tokens)
     roster = Roster(world.robots)
-    secure = _tls(options)
-    with (
-        _gate(options, access, roster, secure) as gate,
-        _front(options, access, gate, is_secure=secure is not None) as front,
-    ):
-        _greet(options, access, gate.port, secure)
+    with served_port(options, roster) as port:
+        _greet(options, port)
         try:
             seats = _seats(roster, options)
         except KeyboardInterrupt:
@@ -75,84 +59,17 @@ def start_serve(options: ServeOptions) -> int:
             names,
             loaded.executables,
             waits=waits,
-            front=front,
+            front=port.front,
             resumption=resumption,
         )
         return run_loaded(loaded, run, Diagnostics(), elsewhere)
 
 
-def _access(file: Path | None) -> Access:
-    if file is None:
-        return Access.made()
-    try:
-        return parsed(file.read_text("utf-8"))
-    except ValueError as error:
-        raise click.UsageError(f"--tokens: {file}:{error}.") from None
-
-
-@contextlib.contextmanager
-def _gate(
-    options: ServeOptions, access: Access, roster: Roster, secure: tls.Server | None
-) -> Iterator[Gate]:
-    host, port = options.listen
-    if host not in _OWN_NAMES and not (secure or options.insecure):
-        text = f"--listen {host} is open to other machines, which could read tokens and programs"
-        raise click.UsageError(f"{text}: --tls, or --insecure if the network is yours alone.")
-    listener = bound(host, port)
-    with token_left(listener.getsockname()[1], access.token("robot")):
-        gate = Gate(listener, access, roster, secure.secure if secure else lambda plain: plain)
-        try:
-            yield gate
-        finally:
-            gate.close()
-
-
-def _tls(options: ServeOptions) -> tls.Server | None:
-    """Return what encrypts connections, if that is wanted."""
-    if options.tls_cert is None and options.tls_key is None:
-        return tls.self_made() if options.tls else None
-    if options.tls_cert is None or options.tls_key is None:
-        raise click.UsageError("--tls-cert and --tls-key belong together.")
-    try:
-        return tls.Server(options.tls_cert, options.tls_key)
-    except ValueError:
-        raise click.UsageError(f"--tls-cert: {options.tls_cert} has no certificate.") from None
-
-
-def _greet(options: ServeOptions, access: Access, port: int, secure: tls.Server | None) -> None:
-    host = options.listen[0]
-    address = shown_address((host, port))
-    say(f"crs: serving {options.inputs.world} at {address}")
-    if secure is not None:
-        say(f"crs: fingerprint of the certificate: {secure.fingerprint}")
-    elif host not in _OWN_NAMES:
-        say("crs: warning: INSECURE: whoever sees the network reads tokens and programs")
+def _greet(options: ServeOptions, port: ServedPort) -> None:
+    greet(options, port)
     if options.tokens is None:
-        say(f"crs: robots join by: crs join ROBOT HOST:{port} PROGRAM.c")
-        say(f"crs: from other machines with: --token {access.token('robot')}")
-
-
-@contextlib.contextmanager
-def _front(
-    options: ServeOptions, access: Access, gate: Gate, *, is_secure: bool
-) -> Iterator[Front | None]:
-    """Yield where pages connect, if they may; `crs view` finds it on this machine."""
-    if options.view is None:
-        yield None
-        return
-    tokens: dict[PageRole, tuple[str, ...]] = {
-        "control": access.tokens["control"],
-        "view": access.tokens["view"],
-    }
-
-    def open_to_pages(port: int) -> None:
-        gate.visitor = led_to(port)
-
-    host = options.listen[0]
-    address = shown_address((LOOPBACK if host in _ANY_NAME else host, gate.port))
-    place = f"{'https' if is_secure else 'http'}://{address}"
-    with announced(gate.port, f"{place}/#token={access.token('control')}"):
-        yield Front(place, gate.port, tokens, open_to_pages)
+        say(f"crs: robots join by: crs join ROBOT HOST:{port.number} PROGRAM.c")
+        say(f"crs: from other machines with: --token {port.access.token('robot')}")
 
 
 def _seats(roster: Roster, options: ServeOptions) -> list[Seat]:

@@ -3,6 +3,9 @@
 Each thread of a Dask worker has a process that runs jobs, one of those of `jobs.pool`, so a job is
 limited there as it is here. A worker that is lost costs nothing: others run its tasks again, which
 gives the same results.
+
+A task may also be started to live as long as something here does: then it has a process and a
+thread of its own, and takes none of the worker's.
 """
 
 from __future__ import annotations
@@ -23,7 +26,7 @@ from crs_cc.toolchain.cache import version
 from crs_cc.toolchain.fingerprint import WORLDS
 
 if TYPE_CHECKING:
-    from distributed import Future
+    from distributed import Client, Future
 
 _CONNECT_S: Final = 10.0
 """Real time to find the scheduler, and a first worker."""
@@ -41,32 +44,39 @@ class ClusterError(CrsError):
 class Cluster:
     """A Dask cluster that runs tasks, as `jobs.pool.Pool` does."""
 
-    def __init__(self, module: str, address: str) -> None:
+    def __init__(self, module: str, where: str | Client) -> None:
         """Connect to a cluster.
 
         Args:
             module: the module that a process runs, see `crs_cc.jobs.worker.serve`.
-            address: the scheduler's, such as `tcp://hall:8786`.
+            where: the scheduler's address, such as `tcp://hall:8786`; `dask://` stands for `tls://`
+                if Dask's configuration names certificates, else for `tcp://`. Or a connection,
+                which stays open.
 
         Raises:
             ClusterError: it cannot be reached, or has no workers.
         """
-        import distributed
-
-        connect: Any = distributed.Client  # without types
-        self._module, self._address = module, address
-        logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # we tell of errors
-        try:
-            self._client = connect(address, timeout=_CONNECT_S, set_as_default=False)
-        except (OSError, ValueError) as error:
-            hint = "start one with 'dask scheduler', which prints its address"
-            raise self._error(f"no Dask scheduler: {_first_line(error)}", hint) from None
+        self._module, self._is_ours = module, isinstance(where, str)
+        self._client = self._connected(where) if isinstance(where, str) else where
+        self._address = self.address
         try:
             self._client.wait_for_workers(1, timeout=_CONNECT_S)
         except TimeoutError:
-            self._client.close()
-            hint = f"start some with 'dask worker {address} --nthreads 1'"
+            self.close()
+            hint = f"start some with 'dask worker {self._address} --nthreads 1'"
             raise self._error("the Dask scheduler has no workers", hint) from None
+
+    def _connected(self, address: str) -> Any:
+        import distributed
+
+        connect: Any = distributed.Client  # without types
+        self._address = address
+        logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # we tell of errors
+        try:
+            return connect(_with_scheme(address), timeout=_CONNECT_S, set_as_default=False)
+        except (OSError, ValueError) as error:
+            hint = "start one with 'dask scheduler', which prints its address"
+            raise self._error(f"no Dask scheduler: {_first_line(error)}", hint) from None
 
     def __enter__(self) -> Self:
         return self
@@ -77,7 +87,42 @@ class Cluster:
         _error: BaseException | None,
         _where: TracebackType | None,
     ) -> None:
-        self._client.close()
+        self.close()
+
+    def close(self) -> None:
+        """Close the connection, if it is ours."""
+        if self._is_ours:
+            self._client.close()
+
+    @property
+    def address(self) -> str:
+        """The scheduler's address, such as `tcp://127.0.0.1:8786`."""
+        return str(self._client.scheduler.address)
+
+    @property
+    def location(self) -> Location:
+        """What messages are about."""
+        return Location(self._address)
+
+    @property
+    def own_host(self) -> str:
+        """The address of this machine by which the scheduler's machine reaches it."""
+        from distributed.comm import get_address_host
+        from distributed.utils import get_ip
+
+        found: str = get_ip(get_address_host(self.address))  # type: ignore[no-untyped-call]
+        return found
+
+    @property
+    def threads(self) -> int:
+        """How many threads its workers have together, at least 1."""
+        return max(1, sum(self._client.nthreads().values()))
+
+    def start(self, task: Task) -> Started:
+        """Start a task that lives as long as something here does; it needs no free thread."""
+        arguments = self._module, task, _sources()
+        key = f"crs-{uuid.uuid4().hex}"
+        return Started(self, self._client.submit(_run_beside, *arguments, key=key))
 
     def run(self, tasks: Iterable[Task], retries: int = 0) -> Generator[Outcome, None, None]:
         """Yield what becomes of tasks, in the order in which they end.
@@ -110,7 +155,7 @@ class Cluster:
         try:
             submit()
             for future in ended:
-                yield self._outcome(future, numbers.pop(future))
+                yield self.outcome(future, numbers.pop(future))
                 submit()
         finally:
             if numbers:
@@ -118,10 +163,14 @@ class Cluster:
 
     def _room(self) -> int:
         """Return how many tasks the cluster has room for, with those that wait for a thread."""
-        threads: int = sum(self._client.nthreads().values())
-        return _AHEAD * max(1, threads)
+        return _AHEAD * self.threads
 
-    def _outcome(self, future: Future[Outcome], number: int) -> Outcome:
+    def outcome(self, future: Future[Outcome], number: int = 0) -> Outcome:
+        """Return what has become of a task that has ended.
+
+        Raises:
+            ClusterError: the cluster is lost, or cannot run jobs of this version.
+        """
         from distributed import KilledWorker
         from distributed.client import FutureCancelledError
 
@@ -137,7 +186,26 @@ class Cluster:
             raise self._error(f"cannot run jobs: {_first_line(error)}") from None
 
     def _error(self, text: str, hint: str = "") -> ClusterError:
-        return ClusterError.at(Location(self._address), text, hint)
+        return ClusterError.at(self.location, text, hint)
+
+
+class Started:
+    """A task that has been started on a cluster, which runs it again if its worker is lost."""
+
+    def __init__(self, cluster: Cluster, future: Future[Outcome]) -> None:
+        self._cluster, self._future = cluster, future
+
+    def outcome(self) -> Outcome | None:
+        """Return what has become of it, or None if it has not ended.
+
+        Raises:
+            ClusterError: the cluster is lost, or cannot run jobs of this version.
+        """
+        return self._cluster.outcome(self._future) if self._future.done() else None
+
+    def cancel(self) -> None:
+        """Have it not started again; its process ends when its job does."""
+        self._future.cancel(force=True)
 
 
 _here = threading.local()
@@ -146,8 +214,7 @@ _here = threading.local()
 
 def _run(module: str, number: int, task: Task, retries: int, sources: str) -> Outcome:
     """Run a task in a process of this Dask worker."""
-    if sources != _sources():
-        raise RuntimeError("a worker has another version of crs, Python or wasmtime")
+    _require_same(sources)
     if not hasattr(_here, module):
         setattr(_here, module, Worker(module))
     worker: Worker = getattr(_here, module)
@@ -158,10 +225,39 @@ def _run(module: str, number: int, task: Task, retries: int, sources: str) -> Ou
     return worker.run(number, task)
 
 
+def _run_beside(module: str, task: Task, sources: str) -> Outcome:
+    """Run a task in a process of its own, and leave the worker's thread to others."""
+    from distributed import secede
+
+    _require_same(sources)
+    secede()  # type: ignore[no-untyped-call]
+    worker = Worker(module)
+    try:
+        return worker.run(0, task)
+    finally:
+        worker.stop()
+
+
+def _require_same(sources: str) -> None:
+    if sources != _sources():
+        raise RuntimeError("a worker has another version of crs, Python or wasmtime")
+
+
 @cache
 def _sources() -> str:
     """Return a hash of what may change a result."""
     return version(WORLDS)
+
+
+def _with_scheme(address: str) -> str:
+    """Return an address as Dask writes it."""
+    scheme, separator, rest = address.partition("://")
+    if scheme != "dask" or not separator:
+        return address
+    from distributed import Security
+
+    security: Any = Security()  # type: ignore[no-untyped-call]
+    return f"{'tls' if security.tls_ca_file else 'tcp'}://{rest}"
 
 
 def _first_line(error: Exception) -> str:

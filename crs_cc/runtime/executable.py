@@ -123,9 +123,14 @@ class Executable:
         return _executable, (self.name, self.command, self.machine_code, self.detail())
 
     def module(self) -> wasmtime.Module:
-        """Return the module for the engine in use, loaded on first use."""
+        """Return the module for the engine in use, loaded on first use.
+
+        Machine code that comes from another kind of processor is made again.
+        """
         if self._loaded is None or self._loaded[0] is not engine():
-            module = wasmtime.Module.deserialize(engine(), self.machine_code)
+            module = load_module(self.machine_code)
+            if module is None:
+                module = wasmtime.Module(engine(), self.detail().compiled.module.to_binary())
             self._loaded = engine(), module
         return self._loaded[1]
 

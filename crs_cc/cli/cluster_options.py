@@ -1,0 +1,29 @@
+"""The options of `crs serve` that place hosts on a Dask cluster."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Final
+
+import click
+
+_OPTIONS: Final = (
+    click.option(
+        "--hosts", default="", metavar="ADDRESS",
+        help="Run the programs on the Dask cluster with this scheduler, such as "
+        "dask://hall:8786 (extra 'cluster'): name them before the world, or in it. Lost hosts are "
+        "started again. See docs/cluster.md.",
+    ),
+    click.option(
+        "--per-host", type=click.IntRange(1, 100_000), metavar="N",
+        help="Give each host on the cluster N robots. Default: a host on each thread of its "
+        "workers.",
+    ),
+)  # fmt: skip
+
+
+def cluster_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add these options to a command, which receives `hosts` and `per_host`."""
+    for option in reversed(_OPTIONS):
+        command = option(command)
+    return command

@@ -1,0 +1,142 @@
+"""The port of `crs serve`: who may come, encrypted or not, for hosts and for pages."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from crs_cc.cli.messages import say
+from crs_cc.cli.net_address import shown_address, token_left
+from crs_cc.cli.view_address import announced
+from crs_cc.core.loopback import LOOPBACK
+from crs_cc.net import tls
+from crs_cc.net.access import Access, parsed
+from crs_cc.net.gate import Gate, bound, led_to
+from crs_cc.workbench.clients import Role as PageRole
+from crs_cc.workbench.server import Front
+
+if TYPE_CHECKING:
+    from crs_cc.cli.serve_options import ServeOptions
+    from crs_cc.net.roster import Roster
+
+_OWN_NAMES = ("127.0.0.1", "::1", "localhost")
+ANY_NAME = ("0.0.0.0", "::")  # noqa: S104 - to listen at, not to connect to
+
+
+@dataclass(frozen=True, slots=True)
+class ServedPort:
+    """An open port.
+
+    Attributes:
+        number: of the port.
+        access: who may do what.
+        front: where pages connect; None for nowhere.
+        fingerprint: of the certificate; empty without TLS.
+    """
+
+    number: int
+    access: Access
+    front: Front | None
+    fingerprint: str
+
+
+@contextlib.contextmanager
+def served_port(options: ServeOptions, roster: Roster) -> Iterator[ServedPort]:
+    """Open the port of an environment inside a `with` block.
+
+    Args:
+        options: how.
+        roster: where hosts come.
+
+    Raises:
+        click.UsageError: the options do not go together.
+        OSError: the port is in use.
+    """
+    access, secure = _access(options.tokens), _tls(options)
+    with (
+        _gate(options, access, roster, secure) as gate,
+        _front(options, access, gate, is_secure=secure is not None) as front,
+    ):
+        fingerprint = "" if secure is None else secure.fingerprint
+        yield ServedPort(gate.port, access, front, fingerprint)
+
+
+def greet(options: ServeOptions, port: ServedPort) -> None:
+    """Say where the world is served."""
+    host = options.listen[0]
+    say(f"crs: serving {options.inputs.world} at {shown_address((host, port.number))}")
+    if port.fingerprint:
+        say(f"crs: fingerprint of the certificate: {port.fingerprint}")
+    elif not is_own_name(host):
+        say("crs: warning: INSECURE: whoever sees the network reads tokens and programs")
+
+
+def is_own_name(host: str) -> bool:
+    """Return whether only programs of this machine reach an address."""
+    return host in _OWN_NAMES
+
+
+def _access(file: Path | None) -> Access:
+    if file is None:
+        return Access.made()
+    try:
+        return parsed(file.read_text("utf-8"))
+    except ValueError as error:
+        raise click.UsageError(f"--tokens: {file}:{error}.") from None
+
+
+@contextlib.contextmanager
+def _gate(
+    options: ServeOptions, access: Access, roster: Roster, secure: tls.Server | None
+) -> Iterator[Gate]:
+    host, port = options.listen
+    if not (is_own_name(host) or secure or options.insecure):
+        text = f"--listen {host} is open to other machines, which could read tokens and programs"
+        raise click.UsageError(f"{text}: --tls, or --insecure if the network is yours alone.")
+    listener = bound(host, port)
+    with token_left(listener.getsockname()[1], access.token("robot")):
+        gate = Gate(listener, access, roster, secure.secure if secure else lambda plain: plain)
+        try:
+            yield gate
+        finally:
+            gate.close()
+
+
+def _tls(options: ServeOptions) -> tls.Server | None:
+    """Return what encrypts connections, if that is wanted."""
+    if options.tls_cert is None and options.tls_key is None:
+        return tls.self_made() if options.tls else None
+    if options.tls_cert is None or options.tls_key is None:
+        raise click.UsageError("--tls-cert and --tls-key belong together.")
+    try:
+        return tls.Server(options.tls_cert, options.tls_key)
+    except ValueError:
+        raise click.UsageError(f"--tls-cert: {options.tls_cert} has no certificate.") from None
+
+
+@contextlib.contextmanager
+def _front(
+    options: ServeOptions, access: Access, gate: Gate, *, is_secure: bool
+) -> Iterator[Front | None]:
+    """Yield where pages connect, if they may; `crs view` finds it on this machine."""
+    if options.view is None:
+        yield None
+        return
+    tokens: dict[PageRole, tuple[str, ...]] = {
+        "control": access.tokens["control"],
+        "view": access.tokens["view"],
+    }
+
+    def open_to_pages(port: int) -> None:
+        gate.visitor = led_to(port)
+
+    host = options.listen[0]
+    address = shown_address((LOOPBACK if host in ANY_NAME else host, gate.port))
+    place = f"{'https' if is_secure else 'http'}://{address}"
+    with announced(gate.port, f"{place}/#token={access.token('control')}"):
+        yield Front(place, gate.port, tokens, open_to_pages)

@@ -1,0 +1,179 @@
+"""The hosts of a run on a Dask cluster: tasks, which Dask places and starts again.
+
+Dask says nothing about the run: slots cross on the environment's own connections. A lost worker's
+tasks are run again by others; such a host takes over as any other does, see `host_link`. Whether
+hosts are there is looked at only while the run waits for one.
+"""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.jobs.cluster import ClusterError
+from crs_cc.jobs.pool import Outcome, Task
+from crs_cc.net.placed_host import Placement, packed
+
+if TYPE_CHECKING:
+    from crs_cc.jobs.cluster import Cluster, Started
+    from crs_cc.net.channel import Channel
+    from crs_cc.net.roster import Roster, Seat
+    from crs_cc.runtime.executable import Executable
+
+MODULE: Final = "crs_cc.net.placed_host"
+"""What the processes of a cluster run."""
+
+MAX_FAILURES: Final = 5
+"""How often in succession a host is started that ends before it has reached the environment; chosen
+by us."""
+
+_PREPARE_S: Final = 600.0
+_YEARS_S: Final = 1e9
+"""As good as no limit of real time: a host lives as long as the run."""
+
+
+@dataclass(frozen=True, slots=True)
+class Entrance:
+    """How hosts get to the environment.
+
+    Attributes:
+        host: its host or address, as workers reach it.
+        port: its port.
+        token: the token for robots.
+        fingerprint: of its certificate; empty without TLS.
+    """
+
+    host: str
+    port: int
+    token: str
+    fingerprint: str = ""
+
+
+@dataclass(slots=True)
+class _Placed:
+    """A host.
+
+    Attributes:
+        task: what it does.
+        started: the task on the cluster.
+        failures: how often in succession it has not reached the environment.
+    """
+
+    task: Task
+    started: Started
+    failures: int = 0
+
+
+class ClusterHosts:
+    """Hosts on a cluster, which have each robot once."""
+
+    def __init__(
+        self,
+        cluster: Cluster,
+        roster: Roster,
+        executables: Sequence[tuple[str, Executable]],
+        entrance: Entrance,
+        per_host: int | None = None,
+    ) -> None:
+        """Start the hosts.
+
+        Args:
+            cluster: where.
+            roster: where they come.
+            executables: each robot's name and program.
+            entrance: how they get there.
+            per_host: how many robots a host has at most; by default so many that each thread of
+                the cluster's workers has a host.
+
+        Raises:
+            ClusterError: the cluster is lost.
+        """
+        self._roster = roster
+        per_host = per_host or -(-len(executables) // cluster.threads)
+        tasks = _tasks(executables, entrance, per_host)
+        self._cluster = cluster
+        self._placed = [_Placed(task, cluster.start(task)) for task in tasks]
+
+    def __len__(self) -> int:
+        return len(self._placed)
+
+    def seats(self) -> list[Seat]:
+        """Wait until all hosts are there; return their seats as the run begins.
+
+        Raises:
+            ClusterError: hosts cannot run there.
+        """
+        while self._roster.missing():
+            self.tend()
+            self._roster.wait()
+        return self._roster.begin()
+
+    def take(self, seat: Seat, is_ended: Callable[[], bool]) -> Channel | None:
+        """Wait for a connection to a host, see `Roster.take`.
+
+        Raises:
+            ClusterError: hosts cannot run there any more.
+        """
+
+        def look() -> bool:
+            self.tend()
+            return is_ended()
+
+        return self._roster.take(seat, look)
+
+    def tend(self) -> None:
+        """Start hosts again that have ended.
+
+        Raises:
+            ClusterError: hosts cannot run there.
+        """
+        for each in self._placed:
+            outcome = each.started.outcome()
+            if outcome is None:
+                continue
+            self._check(each, outcome)
+            each.started = self._cluster.start(each.task)
+
+    def _check(self, placed: _Placed, outcome: Outcome) -> None:
+        """Check that it makes sense to start a host again."""
+        result = outcome.result or {}
+        reason = result.get("refused")
+        placed.failures = 0 if "lost" in result else placed.failures + 1
+        if placed.failures == MAX_FAILURES:
+            reason = outcome.text or result.get("unreached") or "it has ended"
+        if reason is not None:
+            robots = _shown(placed.task.job["robots"])
+            raise ClusterError.at(self._cluster.location, f"no host for {robots}: {reason}")
+
+    def close(self) -> None:
+        """Have no host started again."""
+        for each in self._placed:
+            each.started.cancel()
+
+
+def _tasks(
+    executables: Sequence[tuple[str, Executable]], entrance: Entrance, per_host: int
+) -> Iterator[Task]:
+    """Yield what each host does: a host has one program."""
+    groups: dict[int, tuple[Executable, list[str]]] = {}
+    for name, executable in executables:
+        groups.setdefault(id(executable), (executable, []))[1].append(name)
+    for executable, names in groups.values():
+        program = packed(executable)
+        for start in range(0, len(names), per_host):
+            placement = Placement(
+                entrance.host,
+                entrance.port,
+                entrance.token,
+                entrance.fingerprint,
+                name=secrets.token_hex(16),
+                robots=tuple(names[start : start + per_host]),
+                executable=program,
+            )
+            yield Task(placement.job(), _PREPARE_S, _YEARS_S)
+
+
+def _shown(robots: Sequence[str]) -> str:
+    return ", ".join(robots[:3]) + (", ..." if len(robots) > 3 else "")

@@ -1,0 +1,122 @@
+"""A process on a machine of a cluster that runs robots' programs, see `jobs.worker`.
+
+It does what `crs join` does, with a program that the environment has compiled. What programs print
+and read is the environment's. When the connection is lost it ends, and is started again.
+"""
+
+from __future__ import annotations
+
+import pickle
+import socket
+import zlib
+from base64 import b64decode, b64encode
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from typing import Any, Final, Self
+
+from crs_cc.jobs.worker import serve
+from crs_cc.net.channel import ConnectionLostError, Pulse
+from crs_cc.net.handshake import Hello, Program, RefusedError, as_text, devices_digest, digest_of
+from crs_cc.net.program_host import ProgramHost, Streams
+from crs_cc.net.tls import Client, Connection
+from crs_cc.net.visit import Visit, visit
+from crs_cc.runtime.executable import Executable
+from crs_cc.session.build import build_driver
+from crs_cc.session.host import discard, no_input
+
+_SILENT: Final = Streams(discard, no_input, lambda _robot, _clock_s: (0, 0.0))
+_FAST: Final = 1  # zlib's level
+
+
+@dataclass(frozen=True, slots=True)
+class Placement:
+    """What a host has to run, and for whom.
+
+    Attributes:
+        host: the environment's host or address.
+        port: its port.
+        token: shows that the host may run programs.
+        fingerprint: of the environment's certificate; empty without TLS.
+        name: the name of this host, which it keeps when it is started again.
+        robots: the robots whose programs it runs.
+        executable: the program, see `packed`.
+    """
+
+    host: str
+    port: int
+    token: str
+    fingerprint: str
+    name: str
+    robots: tuple[str, ...]
+    executable: str
+
+    def job(self) -> dict[str, Any]:
+        """Return it as plain data."""
+        return asdict(self)
+
+    @classmethod
+    def of(cls, job: dict[str, Any]) -> Self:
+        """Return it from plain data that comes from the environment."""
+        return cls(**{**job, "robots": tuple(job["robots"])})
+
+
+def packed(executable: Executable) -> str:
+    """Return a program as text, which is trusted where it is unpacked: it is a pickle."""
+    return b64encode(zlib.compress(pickle.dumps(executable), _FAST)).decode()
+
+
+def _unpacked(text: str) -> Executable:
+    found: Executable = pickle.loads(zlib.decompress(b64decode(text)))  # noqa: S301 - see `packed`
+    return found
+
+
+def announced(executable: Executable) -> bytes:
+    """Return what a host says of a program that the environment itself has compiled."""
+    code = digest_of(executable.machine_code)
+    program = Program(
+        executable.name,
+        executable.command,
+        sources=("/machine-code",),
+        files={"/machine-code": as_text(code.encode())},
+    )
+    return program.content()
+
+
+def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
+    """Run programs until the run ends; return why they end before, if so."""
+    placement = Placement.of(job)
+    executable = _unpacked(placement.executable)
+    prepared()
+    with Pulse() as pulse:
+        try:
+            found = _visit(placement, executable, pulse)
+        except RefusedError as error:
+            return {"refused": str(error)}
+        except ConnectionLostError as error:
+            return {"unreached": str(error)}
+        try:
+            executables = [executable] * len(found.robots)
+            ProgramHost(executables, build_driver(), _SILENT, threads=1).serve(found.channel)
+        except ConnectionLostError as error:
+            return {"lost": str(error)}
+        finally:
+            found.channel.close()
+    return {}
+
+
+def _visit(placement: Placement, executable: Executable, pulse: Pulse) -> Visit:
+    program = announced(executable)
+    digest, devices = digest_of(program), devices_digest()
+    hello = Hello(placement.token, placement.name, placement.robots, digest, devices=devices)
+    address = placement.host, placement.port
+    return visit(address, hello, program, pulse, _secure(placement))
+
+
+def _secure(placement: Placement) -> Callable[[socket.socket], Connection]:
+    if not placement.fingerprint:
+        return lambda connection: connection
+    return Client(placement.host, placement.fingerprint).secure
+
+
+if __name__ == "__main__":
+    serve(_work)
