@@ -36,8 +36,7 @@ from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.model.world import WorldModel
 
 if TYPE_CHECKING:
-    from distributed import Client as DaskClient
-
+    from crs_cc.jobs.cluster import Where
     from crs_cc.net.cluster_fleet import ClusterFleet
 
 _ROUNDING: Final = 1e-6  # [timesteps]
@@ -88,7 +87,7 @@ class Session(Edits):
         stdin: bytes | str = b"",
         client: Client = "nclient",
         threads: int | None = None,
-        hosts: DaskClient | str | None = None,
+        hosts: Where | None = None,
         per_host: int | None = None,
     ) -> None:
         """Load programs into the robots of a world.
@@ -349,7 +348,7 @@ class Session(Edits):
 def _on_hosts(
     world: WorldModel,
     executables: Sequence[Executable],
-    hosts: DaskClient | str,
+    hosts: Where,
     per_host: int | None,
 ) -> ClusterFleet:
     """Return programs that run on a cluster."""

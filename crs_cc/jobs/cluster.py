@@ -17,7 +17,7 @@ from collections.abc import Generator, Iterable
 from functools import cache
 from itertools import islice
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Final, Self
+from typing import TYPE_CHECKING, Any, Final, Self, TypeAlias
 
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Location
@@ -27,6 +27,9 @@ from crs_cc.toolchain.fingerprint import WORLDS
 
 if TYPE_CHECKING:
     from distributed import Client, Future
+
+Where: TypeAlias = "str | Client"
+"""A cluster: its scheduler's address, or a connection to it."""
 
 _CONNECT_S: Final = 10.0
 """Real time to find the scheduler, and a first worker."""
@@ -44,7 +47,7 @@ class ClusterError(CrsError):
 class Cluster:
     """A Dask cluster that runs tasks, as `jobs.pool.Pool` does."""
 
-    def __init__(self, module: str, where: str | Client) -> None:
+    def __init__(self, module: str, where: Where) -> None:
         """Connect to a cluster.
 
         Args:

@@ -21,8 +21,7 @@ from crs_cc.net.host_link import HostLink
 from crs_cc.net.roster import Roster
 
 if TYPE_CHECKING:
-    from distributed import Client
-
+    from crs_cc.jobs.cluster import Where
     from crs_cc.net.channel import Channel
     from crs_cc.net.roster import Seat
     from crs_cc.runtime.executable import Executable
@@ -36,7 +35,7 @@ class ClusterFleet(DistantFleet):
         self,
         robots: Sequence[Robot],
         executables: Sequence[Executable],
-        where: str | Client,
+        where: Where,
         per_host: int | None = None,
     ) -> None:
         """Start hosts, and wait until they are there.

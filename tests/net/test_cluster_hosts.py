@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import re
 import signal
 import subprocess
 import sys
@@ -31,6 +33,7 @@ from tests.session.programs import ROAM
 WORLD = b"""<world version="1"><area length="9m" width="4m"/>
 <robot id="a" x="1m" y="2m"/><robot id="b" x="4m" y="2m" heading="90deg"/></world>"""
 SLEEPS = "#include <unistd.h>\nint main(void) { return sleep(2) + 7; }\n"
+PAGE = Path(__file__).parents[2] / "docs" / "cluster.md"
 MOST_S = 120.0
 
 
@@ -60,23 +63,41 @@ class Dask:
         next(busy).send_signal(signal.SIGKILL)
 
 
+def certificates(folder: Path) -> dict[str, str]:
+    """Make a certificate as docs/cluster.md says; return what that sets for Dask."""
+    script = re.findall(r"```sh\n(.*?)```", PAGE.read_text(), re.DOTALL)[1]
+    shown = subprocess.run(
+        ["bash", "-ec", f"{script}env"], cwd=folder, capture_output=True, text=True, check=True
+    )
+    variables = (line.partition("=") for line in shown.stdout.splitlines())
+    return {name: value for name, _, value in variables if name.startswith("DASK_")}
+
+
 @pytest.fixture(scope="module")
 def dask(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Dask]:
+    """A cluster whose connections are encrypted."""
     pytest.importorskip("distributed", reason="needs the extra 'cluster'")
+    from dask import config
+
     folder = tmp_path_factory.mktemp("dask")
+    variables = certificates(folder)
     with ExitStack() as stack:
+        tls = config.collect_env(variables)["distributed"]["comm"]["tls"]
+        tls = config.merge(config.get("distributed.comm.tls"), tls)
+        stack.enter_context(config.set({"distributed.comm.tls": tls}))
 
         def start(module: str, *words: str) -> subprocess.Popen[bytes]:
             command = [sys.executable, "-m", f"distributed.cli.dask_{module}", *words]
             with (folder / "log").open("ab") as log:
-                process = subprocess.Popen(command, cwd=folder, stdout=log, stderr=log)
+                process = subprocess.Popen(command, cwd=folder, stdout=log, stderr=log,
+                                           env=os.environ | variables)  # fmt: skip
             stack.callback(process.wait)
             stack.callback(process.kill)
             return process
 
         file = folder / "scheduler.json"
         start("scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
-              "--scheduler-file", str(file))  # fmt: skip
+              "--protocol", "tls", "--scheduler-file", str(file))  # fmt: skip
         address = json.loads(wait_until_written(file))["address"]
         options = address, "--nthreads", "1", "--no-nanny", "--no-dashboard"
         yield Dask(address, [start("worker", *options) for _ in range(2)])
@@ -108,7 +129,7 @@ def test_workers_of_another_version_run_no_program(
 ) -> None:
     monkeypatch.setattr(cluster, "_sources", lambda: "another")
     with pytest.raises(ClusterError, match="a worker has another version of crs"):
-        Session(programs="int main(void) { return 7; }", hosts=dask.address)
+        Session(programs="int main(void) { return 7; }", hosts=dask.address.replace("tls", "dask"))
 
 
 def test_a_program_from_another_kind_of_processor_is_compiled_again() -> None:
