@@ -60,7 +60,7 @@ class Cluster:
             ClusterError: it cannot be reached, or has no workers.
         """
         self._module, self._is_ours = module, isinstance(where, str)
-        self._client = self._connected(where) if isinstance(where, str) else where
+        self._client: Any = self._connected(where) if isinstance(where, str) else where
         self._address = self.address
         try:
             self._client.wait_for_workers(1, timeout=_CONNECT_S)
@@ -110,7 +110,7 @@ class Cluster:
     @property
     def own_host(self) -> str:
         """The address of this machine by which the scheduler's machine reaches it."""
-        from distributed.comm import get_address_host
+        from distributed.comm.addressing import get_address_host
         from distributed.utils import get_ip
 
         found: str = get_ip(get_address_host(self.address))  # type: ignore[no-untyped-call]
@@ -119,7 +119,8 @@ class Cluster:
     @property
     def threads(self) -> int:
         """How many threads its workers have together, at least 1."""
-        return max(1, sum(self._client.nthreads().values()))
+        found: int = max(1, sum(self._client.nthreads().values()))
+        return found
 
     def start(self, task: Task) -> Started:
         """Start a task that lives as long as something here does; it needs no free thread."""
@@ -196,7 +197,8 @@ class Started:
     """A task that has been started on a cluster, which runs it again if its worker is lost."""
 
     def __init__(self, cluster: Cluster, future: Future[Outcome]) -> None:
-        self._cluster, self._future = cluster, future
+        self._cluster = cluster
+        self._future: Any = future  # without types
 
     def outcome(self) -> Outcome | None:
         """Return what has become of it, or None if it has not ended.

@@ -191,7 +191,7 @@ def fuzz(folder: Path, seconds: float, seed: int, show: Callable[[str], None]) -
         stack.callback(environment.wait)
         stack.callback(environment.kill)
         port = int(wait_for(log, r" at 127\.0\.0\.1:(\d+)\n")[1])
-        words = [*crs, "join", "--all", f"127.0.0.1:{port}", "drive.c", "--retry", "5"]
+        words = [*crs, "join", "--all", f"127.0.0.1:{port}", "drive.c", "--retry", "600"]
         host = subprocess.Popen([*words, "--token", TOKENS.split()[1]], cwd=folder)
         stack.callback(host.wait)
         stack.callback(host.kill)
