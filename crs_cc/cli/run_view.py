@@ -81,6 +81,11 @@ class RunView:
         """Where programs ask the user for a pose."""
         return self._screen.pointing
 
+    @property
+    def is_wanted(self) -> bool:
+        """Whether pages wait for the end of the timestep, at which they are heard."""
+        return self._player.has_jobs
+
     def timesteps(self) -> int:
         """Wait while pages pause the run or it is too fast; return how far it may go on."""
         self._screen.tick()

@@ -216,8 +216,12 @@ class Runner:
                 self._elsewhere.tell_waiting = self._view.wait_for
         if self._clients is not None:
             pointing = None if self._view is None else self._view.pointing
-            self._clients.begin(self.session, pointing, lambda: self._interrupt.requested)
+            self._clients.begin(self.session, pointing, self._is_in_a_hurry)
         self._real_network = open_ways(self.session, self._options, self._note)
+
+    def _is_in_a_hurry(self) -> bool:
+        """Return whether the timestep is to end, whoever has not said anything yet."""
+        return self._interrupt.requested or (self._view is not None and self._view.is_wanted)
 
     def _lost_blocks(self) -> Iterator[tuple[LostBlocks, ...]]:
         """Yield the heap blocks that each program has lost at its end, if they are reported."""
@@ -287,8 +291,9 @@ class Runner:
         most = self._changes.timesteps_left(self.session) if self._changes else _MOST
         if self._elsewhere is not None:
             most = min(most, self._elsewhere.timesteps_left() or most)
-        if self._view is not None and self._real_network is None:
-            return min(most, self._view.timesteps())
+        if self._view is not None:  # which does what pages ask for, and waits
+            most = min(most, self._view.timesteps())
+            return min(most, 1) if self._real_network else most
         if self._plot or self._live or self._pace.is_limited or self._real_network:
             return 1  # it samples each, or waits after each
         left_s = _AT_ONCE_S / max(self.session.state.running, 1)

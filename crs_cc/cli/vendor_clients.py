@@ -77,21 +77,21 @@ class VendorClients:
         self._server: Server | None = None
 
     def begin(
-        self, session: Session, pointing: Pointing | None, is_interrupted: Callable[[], bool]
+        self, session: Session, pointing: Pointing | None, is_in_a_hurry: Callable[[], bool]
     ) -> None:
         """Open the ports, and say which.
 
         Args:
             session: the run.
             pointing: where programs ask the user for a pose; None if nobody looks.
-            is_interrupted: returns whether nobody is to be waited for.
+            is_in_a_hurry: returns whether the timestep is to end, and nobody is waited for.
 
         Raises:
             click.UsageError: a robot is not one that is driven from outside.
             OSError: a port is in use.
         """
         state = session.state  # its arrays are new when robots are added
-        self._board.begin(lambda robot: float(state.clock_s[robot]), is_interrupted)
+        self._board.begin(lambda robot: float(state.clock_s[robot]), is_in_a_hurry)
         session.state.host.reply = self._board.reply
         if pointing is not None:
             self._board.pointing = _Window(pointing, self._names)

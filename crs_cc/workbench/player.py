@@ -62,6 +62,11 @@ class Player:
         """Have something done between two pieces; thread-safe."""
         self._jobs.put(job)
 
+    @property
+    def has_jobs(self) -> bool:
+        """Whether something waits to be done between two pieces; thread-safe."""
+        return not self._jobs.empty()
+
     def end(self) -> None:
         """Let the run end; thread-safe."""
         self.has_ended = _always

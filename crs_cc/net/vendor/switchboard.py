@@ -128,18 +128,18 @@ class Switchboard:
         self._clock = clock
         self._changed = threading.Condition()
         self._run_s: Callable[[int], float] = lambda _robot: 0.0
-        self._is_interrupted: Callable[[], bool] = lambda: False
+        self._is_in_a_hurry: Callable[[], bool] = lambda: False
 
     # -- the run's side --------------------------------------------------------------------------
 
-    def begin(self, clock_s: Callable[[int], float], is_interrupted: Callable[[], bool]) -> None:
+    def begin(self, clock_s: Callable[[int], float], is_in_a_hurry: Callable[[], bool]) -> None:
         """Store the functions of the run.
 
         Args:
             clock_s: returns the clock of a robot's program [s].
-            is_interrupted: returns whether nobody is to be waited for.
+            is_in_a_hurry: returns whether the timestep is to end, and nobody is waited for.
         """
-        self._run_s, self._is_interrupted = clock_s, is_interrupted
+        self._run_s, self._is_in_a_hurry = clock_s, is_in_a_hurry
 
     def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
         """Return what a relay can read, and for how long it is to sleep, see `session.host`.
@@ -224,7 +224,7 @@ class Switchboard:
         """
         cycle = math.floor(clock_s / self._timestep_s + _ROUNDING)
         end_s = (cycle + 1) * self._timestep_s
-        if self._is_interrupted():
+        if self._is_in_a_hurry():
             return end_s - clock_s
         lines = self._lines.values()
         others = any(each.is_busy for each in lines)

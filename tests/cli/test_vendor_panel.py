@@ -1,0 +1,90 @@
+"""The control panel of a run that the vendor's clients drive: each of its actions."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from websockets.sync.client import connect
+
+from tests.cli.test_serve import MOST_S, Served, command
+from tests.net.vendor.nclient import Nclient
+from tests.net.vendor.ndirect import Ndirect, over_tcp
+from tests.workbench.test_screen import Page
+
+WORLD = """<world version="1"><area length="9m" width="4m"/>
+<robot id="left" x="1m" y="2m"/><robot id="right" x="5m" y="2m"/><robot id="idle" x="8m" y="2m"/>
+<box id="crate" x="3m" y="3.5m" length="0.3m" width="0.3m" mass="1kg"/></world>"""
+
+CHANGES = (
+    *("degrade left sonar.0 dead", "heal left", "move left to 2 1 90", "turn left to 45"),
+    *("move crate to 7 1", "sleep left 0.2", "wake left", "charge left 50", "heat left 5"),
+    *("shut from left", "message right to left: hello", "open from left"),
+    *("drive right 0.1 20", "hold right", "release right", "remove idle"),
+)
+"""Each kind of change, but for those of fields and networks, which the world has not."""
+
+
+@contextmanager
+def served(folder: Path, speed: str) -> Iterator[Served]:
+    """Serve robot left to Nclient, robot right to Ndirect, and the page."""
+    folder.joinpath("world.xml").write_text(WORLD)
+    log = folder / "serve.log"
+    words = "--nserver", "0", "--tcp-robot", "right=0", "--speed", speed, "--record", "run.mcap"
+    with log.open("w") as errors:
+        process = subprocess.Popen(
+            command("serve", "world.xml", *words), cwd=folder, stderr=errors, text=True
+        )
+    try:
+        yield Served(process, log)
+    finally:
+        process.kill()
+        process.communicate()
+
+
+@contextmanager
+def page_of(run: Served) -> Iterator[Page]:
+    found = run.wait_for(r"open http://([\d.:]+)/#token=(\S+)")
+    protocols = ["crs.1", f"token.{found[2]}"]
+    with connect(f"ws://{found[1]}/channel", subprotocols=protocols, max_size=None) as line:  # type: ignore[arg-type]
+        yield Page(line)
+
+
+@pytest.mark.parametrize("speed", ["max", "1"])
+def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
+    tmp_path: Path, speed: str
+) -> None:
+    """Even where time stands still until clients ask for something."""
+    with served(tmp_path, speed) as run, page_of(run) as page:
+        left, right = clients(run)
+        for text in CHANGES:
+            assert "value" in page.ask("edit", text=text), page.told["answer"]
+            assert left.state_call(15)
+            assert right.state_call(7)
+        assert "robots are not added" in page.error("edit", text="join new like left to 1 1")
+        page.ask("pause")
+        paused_s = page.told["state"]["t"]
+        assert "value" in page.ask("edit", text="move left to 3 1")
+        assert page.told["state"]["t"] == paused_s
+        page.ask("play")
+        assert left.get_rpx()
+        shown = page.ask("export", form="inputs")["value"]["text"]
+        assert [line.partition("s: ")[2].split()[0] for line in shown.splitlines()] == [
+            *(text.split()[0] for text in CHANGES),
+            "move",
+        ]
+        run.process.send_signal(signal.SIGINT)
+        assert run.process.wait(MOST_S) == 130, run.text
+    words = command("replay", "run.mcap", "--verify")
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert "the same run" in done.stdout + done.stderr, done.stderr
+
+
+def clients(run: Served) -> tuple[Nclient, Ndirect]:
+    left = Nclient(int(run.wait_for(r"Nserver is on port (\d+)")[1]))
+    assert left.connect_robot(1)
+    return left, over_tcp(int(run.wait_for(r"right is on port (\d+)")[1]), model=2)
