@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import subprocess
 from collections.abc import Iterator
@@ -73,10 +74,8 @@ def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
         page.ask("play")
         assert left.get_rpx()
         shown = page.ask("export", form="inputs")["value"]["text"]
-        assert [line.partition("s: ")[2].split()[0] for line in shown.splitlines()] == [
-            *(text.split()[0] for text in CHANGES),
-            "move",
-        ]
+        made = re.findall(r"^[\d.]+s: (\w+)", shown, re.MULTILINE)
+        assert made == [*(text.split()[0] for text in CHANGES), "move"]
         run.process.send_signal(signal.SIGINT)
         assert run.process.wait(MOST_S) == 130, run.text
     words = command("replay", "run.mcap", "--verify")
