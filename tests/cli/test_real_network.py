@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import socket
 import threading
 import time
@@ -10,10 +11,12 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from websockets.sync.client import connect
 
 from crs_cc.cli.main import main
 from crs_cc.debug.errors import DebugError
 from tests.debug.debuggers import debugger_of
+from tests.workbench.test_screen import Page
 
 PROGRAMS = Path(__file__).parents[1] / "session" / "network"
 SERVER, CLIENT = str(PROGRAMS / "server.c"), str(PROGRAMS / "client.c")
@@ -107,6 +110,30 @@ def test_where_nobody_listens_a_connection_is_refused(capfd: pytest.CaptureFixtu
     assert run(CLIENT, "--connect", way, "--", "logger", "7000") == 2
     assert run(CLIENT, "--", "host", "7000") == 2  # no way is open
     assert capfd.readouterr().err == "connect: Connection refused\n" * 2
+
+
+def test_pages_pause_and_change_a_run_with_ways_to_the_real_network(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    port, said = free_port(), ""
+    options = "--forward", str(port), "--view", "--record", "run.mcap", "--max-time", "900"
+    words = ["run", SERVER, *options, "--speed", "20", "--", str(port), "1"]
+    with beside(lambda: main(words)):
+        while "token" not in said:
+            said += capfd.readouterr().err
+        found = re.search(r"127.0.0.1:(\d+)/#token=(\S+)", said)
+        assert found
+        url, protocols = f"ws://127.0.0.1:{found[1]}/channel", ["crs.1", f"token.{found[2]}"]
+        with connect(url, subprotocols=protocols, proxy=None, max_size=None) as line:  # type: ignore[arg-type]
+            page = Page(line)
+            page.ask("pause")
+            assert "value" in page.ask("edit", text="heat robot0 5")
+            page.ask("play")
+            with socket.create_connection(("127.0.0.1", port), WAIT_S) as client:
+                client.sendall(b"sum 4 5\n")
+                assert client.recv(100) == b"9\n"
+    assert main(["replay", "run.mcap", "--verify"]) == 0
+    assert "the same run" in capfd.readouterr().out
 
 
 def test_a_script_does_what_the_real_network_would(capfd: pytest.CaptureFixture[str]) -> None:
