@@ -18,8 +18,9 @@ from crs_cc.debug.data.scope import is_own
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation, find_location
 from crs_cc.debug.view import View
-from crs_cc.debug.watch import KINDS, MAX, AccessKind
+from crs_cc.debug.watch import KINDS, MAX, AccessKind, WatchedWorld
 from crs_cc.debug.watchpoints import (
+    Watchpoint,
     change_text,
     same_activation,
     watched_expression,
@@ -59,11 +60,14 @@ class StopPoints:
         Raises:
             DebugError: there is no such location, or the condition is invalid there.
         """
-        robot = options.get("robot")
+        found = self.location(place, options.get("robot"))
+        return self._add("breakpoint", place, found, options, internal=internal)
+
+    def location(self, place: str, robot: int | None = None) -> BreakpointLocation:
+        """Return a location in the program of a robot, or of all; raise DebugError for none."""
         here = self._view.current_file(robot)
         robots = range(len(self._run.programs)) if robot is None else [robot]
-        found = find_location(place, self._run.programs, robots, here)
-        return self._add("breakpoint", place, found, options, internal=internal)
+        return find_location(place, self._run.programs, robots, here)
 
     def meet(self) -> None:
         """Let breakpoints of all robots stop robots that have joined, where their programs can."""
@@ -116,51 +120,69 @@ class StopPoints:
         robot = self._view.robot if options.get("robot") is None else options["robot"]
         if kind not in KINDS:
             raise DebugError(unknown("access kind", kind, list(KINDS)))
-        active, evaluator = self._view.active_frame(robot), self._view.evaluator(robot)
-        alone = evaluator.outside_alone(expression, active)
-        if isinstance(alone, RobotName):
-            options["robot"] = self._view.names.index(alone.robot)
-            return self.add_watchpoint(alone.text, kind, location=location, **options)
         number = self.breakpoints.next_number
-        if not slice_in(expression) and evaluator.uses_outside(expression, active):
-            if location or kind != "change":
-                raise DebugError(f"'{expression}' is a value, not an object in memory")
-            return self.add_world_watch(expression, **{**options, "robot": robot})
-        if location or slice_in(expression):
-            made = watched_object(number, expression, kind, evaluator, active)
-        else:
-            again = partial(self._view.evaluator, robot)
-            made = watched_expression(number, expression, kind, again, active)
+        robot, made = self.resolve(number, expression, robot, kind, location=location)
         self._check(options.get("condition", ""), None, robot, made.watched.frame)
-        self._make_room(robot)
+        if not isinstance(made.watched, WatchedWorld):
+            self._make_room(robot)
         return self.breakpoints.add(
             lambda number: Breakpoint(
-                number, "watchpoint", expression, watch=made, **{**options, "robot": robot}
+                number, "watchpoint", made.text, watch=made, **{**options, "robot": robot}
             )
         )
 
-    def add_world_watch(
-        self, expression: str, robot: int, *, rises: bool = False, **options: Any
-    ) -> Breakpoint:
-        """Add a watchpoint for an expression that uses the world.
+    def resolve(
+        self,
+        number: int,
+        expression: str,
+        robot: int,
+        kind: AccessKind = "change",
+        *,
+        location: bool = False,
+    ) -> tuple[int, Watchpoint]:
+        """Return what an expression watches, and in the program of which robot.
 
         Args:
+            number: the number that identifies it.
             expression: the expression, in the scope of the selected frame.
             robot: the robot in whose program it is evaluated.
-            rises: whether it is a condition, which stops the run when it becomes true.
-            options: further attributes of the `Breakpoint`.
+            kind: which accesses count.
+            location: whether to watch the object that it names now.
 
         Raises:
             DebugError: it cannot be watched.
         """
+        active, evaluator = self._view.active_frame(robot), self._view.evaluator(robot)
+        again = partial(self._view.evaluator, robot)
+        alone = evaluator.outside_alone(expression, active)
+        if isinstance(alone, RobotName):
+            other = self._view.names.index(alone.robot)
+            return self.resolve(number, alone.text, other, kind, location=location)
+        if not slice_in(expression) and evaluator.uses_outside(expression, active):
+            if location or kind != "change":
+                raise DebugError(f"'{expression}' is a value, not an object in memory")
+            return robot, watched_world(number, expression, robot, again)
+        if location or slice_in(expression):
+            return robot, watched_object(number, expression, kind, evaluator, active)
+        return robot, watched_expression(number, expression, kind, again, active)
+
+    def add_world_breakpoint(self, condition: str, robot: int, **options: Any) -> Breakpoint:
+        """Add a breakpoint at the start of any timestep at which a condition becomes true.
+
+        Args:
+            condition: the condition, in the scope of the robot's program; it uses the world.
+            robot: the robot.
+            options: further attributes of the `Breakpoint`.
+
+        Raises:
+            DebugError: it cannot be evaluated everywhere.
+        """
         again = partial(self._view.evaluator, robot)
         number = self.breakpoints.next_number
-        made = watched_world(number, expression, robot, again, rises=rises)
-        self._check(options.get("condition", ""), None, robot)
-        kind: BreakpointKind = "breakpoint" if rises else "watchpoint"
+        made = watched_world(number, condition, robot, again, rises=True)
         return self.breakpoints.add(
             lambda number: Breakpoint(
-                number, kind, expression, watch=made, **{**options, "robot": robot}
+                number, "breakpoint", condition, watch=made, robot=robot, **options
             )
         )
 
@@ -293,7 +315,7 @@ class StopPoints:
             if own.hits % own.every:
                 return False, ""
             if own.log:
-                self.say(self._logged(own.log, self._whose(hit)))
+                self.say(self.logged(own.log, self._whose(hit)))
         return not own.log, ""
 
     def _whose(self, hit: BreakpointHit) -> int:
@@ -318,7 +340,7 @@ class StopPoints:
             hit.breakpoint.watch, hit.watch_hit.access, self._view.evaluator(hit.robot).inspector()
         )
 
-    def _logged(self, text: str, robot: int) -> str:
+    def logged(self, text: str, robot: int) -> str:
         """Return a log point's text with the values of the expressions in braces."""
 
         def value(match: re.Match[str]) -> str:

@@ -15,7 +15,8 @@ from typing import Final
 
 from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.memory_inspection import MemoryInspector
-from crs_cc.debug.data.observation import UNREADABLE, Content, Observation
+from crs_cc.debug.data.observation import UNREADABLE as UNREADABLE_NOW
+from crs_cc.debug.data.observation import Content, Observation
 from crs_cc.debug.data.values import GONE, Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.watch import (
@@ -33,7 +34,8 @@ from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 
 _SIMPLE: Final = re.compile(r"[\w.\[\]]+|\w+->[\w.\[\]]+")
 _MAX_DEPTH: Final = 20
-_UNREADABLE: Final = "unreadable"
+UNREADABLE: Final = "unreadable"
+"""The text of a value that cannot be read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +123,7 @@ def watched_expression(
             return None
         return current.observe(text, scope.names, active[0] if active else None)
 
-    found = observe() or UNREADABLE
+    found = observe() or UNREADABLE_NOW
     if not found.reads:
         if found.place is None:
             raise DebugError(f"'{text}' is constant and cannot be watched")
@@ -191,9 +193,9 @@ def change_text(watchpoint: Watchpoint, access: MemoryAccess, inspector: MemoryI
         return f"{watchpoint.text} went out of scope: '{function}' has returned{where}"
     if isinstance(watchpoint.watched, WatchedWorld) and watchpoint.watched.rises:
         return f"{watchpoint.text} is true"
-    old, new = (_value(inspector, watchpoint, each) for each in (access.old, access.new))
+    old, new = (content_value(inspector, watchpoint, each) for each in (access.old, access.new))
     if old is None or new is None:
-        texts = [each.text if each else _UNREADABLE for each in (old, new)]
+        texts = [each.text if each else UNREADABLE for each in (old, new)]
         return f"{watchpoint.text}: {' -> '.join(texts)}, changed{by}{where}"
     if access.what == "read":
         return f"{watchpoint.text} = {new.text}, read{by}{where}"
@@ -204,7 +206,9 @@ def change_text(watchpoint: Watchpoint, access: MemoryAccess, inspector: MemoryI
     return f"{name}: {old.text} -> {new.text}, {how}{by}{where}"
 
 
-def _value(inspector: MemoryInspector, watchpoint: Watchpoint, content: Content) -> Value | None:
+def content_value(
+    inspector: MemoryInspector, watchpoint: Watchpoint, content: Content
+) -> Value | None:
     """Return a value; None if it could not be read."""
     there, states = content
     if not there:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import re
-from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -21,6 +20,8 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.breakpoint_text import described, name_of
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext, CommandInput
+from crs_cc.debug.commands.log_text import log_text
+from crs_cc.debug.commands.past import log_past
 from crs_cc.debug.commands.stack import functions
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.events import KINDS
@@ -28,39 +29,8 @@ from crs_cc.debug.world.events import KINDS
 if TYPE_CHECKING:
     from crs_cc.debug.watch import AccessKind
 
-_CONVERSION: Final = re.compile(
-    r"%(?:%|[-+ #0]*\d*(?:\.\d+)?(?:hh|h|ll|l|L|z|t|j)?([diouxXcsfFeEgGap]))"
-)
 _LOCATION: Final = re.compile(r"-l(?:oc(?:ation)?)?(?:\s+|$)")
 _MAX_FUNCTIONS: Final = 200
-_ESCAPES: Final = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "'": "'"}
-
-
-def log_text(literal: str, expressions: Sequence[str]) -> str:
-    r"""Return the message of a log point with the expressions in braces.
-
-    Raises:
-        DebugError: the format is not a string, or the number of expressions is wrong.
-
-    >>> log_text(r'"%d of %s\n"', ["left + 1", "name"])
-    '{left + 1} of {name}'
-    """
-    if not re.fullmatch(r'"(?:[^"\\]|\\.)*"', literal):
-        raise DebugError(f"{literal} is not a format string in double quotes")
-    text = re.sub(r"\\(.)", lambda found: _ESCAPES.get(found[1], found[0]), literal[1:-1])
-    left = list(expressions)
-
-    def value(found: re.Match[str]) -> str:
-        if not found[1]:
-            return "%"
-        if not left:
-            raise DebugError("not enough arguments for the format")
-        return f"{{{left.pop(0)}}}"
-
-    made = _CONVERSION.sub(value, text.removesuffix("\n"))
-    if left:
-        raise DebugError(f"too many arguments for the format: {', '.join(left)}")
-    return made
 
 
 def _robot(context: CommandContext, text: str) -> int | None:
@@ -84,10 +54,9 @@ def _break(context: CommandContext, text: str, *, temporary: bool = False) -> An
     where = parse_breakpoint_arguments(text)
     if not where.place and where.condition and _is_of_world(context, where.condition):
         robot = _robot(context, where.robot)
-        made = context.debugger.stop_points.add_world_watch(
+        made = context.debugger.stop_points.add_world_breakpoint(
             where.condition,
             context.debugger.view.robot if robot is None else robot,
-            rises=True,
             temporary=temporary,
         )
         return _made(context, made)
@@ -168,11 +137,14 @@ def _dprintf(context: CommandContext, text: str) -> Answer:
 
 
 def _log(context: CommandContext, text: str) -> Answer:
+    if text.startswith('"'):
+        yield from log_past(context, text)
+        return
     place, _, message = require_argument(text, "LOCATION TEXT").partition(" ")
     made = context.debugger.stop_points.add_breakpoint(
         place, log=require_argument(message, "LOCATION TEXT")
     )
-    return _made(context, made)
+    yield from _made(context, made)
 
 
 def _place(context: CommandContext, text: str) -> str:
@@ -343,8 +315,11 @@ BREAKPOINTS: Final = Group(
             completes="place",
         ),
         Command(
-            "log", "LOCATION TEXT", "Print TEXT without stopping.", _log,
-            text="Expressions in braces are replaced by their values: log 12 speed is {speed}.",
+            "log", 'LOCATION TEXT|"FORMAT",EXPRESSION... at LOCATION [FROM..TO]',
+            "Print TEXT without stopping.", _log,
+            text="Expressions in braces are replaced by their values: log 12 speed is {speed}."
+            " The second form prints what dprintf would have printed in the recorded run,"
+            " FROM..TO in seconds, among the events of the world.",
             completes="place",
         ),
         Command(

@@ -13,6 +13,7 @@ from crs_cc.debug.commands.stop_text import Selection, selection, stop_lines
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
+from crs_cc.debug.timeline.position import Position
 from crs_cc.ir.types import CHAR, INT, LLONG, SHORT, PointerType
 
 if TYPE_CHECKING:
@@ -51,6 +52,7 @@ class CommandContext:
         input: the commands that are being entered for breakpoints; None for none.
         listing: what `list` showed last; None since the last stop.
         examined: the address at which `x` continues, and in which format; None for none.
+        instants: the instants of the last list, see `past`.
         has_ended: whether the user has quit.
         depth: how many scripts are being read inside each other.
     """
@@ -66,6 +68,7 @@ class CommandContext:
         self.input: CommandInput | None = None
         self.listing: Listing | None = None
         self.examined: tuple[int, OutputFormat] | None = None
+        self.instants: list[Position] = []
         self.has_ended = False
         self.depth = 0
         self._value_count = 0

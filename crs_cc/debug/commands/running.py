@@ -10,9 +10,8 @@ from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import parse_count, require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
-from crs_cc.debug.commands.stop_text import when_text
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.timeline.position import BEGINNING
+from crs_cc.debug.timeline.position import BEGINNING, Position
 
 
 def _start(context: CommandContext, _text: str) -> Answer:
@@ -79,12 +78,24 @@ _INSTANT: Final = re.compile(
 )
 
 
+_LISTED: Final = re.compile(r"@(\d{1,6})")
+
+
+def _listed(context: CommandContext, number: int) -> Position:
+    """Return an instant of the last list."""
+    if not 1 <= number <= len(context.instants):
+        raise DebugError(f"no @{number} in the last list (it has {len(context.instants)} instants)")
+    return context.instants[number - 1]
+
+
 def _goto(context: CommandContext, text: str) -> Answer:
     text = require_argument(text, "a time, such as 12.3 or tick 120")
     if text == "end":
         return context.move(context.debugger.goto_end)
     if text == "start":
         return context.move(partial(context.debugger.goto, BEGINNING))
+    if listed := _LISTED.fullmatch(text):
+        return context.move(partial(context.debugger.goto, _listed(context, int(listed[1]))))
     found = _INSTANT.fullmatch(text)
     if not found:
         raise DebugError(
@@ -98,10 +109,6 @@ def _goto(context: CommandContext, text: str) -> Answer:
     is_tick = kind.startswith("ti")
     go = context.debugger.goto_timestep if is_tick else context.debugger.goto_statement
     return context.move(partial(go, int(number)))
-
-
-def _when(context: CommandContext, _text: str) -> Answer:
-    yield when_text(context.debugger)
 
 
 _BACKWARD_TEXT: Final = (
@@ -185,8 +192,8 @@ RUNNING: Final = Group(
             text="TIME, in seconds, goes to the start of the timestep that contains it; tick N is"
             " the start of timestep N; stmt N is the point just before statement N of the robot's"
             ' program (see "when"). Breakpoints on the way'
-            " are ignored; end runs until all programs have ended.",
+            " are ignored; end runs until all programs have ended. @N is an instant of the last"
+            ' list (see "when" and "history").',
         ),
-        Command("when", "", "Show the current time, timestep and statement.", _when),
     ),
 )  # fmt: skip

@@ -22,6 +22,7 @@ from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.data import DATA
 from crs_cc.debug.commands.help_text import manual, mentions, overview, summaries
+from crs_cc.debug.commands.past import PAST
 from crs_cc.debug.commands.running import RUNNING
 from crs_cc.debug.commands.scripts import SCRIPTS
 from crs_cc.debug.commands.stack import STACK
@@ -89,7 +90,7 @@ SUPPORT: Final = Group(
 )  # fmt: skip
 
 GROUPS: Final[tuple[Group, ...]] = (
-    RUNNING, BREAKPOINTS, DATA, STACK, SYMBOLS, WORLD, CHANGES, BRANCHES, SCRIPTS, SUPPORT,
+    RUNNING, BREAKPOINTS, PAST, DATA, STACK, SYMBOLS, WORLD, CHANGES, BRANCHES, SCRIPTS, SUPPORT,
 )  # fmt: skip
 
 COMMANDS: Final[tuple[Command, ...]] = tuple(each for group in GROUPS for each in group.commands)

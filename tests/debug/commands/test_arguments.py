@@ -12,7 +12,7 @@ from crs_cc.debug.commands.arguments import (
     parse_robot,
     split_arguments,
 )
-from crs_cc.debug.commands.breakpoints import log_text
+from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.errors import DebugError
 
 

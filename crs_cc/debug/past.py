@@ -1,0 +1,185 @@
+"""Questions about the recorded past: the run is replayed, and is then where it was.
+
+Nothing is shown of the output of the programs, and breakpoints do not count.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Final
+
+from crs_cc.core.source import Location
+from crs_cc.debug.data.observation import UNREADABLE as UNREADABLE_NOW
+from crs_cc.debug.data.observation import Content
+from crs_cc.debug.data.values import Value
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.locations import BreakpointLocation
+from crs_cc.debug.stop_points import StopPoints
+from crs_cc.debug.timeline.position import BEGINNING, Position
+from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
+from crs_cc.debug.timeline.run_event import RunEvent, StopRequest
+from crs_cc.debug.view import View
+from crs_cc.debug.watch import Watched, WatchedExpression, WatchedWorld
+from crs_cc.debug.watchpoints import UNREADABLE, content_value
+from crs_cc.ir.instruction import plain_states
+
+_SLACK: Final = 1e-9  # of a timestep
+MAX_INSTANTS: Final = 100_000
+"""More answers to one question are refused; chosen by us, some tens of megabytes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Instant:
+    """An instant of the past, and what is told of it.
+
+    Attributes:
+        position: where to go to see it: before the statement that did it, if there is one.
+        time_s: the clock of the robot's program then, or that of the world [s].
+        text: the value, or the message.
+        number: the value, if it is a number.
+        location: the location of the statement; None if there is none.
+    """
+
+    position: Position
+    time_s: float
+    text: str
+    number: float | None = None
+    location: Location | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """A part of the recorded past, from the start of a timestep to a position."""
+
+    begin: Position
+    end: Position
+
+
+class Past:
+    """The recorded past of a run."""
+
+    def __init__(self, view: View, stop_points: StopPoints) -> None:
+        self._view = view
+        self._run: RecordedRun = view.run
+        self._stop_points = stop_points
+
+    def whole(self) -> Range:
+        """Return all that has been recorded, also after the current position."""
+        recorded = Position(self._run.event_history.timesteps, 0)
+        return Range(BEGINNING, max(recorded, self._run.position))
+
+    def part(self, from_s: float | None, to_s: float | None) -> Range:
+        """Return the recorded past between two times [s]; None for its start or its end."""
+        whole, timestep_s = self.whole(), self._view.session.environment.timestep_s
+        begin = Position(math.floor((from_s or 0.0) / timestep_s + _SLACK), 0)
+        end = whole.end if to_s is None else Position(math.ceil(to_s / timestep_s - _SLACK), 0)
+        return Range(min(begin, whole.end), min(end, whole.end))
+
+    def values(self, expression: str, part: Range) -> list[Instant]:
+        """Return the values of an expression: the first one, and each change.
+
+        Raises:
+            DebugError: it cannot be watched, or changes too often.
+        """
+        found = self._changes(expression, part, lambda _: True)
+        return found[1:] if len(found) > 1 and found[0].text == UNREADABLE else found
+
+    def times(self, condition: str, part: Range) -> list[Instant]:
+        """Return when a condition became true, or was true at the start.
+
+        Raises:
+            DebugError: it cannot be watched.
+        """
+        return self._changes(f"!!({condition})", part, lambda value: bool(value and value.number))
+
+    def messages(self, place: BreakpointLocation, text: str, part: Range) -> list[Instant]:
+        """Return what a log point would have said.
+
+        Args:
+            place: where it is.
+            text: its message, with expressions in braces.
+            part: when.
+        """
+        run, found = self._run, list[Instant]()
+        with self._moved(part):
+            for event in self._events(StopRequest(place.statements), part.end):
+                robot = run.session.state.halted
+                if event.kind == "statement" and robot is not None and (site := run.site(robot)):
+                    said = self._stop_points.logged(text, robot)
+                    place_ = site.location
+                    _keep(found, Instant(run.position, run.time_s(robot), said, None, place_))
+        return found
+
+    def _changes(
+        self, expression: str, part: Range, wanted: Callable[[Value | None], bool]
+    ) -> list[Instant]:
+        """Return the first value of an expression, and its changes, as far as they are wanted."""
+        robot, point = self._stop_points.resolve(0, expression, self._view.robot)
+        watched, run, found = point.watched, self._run, list[Instant]()
+        last: Content | None = None
+        is_world = isinstance(watched, WatchedWorld)
+
+        def note(content: Content, position: Position, location: Location | None) -> None:
+            nonlocal last
+            value = content_value(self._view.evaluator(robot).inspector(), point, content)
+            if content != last and wanted(value):
+                text, number = (value.text, value.number) if value else (UNREADABLE, None)
+                time_s = run.time_s(-1 if is_world else robot)
+                _keep(found, Instant(position, time_s, text, number, location))
+            last = content
+
+        with self._moved(part):
+            note(self._content(robot, watched), run.position, None)
+            marks = StopRequest(watched={} if is_world else {robot: [watched]})
+            marks = replace(marks, world=[watched]) if isinstance(watched, WatchedWorld) else marks
+            edits = {each.position for each in run.history.changes}
+            for event in self._events(marks, part.end):
+                for hit in event.accesses:
+                    if hit.access.what != "return":
+                        note(hit.access.new, hit.before, hit.access.location)
+                if run.position in edits:
+                    note(self._content(robot, watched), run.position, None)
+        return found
+
+    def _content(self, robot: int, watched: Watched) -> Content:
+        """Return the content of what is watched, where the run is."""
+        match watched:
+            case WatchedWorld():
+                return watched.observe()
+            case WatchedExpression():
+                return (watched.observe() or UNREADABLE_NOW).content
+        stopped = self._run.stopped(robot)
+        part = slice(watched.address, watched.address + watched.size)
+        return stopped.memory[part].tobytes(), plain_states(stopped.shadow[part].tobytes())
+
+    @contextlib.contextmanager
+    def _moved(self, part: Range) -> Iterator[None]:
+        """Have the run at the start of a part of the past, and then where it was."""
+        here = self._run.position
+        self._run.seek(part.begin)
+        try:
+            yield
+        except InterruptedRunError:
+            raise DebugError("interrupted") from None
+        finally:
+            self._run.seek(here)
+
+    def _events(self, marks: StopRequest, end: Position) -> Iterator[RunEvent]:
+        """Replay the programs and the world up to a position."""
+        run = self._run
+        run.arm(marks)
+        while run.position < end and run.can_advance:
+            event = run.advance(end)
+            if event.kind == "limit":
+                return
+            yield event
+
+
+def _keep(found: list[Instant], one: Instant) -> None:
+    """Append an instant; raise DebugError if there are too many."""
+    if len(found) >= MAX_INSTANTS:
+        raise DebugError(f"more than {MAX_INSTANTS:,} instants: give a shorter part of the run")
+    found.append(one)

@@ -1,0 +1,116 @@
+"""Questions about the recorded run are answered as single-stepping would answer them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.past import Past
+from tests.debug.debuggers import debugger_of, line
+
+DRIVES = """\
+#include "Nclient.h"
+int speed, total;
+int twice(int x)
+{
+    int y = x;
+    y += x;
+    return y;
+}
+int main(void)
+{
+    int i;
+    connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400);
+    for (i = 0; i < 5; i++) {
+        speed = twice(20 * i);
+        total = total + (speed > 100);
+        scout_vm(speed, 0);
+        ws(1, 1, 0, 1);
+    }
+    return 0;
+}
+"""
+
+
+@pytest.fixture
+def debugger(tmp_path: Path) -> Debugger:
+    """Return a debugger of a program that has ended, after an edit on the way."""
+    debugger = debugger_of(DRIVES, folder=tmp_path)
+    debugger.goto_time(1.0)
+    debugger.evaluate("total = 40")
+    debugger.goto_end()
+    return debugger
+
+
+def past(debugger: Debugger) -> Past:
+    return Past(debugger.view, debugger.stop_points)
+
+
+def stepped(debugger: Debugger, expression: str) -> list[str]:
+    """Return the values of an expression by single-stepping, without repetitions."""
+    debugger.goto_time(0.0)
+    found: list[str] = []
+    while True:
+        text = debugger.view.look_up(expression).text
+        if not found or found[-1] != text:
+            found.append(text)
+        if debugger.view.is_over or debugger.step_statement().reason != "step":
+            return found
+
+
+@pytest.mark.parametrize("expression", ["speed", "total", "speed + total", "speed > 100"])
+def test_a_history_has_the_values_that_single_stepping_shows(
+    debugger: Debugger, expression: str
+) -> None:
+    here = debugger.position
+    found = past(debugger).values(expression, past(debugger).whole())
+    assert debugger.position == here
+    edited = [each.text for each in found]
+    expected = stepped(debugger, expression)
+    assert [each for each in expected if each in edited] == expected
+    assert edited[0] == expected[0]
+    assert edited[-1] == expected[-1]
+
+
+def test_a_history_goes_to_before_the_statement_that_wrote(debugger: Debugger) -> None:
+    for each in past(debugger).values("speed", past(debugger).whole())[1:]:
+        debugger.goto(each.position)
+        assert each.location is not None
+        assert each.location.line == 14
+        assert line(debugger) == 7  # the last statement that starts before, that of the call
+        assert debugger.view.time_s == pytest.approx(each.time_s, abs=1e-3)
+
+
+def test_times_at_which_a_condition_became_true(debugger: Debugger) -> None:
+    whole = past(debugger).whole()
+    assert len(past(debugger).times("speed > 100", whole)) == 1
+    assert len(past(debugger).times("speed >= 0", whole)) == 1
+    (found,) = past(debugger).times("robot0.x > 0.1", whole)
+    debugger.goto(found.position)
+    assert debugger.session.environment.state.x_m[0] > 0.1
+    debugger.tick(backward=True)
+    assert debugger.session.environment.state.x_m[0] <= 0.1
+
+
+def test_a_message_added_after_the_fact_is_that_of_a_log_point(debugger: Debugger) -> None:
+    place = debugger.stop_points.location("16")
+    whole = past(debugger).whole()
+    found = past(debugger).messages(place, "{i}: {speed} at {robot0.x > 0.1}", whole)
+    said: list[str] = []
+    debugger.stop_points.say = said.append
+    debugger.stop_points.add_breakpoint("16", log="{i}: {speed} at {robot0.x > 0.1}")
+    debugger.goto_time(0.0)
+    debugger.resume()
+    assert [each.text for each in found] == said
+    assert len(said) == 5
+
+
+def test_a_part_of_the_past_has_the_value_at_its_start(debugger: Debugger) -> None:
+    whole = past(debugger).values("speed", past(debugger).whole())
+    part = past(debugger).values("speed", past(debugger).part(2.0, 3.0))
+    assert part[0].text == [each.text for each in whole if each.time_s <= 2.0][-1]
+    assert [each.text for each in part[1:]] == [
+        each.text for each in whole if 2.0 < each.time_s < 3.0
+    ]
