@@ -93,6 +93,7 @@ def _sdf(world: WorldModel) -> tuple[bytes, list[str]]:
         "polygon": len(world.polygons), "robot": len(world.robots), "light": len(world.lights),
         "sound": len(world.sounds), "ramp or plateau": len(world.surface.patches),
         "height map": int(world.surface.heightmap is not None), "goal": len(world.goals),
+        "source": len(world.sources), "nest": len(world.nests),
     }  # fmt: skip
     left_out = [f"{count} of {kind}" for kind, count in counts.items() if count]
     inner = Element("world", 0, {"name": world.name}, children=[_ground(world), *models])

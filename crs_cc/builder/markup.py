@@ -16,7 +16,7 @@ from crs_cc.builder.spans import Node
 ORDER: Final = (
     *("area", "surface", "include", "material", "define", "map"),
     *("wall", "box", "cylinder", "polygon", "object", "light", "sound"),
-    *("robot", "scatter", "degradation", "communication", "goal"),
+    *("source", "nest", "robot", "scatter", "degradation", "communication", "goal"),
 )
 """The order of elements in a world; those that are there may stand otherwise."""
 

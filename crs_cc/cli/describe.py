@@ -15,6 +15,7 @@ from crs_cc.sim.files.world_xml import Definitions
 from crs_cc.sim.model.communication import PREDEFINED, Channel, Communication
 from crs_cc.sim.model.degradation import Degradation, described
 from crs_cc.sim.model.fields import MOST, Field
+from crs_cc.sim.model.foraging import Source
 from crs_cc.sim.model.goals import Goal
 from crs_cc.sim.model.registry import device
 from crs_cc.sim.model.robot import RobotModel
@@ -89,8 +90,19 @@ def _things(world: WorldModel) -> Iterator[str]:
     counts = [counted(len(found), noun) for found, noun in more if found]
     if counts:
         yield ", ".join(counts)
+    for source in world.sources:
+        yield f"source '{source.id}': {_items(source)}"
+    if world.nests:
+        yield counted(len(world.nests), "nest")
     for field in world.fields:
         yield f"field '{field.name}': {', '.join(_field(field))}"
+
+
+def _items(source: Source) -> str:
+    if source.items is None:
+        return "unlimited items"
+    again = f", a new one in {source.refill_s:g} s" if math.isfinite(source.refill_s) else ""
+    return counted(source.items, "item") + again
 
 
 def _field(field: Field) -> Iterator[str]:

@@ -91,6 +91,7 @@ def as_json(run: Run, warned: Sequence[Diagnostic]) -> str:
             for number, (robot, call) in enumerate(zip(result.robots, run.calls, strict=True))
         ],
         **_goals_data(result.goals),
+        **_foraging_data(result),
         "timing": {"wall_s": run.wall_s, "real_time_factor": run.real_time_factor},
     }
     import json
@@ -104,6 +105,16 @@ def _goals_data(goals: Sequence[GoalResult]) -> dict[str, Any]:
         return {}
     points = {"earned": sum(goal.earned for goal in goals), "of": sum(g.points for g in goals)}
     return {"goals": [asdict(goal) for goal in goals], "points": points}
+
+
+def _foraging_data(result: RunResult) -> dict[str, Any]:
+    """Return the sources and nests, nothing for a world without any."""
+    if not (result.sources or result.nests):
+        return {}
+    return {
+        "sources": [asdict(source) for source in result.sources],
+        "nests": [asdict(nest) for nest in result.nests],
+    }
 
 
 def _robot_data(robot: RobotResult, call: ActiveCall | None) -> dict[str, Any]:

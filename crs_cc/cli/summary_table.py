@@ -19,7 +19,7 @@ from crs_cc.runtime.diagnosis.object_text import count
 if TYPE_CHECKING:
     from crs_cc.cli.summary import Run
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
-    from crs_cc.session.result import Pose, RobotResult
+    from crs_cc.session.result import Pose, RobotResult, RunResult
     from crs_cc.sim.engine.goals import GoalResult
 
 MAX_ROWS: Final = 20
@@ -41,6 +41,8 @@ def print_summary(run: Run) -> None:
         console.print(_card(robots[0]) if len(robots) == 1 else _fitting_table(robots, console))
         if run.result.goals:
             console.print(_goal_table(run.result.goals))
+        for line in _places(run.result):
+            console.print(line, markup=False)
         for line in running_programs(run):
             console.print(line, markup=False)
         for line in lost_blocks(run):
@@ -62,6 +64,15 @@ def _goal_table(goals: Sequence[GoalResult]) -> Table:
     earned, total = sum(goal.earned for goal in goals), sum(goal.points for goal in goals)
     table.add_row("in all", "", "", f"{earned:g} of {total:g}", "")
     return table
+
+
+def _places(result: RunResult) -> Iterator[str]:
+    """Yield a line for each source and each nest."""
+    for source in result.sources:
+        left = "" if source.left is None else f", {source.left:,} left"
+        yield f"source {printable(source.id)}: {count(source.taken, 'item')} taken{left}"
+    for nest in result.nests:
+        yield f"nest {printable(nest.id)}: {count(nest.brought, 'item')} brought"
 
 
 def _closing_line(run: Run) -> str:

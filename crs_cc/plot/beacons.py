@@ -1,4 +1,4 @@
-"""Light and sound sources in the plot of a run, and the fingers of grippers."""
+"""Lights, sounds, sources and nests in the plot of a run, and the fingers of grippers."""
 
 from __future__ import annotations
 
@@ -8,6 +8,10 @@ from typing import Final
 from crs_cc.plot.svg import Page, Point, View
 from crs_cc.sim.devices.gripper.model import Gripper
 from crs_cc.sim.model.world import WorldModel
+
+SOURCE_PAINT: Final = "#b8860b"
+NEST_PAINT: Final = "#3f51b5"
+"""The colours of sources of items, and of nests."""
 
 _LIGHT: Final = "#e6a700"
 _SOUND: Final = "#7a5195"
@@ -29,6 +33,17 @@ def draw_beacons(page: Page, view: View, world: WorldModel) -> None:
         with page.group(stroke=_SOUND, stroke_width=1.5, fill="none"):
             for wave in _WAVES:
                 page.circle(view.point(sound.x_m, sound.y_m), wave * _SIZE_PX)
+
+
+def draw_places(page: Page, view: View, world: WorldModel) -> None:
+    """Draw the sources and nests of a world as discs with their names."""
+    for paint, places in ((SOURCE_PAINT, world.sources), (NEST_PAINT, world.nests)):
+        for place in places:
+            with page.group(fill=paint, stroke=paint):
+                middle, radius_px = view.point(place.x_m, place.y_m), view.length(place.radius_m)
+                page.circle(middle, radius_px, fill_opacity=0.2)
+            edge = view.point(place.x_m, place.y_m - place.radius_m)
+            page.text(edge, place.id, dy=11.0, fill=paint, font_size=10.0, text_anchor="middle")
 
 
 def draw_fingers(

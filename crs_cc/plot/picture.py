@@ -16,7 +16,7 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.quantity import round_length
-from crs_cc.plot.beacons import draw_beacons, draw_fingers
+from crs_cc.plot.beacons import draw_beacons, draw_fingers, draw_places
 from crs_cc.plot.goal_layer import draw_goals
 from crs_cc.plot.sensor_overlay import draw_sights
 from crs_cc.plot.svg import Page, Point, View
@@ -28,6 +28,7 @@ from crs_cc.sim.engine.robot_colours import colour
 from crs_cc.sim.engine.sensor_overlay import Beam
 from crs_cc.sim.geometry.scene import corners_m
 from crs_cc.sim.model.colours import hexadecimal
+from crs_cc.sim.model.foraging import Nest, Source
 from crs_cc.sim.model.world import (
     PLAIN,
     Cylinder,
@@ -196,6 +197,7 @@ class PlotDrawing:
         self._heading()
         self._grid()
         draw_terrain(self.page, self.view, self.picture.world.surface)
+        draw_places(self.page, self.view, self.picture.world)
         draw_sights(self.page, self.view, self.picture.sights)
         self._solids(is_still=is_still)
         draw_beacons(self.page, self.view, self.picture.world)
@@ -454,6 +456,7 @@ def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     clouds += [_outline(solid) for solid in (*picture.world.solids(), *picture.pushed)]
     clouds += [np.array([[light.x_m, light.y_m]]) for light in picture.world.lights]
     clouds += [np.array([[sound.x_m, sound.y_m]]) for sound in picture.world.sounds]
+    clouds += [*map(_extent, picture.world.sources), *map(_extent, picture.world.nests)]
     if not clouds:
         area = picture.world.area
         clouds = [np.array([[area.x_min_m, area.y_min_m], [area.x_max_m, area.y_max_m]])]
@@ -461,6 +464,12 @@ def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     high = np.max([cloud.max(axis=0) for cloud in clouds], axis=0)
     rim = 0.03 * float((high - low).max()) + 0.05
     return low - rim, high + rim
+
+
+def _extent(place: Source | Nest) -> FloatArray:
+    """Return two opposite corners [m] of the square around a place."""
+    reach = np.array([[-place.radius_m], [place.radius_m]])
+    return np.asarray(np.array([[place.x_m, place.y_m]]) + reach)
 
 
 def _strokes_m(picture: Picture, drawing: Drawing) -> list[FloatArray]:

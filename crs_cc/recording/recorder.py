@@ -413,4 +413,7 @@ def _result_values(result: RunResult) -> dict[str, str]:
     }
     if result.goals:
         values["goals"] = json.dumps([asdict(goal) for goal in result.goals])
+    for name, places in (("sources", result.sources), ("nests", result.nests)):
+        if places:
+            values[name] = json.dumps([asdict(place) for place in places])
     return values

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Snapshot
+from crs_cc.sim.devices.foraging import NestResult, SourceResult
 from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.engine.world_data import Snapshot as EnvironmentSnapshot
 from crs_cc.sim.state.env_state import EnvState
@@ -81,6 +82,8 @@ class RunResult:
             its last robot call and its exit status; and of the network, if programs use it.
             Standard output and standard input are not part of it.
         goals: what has become of the world's goals, in the world's order.
+        sources: what has become of its sources.
+        nests: what has become of its nests.
     """
 
     robots: tuple[RobotResult, ...]
@@ -88,6 +91,8 @@ class RunResult:
     simulated_s: float
     state_hash: str
     goals: tuple[GoalResult, ...] = ()
+    sources: tuple[SourceResult, ...] = ()
+    nests: tuple[NestResult, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -173,7 +173,8 @@ class SessionState:
         """Return the result of the run so far."""
         robots = tuple(map(self.robot_result, range(len(self.fleet))))
         goals = self.environment.goals
-        return RunResult(robots, self.timesteps, self.time_s, self.state_hash(), goals)
+        places = self.environment.sources, self.environment.nests
+        return RunResult(robots, self.timesteps, self.time_s, self.state_hash(), goals, *places)
 
     def robot_result(self, robot: int) -> RobotResult:
         """Return the result of one robot so far."""

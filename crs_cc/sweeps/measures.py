@@ -27,6 +27,14 @@ OURS: Final[dict[str, tuple[str, Callable[[RunResult], Value]]]] = {
         "the points of the goals",
         lambda result: sum((g.earned for g in result.goals), 0.0),
     ),
+    "items_taken": (
+        "items that robots took from sources",
+        lambda result: sum(source.taken for source in result.sources),
+    ),
+    "items_brought": (
+        "items that robots brought to nests",
+        lambda result: sum(nest.brought for nest in result.nests),
+    ),
     "distance_m": (
         "the distance driven, of all robots together [m]",
         lambda result: sum(robot.distance_m for robot in result.robots),

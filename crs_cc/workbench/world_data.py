@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any, Final
 
+from crs_cc.plot.beacons import NEST_PAINT, SOURCE_PAINT
 from crs_cc.recording.shapes import area_data, robot_data, shape_data
 from crs_cc.sim.devices.bumper.element import switches_of
 from crs_cc.sim.devices.infrared import FARTHEST
@@ -52,6 +53,11 @@ def world_data(world: WorldModel, names: Sequence[str]) -> dict[str, Any]:
         "lights": [
             {"id": each.id, "x": each.x_m, "y": each.y_m, "brightness": each.brightness}
             for each in world.lights
+        ],
+        "places": [
+            {"id": each.id, "x": each.x_m, "y": each.y_m, "radius": each.radius_m, "colour": colour}
+            for places, colour in ((world.sources, SOURCE_PAINT), (world.nests, NEST_PAINT))
+            for each in places
         ],
         "ground": _ground(world.surface),
         "channels": [

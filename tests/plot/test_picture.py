@@ -14,6 +14,7 @@ from crs_cc.plot.picture import Picture, Trip
 from crs_cc.plot.tracks import Tracks, simplified
 from crs_cc.sim.engine.drawings import LINE, ROBOT, Drawing
 from crs_cc.sim.engine.robot_colours import colour
+from crs_cc.sim.model.foraging import Nest, Source
 from crs_cc.sim.model.ground import Ground, HeightMap, Patch
 from crs_cc.sim.model.robot import Drive, RobotModel
 from crs_cc.sim.model.world import (
@@ -242,6 +243,15 @@ def test_lights_sounds_and_fingers_are_drawn(tmp_path):
     shapes = [[each.render().count(tag) for tag in tags] for each in (plain, full)]
     assert [more - less for less, more in zip(*shapes, strict=True)] == [8, 4]
     assert full.render().count(b'stroke-width="2.5"') == 2
+
+
+def test_sources_and_nests_are_drawn_to_scale_with_their_names():
+    places = {"sources": (Source("food", 2.0, 1.0, 0.5),), "nests": (Nest("home", 9.0, 1.0, 0.25),)}
+    root = draw(Picture("", "", replace(OPEN, **places), [trip((0, 0), (3, 2))]))
+    discs = [each for each in root.iter(f"{SVG}circle") if each.get("fill-opacity") == "0.2"]
+    radii_px = [float(disc.get("r")) for disc in discs]
+    assert radii_px[0] == pytest.approx(2 * radii_px[1], rel=0.01)
+    assert {"food", "home"} <= {each.text for each in root.iter(f"{SVG}text")}
 
 
 def test_axes_have_units_and_odometrys_path_is_shown_where_it_differs() -> None:

@@ -48,6 +48,11 @@ ASKED = (
       )),
 )  # fmt: skip
 
+FIRST = {"laser": ("CONF_LS", 51), "carrier": ("TAKE_ITEM",)}
+"""What devices need before requests other than this one are good."""
+
+PLACES = '<source x="0" y="0" radius="50m"/><nest x="0" y="0" radius="50m"/>'
+
 COUNTS = {"READINGS", "LASER_PAGE"}
 """Requests whose result is a count."""
 
@@ -81,7 +86,7 @@ def driver(tmp_path_factory) -> Driver:
     )
     area = '<area length="99m" width="99m" origin="centre"/>'
     (folder / "world.xml").write_text(
-        f'<world version="1">{area}<field name="trail"/>{robots}</world>'
+        f'<world version="1">{area}<field name="trail"/>{PLACES}{robots}</world>'
     )
     return Driver.of(load_world(folder / "world.xml"))
 

@@ -280,10 +280,12 @@ def _filled(sides: FloatArray) -> tuple[FloatArray, IndexArray]:
 
 
 def _sources(environment: Environment) -> list[tuple[str, float, float]]:
-    """Return a symbol and the position [m] of each light and sound source."""
+    """Return a symbol and the position [m] of each light, sound, source of items, and nest."""
     world = environment.world
     lights = [("☼", light.x_m, light.y_m) for light in world.lights]
-    return [*lights, *(("♪", sound.x_m, sound.y_m) for sound in world.sounds)]
+    sounds = [("♪", sound.x_m, sound.y_m) for sound in world.sounds]
+    items = [("$", place.x_m, place.y_m) for place in world.sources]
+    return [*lights, *sounds, *items, *(("⌂", nest.x_m, nest.y_m) for nest in world.nests)]
 
 
 def _bounds(environment: Environment, paths: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:

@@ -15,6 +15,7 @@ from crs_cc.sim.comms.messenger import Messenger
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.bumper import Bumpers
 from crs_cc.sim.devices.fields import Fields
+from crs_cc.sim.devices.foraging import Foraging
 from crs_cc.sim.devices.gland import Glands
 from crs_cc.sim.devices.handling import Handling
 from crs_cc.sim.devices.installed import Installed, Timed
@@ -41,6 +42,7 @@ class DeviceBoard:
 
     Attributes:
         sensor_board: the devices read by the vendor's sensor board.
+        foraging: the sources and nests.
         handling: the grippers and arms.
         messenger: the communication between robots.
         fields: the pheromone fields.
@@ -60,6 +62,7 @@ class DeviceBoard:
         self.bumpers: Bumpers = self.installed["bumper"].device
         self.sensor_board = SensorBoard(world, self.installed)
         self._glands: Glands = self.installed["gland"].device
+        self.foraging: Foraging = self.installed["carrier"].device.foraging
         self.handling = Handling(self.installed["gripper"].device, self.installed["arm"].device)
         self.timers = Timers(self._timed())
 

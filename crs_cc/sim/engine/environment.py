@@ -35,6 +35,7 @@ from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.drive.constants import Drives
+from crs_cc.sim.devices.foraging import NestResult, SourceResult
 from crs_cc.sim.devices.sensor_board import state_vector
 from crs_cc.sim.engine.dispatch import Dispatcher
 from crs_cc.sim.engine.falls import log_falls
@@ -299,6 +300,16 @@ class Environment:
     def goals(self) -> tuple[GoalResult, ...]:
         """What has become of the goals so far."""
         return self._data.goals.results(self.state)
+
+    @property
+    def sources(self) -> tuple[SourceResult, ...]:
+        """What has become of the sources so far."""
+        return self._data.devices.foraging.sources(self.state)
+
+    @property
+    def nests(self) -> tuple[NestResult, ...]:
+        """What has become of the nests so far."""
+        return self._data.devices.foraging.nests(self.state)
 
     @property
     def communication(self) -> CommunicationControl:

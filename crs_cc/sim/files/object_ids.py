@@ -10,7 +10,7 @@ from crs_cc.sim.files.document import Element, Reader
 
 THINGS: Final = frozenset(
     {"wall", "box", "cylinder", "polygon", "object", "map", "robot", "degradation"}
-    | {"light", "sound", "goal", "scatter"}
+    | {"light", "sound", "goal", "scatter", "source", "nest"}
 )
 """The elements that have an id."""
 

@@ -13,6 +13,7 @@ from crs_cc.sim.files.composite_elements import CompositeElements
 from crs_cc.sim.files.degradation_elements import degradations
 from crs_cc.sim.files.document import MAX_MESSAGES, Element, Reader
 from crs_cc.sim.files.field_elements import fields_of
+from crs_cc.sim.files.foraging_elements import nests_of, sources_of
 from crs_cc.sim.files.goal_elements import goals
 from crs_cc.sim.files.ground_elements import ground
 from crs_cc.sim.files.include import Included
@@ -110,6 +111,8 @@ def world_model(
             root.all("degradation"), zip(root.all("robot"), robots, strict=True), reader
         ),
         communication=communication(root, [robot.id for robot in robots], reader),
+        sources=sources_of(root, reader),
+        nests=nests_of(root, reader),
     )
     world = replace(world, fields=fields_of(root, area, world.timestep_s, reader))
     world = _with(world, things.objects)

@@ -18,6 +18,7 @@ from typing import Final
 from crs_cc.core.quantity import BRIGHTNESS, DATA_RATE, LENGTH, LOUDNESS, RATIO, TIME
 from crs_cc.sim.files.document import Element
 from crs_cc.sim.files.field_elements import field_element
+from crs_cc.sim.files.foraging_elements import place_element
 from crs_cc.sim.files.goal_writer import goal_element
 from crs_cc.sim.files.known_robots import SCOUT, known_robots
 from crs_cc.sim.files.solid_writer import hot, pose, solid_elements, surface
@@ -79,6 +80,8 @@ def world_element(world: WorldModel, folder: Path | None = None) -> Element:
         *_communication(world),
         *map(goal_element, world.goals),
         *map(field_element, world.fields),
+        *map(place_element, world.sources),
+        *map(place_element, world.nests),
     ]
     return Element("world", 0, attributes, children=children)
 

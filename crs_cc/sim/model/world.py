@@ -37,6 +37,7 @@ from crs_cc.sim.model.beacons import Light, Sound
 from crs_cc.sim.model.communication import PLAIN_COMMUNICATION, Communication
 from crs_cc.sim.model.degradation import Degradation
 from crs_cc.sim.model.fields import Field
+from crs_cc.sim.model.foraging import Nest, Source
 from crs_cc.sim.model.goals import Goal
 from crs_cc.sim.model.ground import FLAT, Ground
 from crs_cc.sim.model.polygon import area_m2, centroid_m
@@ -286,6 +287,8 @@ class WorldModel:
     communication: Communication = PLAIN_COMMUNICATION
     goals: tuple[Goal, ...] = ()
     fields: tuple[Field, ...] = ()
+    sources: tuple[Source, ...] = ()
+    nests: tuple[Nest, ...] = ()
 
     def with_ideal_link(self) -> WorldModel:
         """Return a copy in which commands have no delay on the link to the robot."""

@@ -33,6 +33,7 @@ from crs_cc.sim.state.devices import device_states
 from crs_cc.sim.state.drawings import DrawingState
 from crs_cc.sim.state.drive import DriveState
 from crs_cc.sim.state.fields import FieldState
+from crs_cc.sim.state.foraging import ForagingState
 from crs_cc.sim.state.goals import GoalState
 from crs_cc.sim.state.heat import HeatState
 from crs_cc.sim.state.link import LinkState
@@ -105,6 +106,7 @@ class EnvState(_InRows):
         collisions: number of contacts that began.
         commands: number of requests served.
         goals: how far the goals are met; None in a world without goals.
+        foraging: the items in sources and nests; None in a world without them.
         fields: what lies in the pheromone fields; the last, as its size changes most.
     """
 
@@ -133,6 +135,7 @@ class EnvState(_InRows):
     collisions: Int64Array
     commands: Int64Array
     goals: GoalState | None
+    foraging: ForagingState | None
     fields: FieldState
 
     @classmethod
@@ -168,6 +171,7 @@ class EnvState(_InRows):
             collisions=_whole(count),
             commands=_whole(count),
             goals=GoalState.at_start(world),
+            foraging=ForagingState.at_start(world),
             fields=FieldState.at_start(world),
         )
 

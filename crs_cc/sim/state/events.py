@@ -23,6 +23,7 @@ KINDS: Final = {
     "grip": "a gripper or a hand took hold of an object",
     "release": "a gripper or a hand released an object",
     "lost": "an object was torn from a gripper",
+    "item": "a robot took an item from a source, or brought one to a nest",
     "goal": "a goal was met or failed",
 }
 """The kinds of events, with descriptions."""

@@ -47,6 +47,7 @@ export class View2D {
     pen.fillStyle = look.colours.floor;
     pen.fillRect(x, y, length, depth);
     this.patches(pen);
+    this.places(pen);
     if (!look.show.grid) return;
     const [spanX, spanY] = [width / this.scale / 2, height / this.scale / 2];
     const [left, right] = [Math.max(x, camera.x - spanX), Math.min(x + length, camera.x + spanX)];
@@ -77,6 +78,17 @@ export class View2D {
       pen.fillRect(-patch.length / 2, -patch.width / 2, patch.length, patch.width);
       pen.restore();
     }
+  }
+
+  places(pen) {
+    pen.globalAlpha = 0.25;
+    for (const { x, y, radius, colour } of this.scene.run.world.places ?? []) {
+      pen.fillStyle = colour;
+      pen.beginPath();
+      pen.arc(x, y, radius, 0, 2 * Math.PI);
+      pen.fill();
+    }
+    pen.globalAlpha = 1;
   }
 
   shape(pen, shape, look) {

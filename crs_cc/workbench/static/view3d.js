@@ -3,7 +3,7 @@ import * as THREE from "three";
 import { heatPicture, hotThings, mostHeat } from "crs/heat.js";
 import { Limbs } from "crs/limbs.js";
 import { robotShape } from "crs/robot_shape.js";
-import { addGrid, addGround, addLamps, heatMark, shapeGeometry } from "crs/world_shape.js";
+import { addGrid, addGround, addLamps, addPlaces, heatMark, shapeGeometry } from "crs/world_shape.js";
 
 const NEAR_ROBOTS = 400; // more are drawn without details
 const NEAR_SOFT = 40; // the same where the processor draws
@@ -27,6 +27,7 @@ export class View3D {
     this.floor = addGround(this.world, scene);
     this.grid = addGrid(this.world, scene);
     addLamps(this.world, scene);
+    addPlaces(this.world, scene);
     this.meshes = new Map(scene.shapes.map((shape) => [shape, this.addShape(shape)]));
     /** @type {Map<any, any>} by kind of robot */
     this.groups = new Map();

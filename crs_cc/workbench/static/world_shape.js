@@ -104,3 +104,13 @@ export function addLamps(world, scene) {
     world.add(bulb, stand, light);
   }
 }
+
+/** Add the sources and nests: flat discs, drawn on top of the floor. */
+export function addPlaces(world, scene) {
+  for (const { x, y, radius, colour } of scene.run.world.places ?? []) {
+    const material = new THREE.MeshBasicMaterial({ color: colour, transparent: true, opacity: 0.25, depthWrite: false });
+    const disc = new THREE.Mesh(new THREE.CircleGeometry(radius, 48), material);
+    disc.position.set(x, y, scene.ground.height(x, y) + 0.004);
+    world.add(disc);
+  }
+}

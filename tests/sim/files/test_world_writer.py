@@ -49,6 +49,7 @@ ALL = b"""<world version="1" timestep="20ms" duration="90s" seed="7">
   <goal id="floor"><cover share="0.3" cell="25cm"/></goal>
   <goal id="push"><bring objects="first" x="1m" y="0" radius="1m"/></goal>
   <field name="trail" cell="10cm" evaporation="90s" diffusion="3cm2/s" saturation="50"/>
+  <source x="1m" y="2m" radius="40cm" items="7" refill="1500ms"/><nest id="home" x="0" y="0"/>
   <goal id="behind"><follow target="s" least="1m" most="2m" share="0.9"/></goal>
 </world>"""
 
