@@ -18,7 +18,10 @@ export function heatMark(shape) {
   const span = (axis) => Math.max(...corners.map((each) => each[axis])) - Math.min(...corners.map((each) => each[axis]));
   const size = shape.radius ?? Math.min(span(0), span(1)) / 2;
   const mark = new THREE.Group();
-  for (const [share, colour, rise] of [[0.7, "#ffffff", 0.004], [0.52, "#d1242f", 0.008]]) {
+  for (const { share, colour, rise } of [
+    { share: 0.7, colour: "#ffffff", rise: 0.004 },
+    { share: 0.52, colour: "#d1242f", rise: 0.008 },
+  ]) {
     const disc = new THREE.Mesh(new THREE.CircleGeometry(share * Math.min(0.4, size), 32), new THREE.MeshBasicMaterial({ color: colour }));
     disc.position.z = shape.height + rise;
     mark.add(disc);
