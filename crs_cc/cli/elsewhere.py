@@ -35,7 +35,6 @@ class Elsewhere:
         front: where pages connect; None for nowhere.
         tell_waiting: is told, again and again, of the robots whose hosts the run waits for, as
             text, and of none as it goes on.
-        shows_output: whether hosts show what their programs print.
     """
 
     def __init__(
@@ -66,7 +65,6 @@ class Elsewhere:
         import numpy as np
 
         self._roster, self._waits, self.front = roster, waits, front
-        self.shows_output = hosts is None
         self._resumption, self._hosts = resumption, hosts
         self._input: OwnInput | None = OwnInput() if hosts else None
         self._is_interrupted: Callable[[], bool] = lambda: False
@@ -90,6 +88,11 @@ class Elsewhere:
     def repeats_until_s(self) -> float:
         """Up to when the run is a recorded one again [s]."""
         return 0.0 if self._resumption is None else self._resumption.end_s
+
+    @property
+    def shows_output(self) -> bool:
+        """Whether hosts show what programs print, or it was shown before the run was resumed."""
+        return self._hosts is None or self._session.time_s < self.repeats_until_s
 
     def read(self, robot: int, wanted: int) -> bytes:
         """Return standard input of the host of a robot, or ours."""

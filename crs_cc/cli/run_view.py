@@ -86,6 +86,11 @@ class RunView:
         """Whether pages wait for the end of the timestep, at which they are heard."""
         return self._player.has_jobs
 
+    @property
+    def speed(self) -> float:
+        """The speed that pages have set: simulated by real time, infinite for no limit."""
+        return self._player.speed
+
     def timesteps(self) -> int:
         """Wait while pages pause the run or it is too fast; return how far it may go on."""
         self._screen.tick()

@@ -293,6 +293,8 @@ class Runner:
             most = min(most, self._elsewhere.timesteps_left() or most)
         if self._view is not None:  # which does what pages ask for, and waits
             most = min(most, self._view.timesteps())
+            if self._clients is not None:
+                self._clients.set_speed(self._view.speed)
             return min(most, 1) if self._real_network else most
         if self._plot or self._live or self._pace.is_limited or self._real_network:
             return 1  # it samples each, or waits after each

@@ -72,8 +72,7 @@ class VendorClients:
         self._options, self._pace = options, Pace(speed)
         self._names = [robot.id for robot in world.robots]
         relays = [number for number, files in enumerate(sources) if RELAY in files]
-        clock = self._pace if self._pace.is_limited else None
-        self._board = Switchboard(relays, world.timestep_s, clock)
+        self._board = Switchboard(relays, world.timestep_s, self._clock)
         self._server: Server | None = None
 
     def begin(
@@ -90,6 +89,7 @@ class VendorClients:
             click.UsageError: a robot is not one that is driven from outside.
             OSError: a port is in use.
         """
+        self._session = session
         state = session.state  # its arrays are new when robots are added
         self._board.begin(lambda robot: float(state.clock_s[robot]), is_in_a_hurry)
         session.state.host.reply = self._board.reply
@@ -97,7 +97,7 @@ class VendorClients:
             self._board.pointing = _Window(pointing, self._names)
         self._pace.restart()
         host = _EVERYWHERE if self._options.insecure else LOOPBACK
-        self._server = Server(self._board, self._pace.left_s, host)
+        self._server = Server(self._board, self._left_s, host)
         if self._options.insecure:
             say("crs: INSECURE: the vendor's protocols have no password: whoever reaches a port "
                 "drives its robot")  # fmt: skip
@@ -127,6 +127,23 @@ class VendorClients:
             raise click.UsageError(f"{unknown('robot', name, self._names)}.")
         if self._names.index(name) not in self._board.robots:
             raise click.UsageError(f"'{name}' has a program and is not driven from outside.")
+
+    @property
+    def _clock(self) -> Pace | None:
+        """The clock that time goes by; None if it goes by requests."""
+        return self._pace if self._pace.is_limited else None
+
+    def _left_s(self, simulated_s: float) -> float:
+        """Return the real time until a simulated time [s]."""
+        return self._pace.left_s(simulated_s)
+
+    def set_speed(self, speed: float) -> None:
+        """Keep to a multiple of real time; if it is infinite, time goes by requests."""
+        if speed != self._pace.speed:
+            pace = Pace(speed)
+            pace.restart(self._session.time_s)
+            self._pace = pace  # at once, since clients are served in a thread of their own
+            self._board.clock = self._clock
 
     def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
         """Return what a program can read of its input, and how long a read waits [s]."""

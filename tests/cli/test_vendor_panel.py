@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 import signal
 import subprocess
-from collections.abc import Iterator
+import time
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from websockets.sync.client import connect
 
 from tests.cli.test_serve import MOST_S, Served, command
 from tests.net.vendor.nclient import Nclient
-from tests.net.vendor.ndirect import Ndirect, over_tcp
+from tests.net.vendor.ndirect import Ndirect, over_tcp, over_terminal
 from tests.workbench.test_screen import Page
 
 WORLD = """<world version="1"><area length="9m" width="4m"/>
@@ -31,11 +32,11 @@ CHANGES = (
 
 
 @contextmanager
-def served(folder: Path, speed: str) -> Iterator[Served]:
-    """Serve robot left to Nclient, robot right to Ndirect, and the page."""
+def served(folder: Path, line: Sequence[str], speed: str) -> Iterator[Served]:
+    """Serve robot left to Nclient, robot right to Ndirect on a line, and the page."""
     folder.joinpath("world.xml").write_text(WORLD)
     log = folder / "serve.log"
-    words = "--nserver", "0", "--tcp-robot", "right=0", "--speed", speed, "--record", "run.mcap"
+    words = "--nserver", "0", *line, "--speed", speed, "--record", "run.mcap"
     with log.open("w") as errors:
         process = subprocess.Popen(
             command("serve", "world.xml", *words), cwd=folder, stderr=errors, text=True
@@ -55,12 +56,14 @@ def page_of(run: Served) -> Iterator[Page]:
         yield Page(line)
 
 
-@pytest.mark.parametrize("speed", ["max", "1"])
+@pytest.mark.parametrize(
+    ("line", "speed"), [(("--tcp-robot", "right=0"), "max"), (("--serial", "right"), "1")]
+)
 def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
-    tmp_path: Path, speed: str
+    tmp_path: Path, line: Sequence[str], speed: str
 ) -> None:
     """Even where time stands still until clients ask for something."""
-    with served(tmp_path, speed) as run, page_of(run) as page:
+    with served(tmp_path, line, speed) as run, page_of(run) as page:
         left, right = clients(run)
         for text in CHANGES:
             assert "value" in page.ask("edit", text=text), page.told["answer"]
@@ -73,9 +76,17 @@ def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
         assert page.told["state"]["t"] == paused_s
         page.ask("play")
         assert left.get_rpx()
+        page.ask("speed", speed=0.0)  # from now on, time goes by requests
+        page.ask("edit", text="heat left 6")
+        time.sleep(0.5)
+        page.ask("edit", text="heat left 7")
         shown = page.ask("export", form="inputs")["value"]["text"]
-        made = re.findall(r"^[\d.]+s: (\w+)", shown, re.MULTILINE)
-        assert made == [*(text.split()[0] for text in CHANGES), "move"]
+        made = re.findall(r"^([\d.]+)s: (\w+)", shown, re.MULTILINE)
+        expected = *(text.split()[0] for text in CHANGES), "move", "heat", "heat"
+        assert [name for _, name in made] == list(expected)
+        assert float(made[-1][0]) - float(made[-2][0]) < 0.2
+        page.ask("speed", speed=2.0)
+        assert left.state_call(15)
         run.process.send_signal(signal.SIGINT)
         assert run.process.wait(MOST_S) == 130, run.text
     words = command("replay", "run.mcap", "--verify")
@@ -86,4 +97,6 @@ def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
 def clients(run: Served) -> tuple[Nclient, Ndirect]:
     left = Nclient(int(run.wait_for(r"Nserver is on port (\d+)")[1]))
     assert left.connect_robot(1)
-    return left, over_tcp(int(run.wait_for(r"right is on port (\d+)")[1]), model=2)
+    place = run.wait_for(r"right is on (?:port )?(\S+)")[1]
+    right = over_tcp(int(place), 2) if place.isdigit() else over_terminal(place, 2)
+    return left, right

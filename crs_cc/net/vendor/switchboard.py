@@ -105,6 +105,7 @@ class Switchboard:
     Attributes:
         robots: the numbers of the robots that run a relay.
         pointing: asks the user for configurations; None if nobody looks.
+        clock: what time goes by; None if it goes by requests.
     """
 
     pointing: Window | None = None
@@ -125,7 +126,7 @@ class Switchboard:
         self._lines = {robot: _Line(robot) for robot in robots}
         self.robots = frozenset(self._lines)
         self._timestep_s = timestep_s
-        self._clock = clock
+        self.clock = clock
         self._changed = threading.Condition()
         self._run_s: Callable[[int], float] = lambda _robot: 0.0
         self._is_in_a_hurry: Callable[[], bool] = lambda: False
@@ -228,10 +229,10 @@ class Switchboard:
             return end_s - clock_s
         lines = self._lines.values()
         others = any(each.is_busy for each in lines)
-        if self._clock is not None:
-            now_s = self._clock.simulated_s()
+        if self.clock is not None:
+            now_s = self.clock.simulated_s()
             if now_s > end_s + LAG_S:  # the run was paused, or is too much for this machine
-                self._clock.restart(clock_s)
+                self.clock.restart(clock_s)
                 now_s = clock_s
             if now_s >= end_s:
                 return end_s - clock_s
@@ -281,7 +282,8 @@ class Switchboard:
 
     def ask(self, robot: int, exchange: Exchange[Any], done: Done) -> None:
         """Have an exchange with a robot; `done` is told what it has come to."""
-        asked_s = -math.inf if self._clock is None else self._clock.simulated_s()
+        clock = self.clock  # which the run's thread may change
+        asked_s = -math.inf if clock is None else clock.simulated_s()
         with self._changed:
             self._lines[robot].calls.append(_Call(exchange, done, asked_s))
             self._changed.notify_all()
