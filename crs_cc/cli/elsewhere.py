@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.cli.messages import say
 from crs_cc.cli.typed_input import OwnInput
+from crs_cc.core.errors import CrsError
 from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.world.run_edits import edit_run
@@ -16,6 +17,7 @@ from crs_cc.net.host_link import HostGoneError, HostLink
 from crs_cc.requests import FAILED
 
 if TYPE_CHECKING:
+    from crs_cc.cli.own_hosts import OwnHosts
     from crs_cc.cli.resumption import Resumption
     from crs_cc.net.channel import Channel
     from crs_cc.net.cluster_hosts import ClusterHosts
@@ -45,6 +47,7 @@ class Elsewhere:
         executables: Sequence[Executable],
         *,
         waits: bool,
+        own: OwnHosts | None = None,
         front: Front | None,
         resumption: Resumption | None = None,
         hosts: ClusterHosts | None = None,
@@ -57,6 +60,7 @@ class Elsewhere:
             robots: the robots' names.
             executables: the names of their programs.
             waits: whether the run waits for another host in place of one that is lost.
+            own: runs the programs of lost hosts here; None if that is not wanted.
             front: where pages connect; None for nowhere.
             resumption: what is known of the first part of the run.
             hosts: what starts hosts again on a cluster, which have no streams of their own: these
@@ -65,7 +69,7 @@ class Elsewhere:
         import numpy as np
 
         self._roster, self._waits, self.front = roster, waits, front
-        self._resumption, self._hosts = resumption, hosts
+        self._resumption, self._hosts, self._own = resumption, hosts, own
         self._input: OwnInput | None = OwnInput() if hosts else None
         self._is_interrupted: Callable[[], bool] = lambda: False
         self.tell_waiting: Callable[[str], None] = lambda _names: None
@@ -147,16 +151,22 @@ class Elsewhere:
         self._roster.end()
         self.fleet.dismiss(everyone=True)
         self.fleet.close()
+        if self._own is not None:
+            self._own.close()
 
     def _replace(self, link: HostLink, reason: str) -> Channel:
         """Return a connection to another host in place of a lost one, see `host_link`."""
         names, seat = shown_names(link.names), self._seats[link.names]
         self._roster.lose(seat)
+        lost = f"crs: {names}: the host is lost ({reason})"
+        if self._own is not None and seat.host is not None:
+            say(f"{lost}; its programs go on here")
+            return self._restarted(self._own, link)
         if not self._waits:
-            say(f"crs: {names}: the host is lost ({reason}); its programs and robots stop")
+            say(f"{lost}; its programs and robots stop")
             self._stopped += link.names
             raise HostGoneError(f"the host is lost: {reason}")
-        say(f"crs: {names}: the host is lost ({reason}); the run waits for another one")
+        say(f"{lost}; the run waits for another one")
 
         def is_ended() -> bool:
             self.tell_waiting(names)
@@ -168,6 +178,19 @@ class Elsewhere:
         if channel is None:
             raise HostGoneError("the run was interrupted while its host was lost")
         say(f"crs: {names}: taken over")
+        return channel
+
+    def _restarted(self, own: OwnHosts, link: HostLink) -> Channel:
+        """Return a connection to a host of our own in place of a lost one."""
+        seat = self._seats[link.names]
+        assert seat.program is not None
+        try:
+            channel = own.start(seat.program, link.robots)
+        except (CrsError, ValueError, OSError) as error:
+            say(f"crs: {shown_names(link.names)}: its programs cannot run here: {error}")
+            self._stopped += link.names
+            raise HostGoneError(f"the host is lost, and no other can start: {error}") from None
+        self._roster.occupy(seat, channel)
         return channel
 
     def _outcome(self, robot: int) -> object:

@@ -125,11 +125,11 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
 )
 @click.option(
     "--on-loss",
-    type=click.Choice(["wait", "stop"]),
+    type=click.Choice(["wait", "stop", "restart"]),
     default="wait",
     show_default=True,
-    help="When a host is lost: wait for another one, which goes on where it stood, or stop its "
-    "programs and hold its robots.",
+    help="When a host is lost: wait for another one, which goes on where it stood; stop its "
+    "programs and hold its robots; or restart its programs here, where they stood.",
 )
 @click.option(
     "--resume",
@@ -177,7 +177,7 @@ def serve(
     unchecked: bool,
     named_files: tuple[str, ...],
     outputs: Path | None,
-    on_loss: Literal["wait", "stop"],
+    on_loss: Literal["wait", "stop", "restart"],
     shows: bool,
     **options: Any,
 ) -> int:

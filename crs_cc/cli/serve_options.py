@@ -20,7 +20,8 @@ class ServeOptions(RunOptions):
         tls: whether to encrypt with a certificate made at start.
         tls_cert, tls_key: the files of a certificate and its key to encrypt with instead.
         insecure: whether to listen to other machines without TLS.
-        on_loss: what to do when a host is lost: `wait` for another one, or `stop` its programs.
+        on_loss: what to do when a host is lost: `wait` for another one, `stop` its programs, or
+            `restart` them here.
         resume: the recording at whose end the run goes on; None for a new run.
         hosts: the address of the Dask cluster whose workers run the programs; empty for hosts that
             users start.
@@ -33,7 +34,7 @@ class ServeOptions(RunOptions):
     tls_cert: Path | None = None
     tls_key: Path | None = None
     insecure: bool = False
-    on_loss: Literal["wait", "stop"] = "wait"
+    on_loss: Literal["wait", "stop", "restart"] = "wait"
     resume: Path | None = None
     hosts: str = ""
     per_host: int | None = None

@@ -50,7 +50,7 @@ def start_cluster(options: ServeOptions) -> int:
                     seats,
                     _names(loaded),
                     loaded.executables,
-                    waits=options.on_loss == "wait",
+                    waits=options.on_loss != "stop",  # the cluster restarts hosts itself
                     front=port.front,
                     resumption=resumption,
                     hosts=hosts,

@@ -13,6 +13,7 @@ from crs_cc.cli.elsewhere import Elsewhere, shown_names
 from crs_cc.cli.inputs import Inputs
 from crs_cc.cli.load import Loaded, arguments_of, load_world_of, program_of, users_files
 from crs_cc.cli.messages import say
+from crs_cc.cli.own_hosts import OwnHosts
 from crs_cc.cli.program_options import RobotProgram
 from crs_cc.cli.resumption import Resumption
 from crs_cc.cli.served_port import ServedPort, greet, served_port
@@ -52,13 +53,16 @@ def start_serve(options: ServeOptions) -> int:
         loaded = _loaded(options, world, programs, users_files(files_read))
         run = _as_run(options, world, programs)
         names = [robot.id for robot in world.robots]
-        waits = options.on_loss == "wait"
+        own = None
+        if options.on_loss == "restart":
+            own = OwnHosts(names, to_stderr=options.as_json, threads=options.threads)
         elsewhere = Elsewhere(
             roster,
             seats,
             names,
             loaded.executables,
-            waits=waits,
+            waits=options.on_loss == "wait",
+            own=own,
             front=port.front,
             resumption=resumption,
         )

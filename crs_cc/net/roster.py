@@ -33,7 +33,7 @@ class Seat:
 
     Attributes:
         names: the robots.
-        host: the name of the host.
+        host: the name of the host; None for the environment itself.
         digest: the digest of its program.
         program: the program; None until it has been sent.
         channel: the connection; None until it is ready.
@@ -41,7 +41,7 @@ class Seat:
     """
 
     names: tuple[str, ...]
-    host: str
+    host: str | None
     digest: str
     program: Program | None = None
     channel: Channel | None = None
@@ -194,6 +194,14 @@ class Roster:
         with self._changed:
             if not seat.is_offered:
                 seat.channel = None
+
+    def occupy(self, seat: Seat, channel: Channel) -> None:
+        """Note that the environment itself has taken a seat, by a connection: nobody else may."""
+        with self._changed:
+            old, seat.channel = seat.channel, channel
+            seat.host, seat.is_offered = None, False
+        if old is not None:
+            old.close()
 
     def end(self) -> None:
         """Take no host any more."""

@@ -188,6 +188,27 @@ def test_robots_whose_host_is_lost_stand_still_where_the_run_goes_on_without_it(
     assert moved["right"] == 1 < moved["left"]
 
 
+def test_the_environment_restarts_the_programs_of_a_lost_host_itself(folder: Path) -> None:
+    options = "--max-time", "3", "--speed", "1", "--on-loss", "restart", "--record", "own.mcap"
+    with served(folder, *options) as environment:
+        at = environment.address
+        hosts = [join(folder, name, at, "roam.c") for name in ("left", "right")]
+        environment.wait_for("the run begins")
+        hosts[1].kill()
+        environment.wait_for("right: the host is lost .* its programs go on here")
+        late = join(folder, "right", at, "roam.c")
+        status, shown = environment.finish()
+        outputs([*hosts, late])
+    assert status == 0, environment.text
+    assert late.returncode != 0
+    assert folder.joinpath("own.mcap").read_bytes() == folder.joinpath("local.mcap").read_bytes()
+    local, here = (
+        [line for line in text.splitlines() if line.startswith("[right]")]
+        for text in (folder.joinpath("local.txt").read_text(), shown)
+    )
+    assert here == local[-len(here) :] != []
+
+
 @pytest.mark.parametrize("option", [("--tls",), ("--tokens", "echo.c"), ("--resume", "local.mcap")])
 def test_options_for_hosts_are_refused_where_only_the_vendors_clients_come(
     folder: Path, option: tuple[str, ...], capfd: pytest.CaptureFixture[str]
