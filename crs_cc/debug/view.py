@@ -219,6 +219,15 @@ class View:
         names = self._names.setdefault(id(program), SourceNames(program))
         return names.of("" if frame is None else frame.function, self.current_file())
 
+    def names_in(self, robot: int, function: str, file: str) -> FileNames:
+        """Return the names of the file of a function of a robot's program.
+
+        Raises:
+            DebugError: the file has changed since the program was built.
+        """
+        program = self.run.programs[robot]
+        return self._names.setdefault(id(program), SourceNames(program)).of(function, file)
+
     def declared_at(self, function: str, place: Location) -> list[Storage]:
         """Return the variables of a function that are visible at a place, the innermost first."""
         return self.evaluator(self.robot).declared_at(function, place)

@@ -79,7 +79,7 @@ def watched_object(
     inspector = evaluator.inspector()
     if not inspector.is_accessible(place.address, place.size):
         raise DebugError(inspector.explain(place.address, place.size, False))
-    owner = _owner(inspector.stopped, place.address)
+    owner = owner_of(inspector.stopped, place.address)
     return Watchpoint(
         text, place.type, WatchedObject(number, kind, place.address, place.size, owner)
     )
@@ -167,7 +167,7 @@ def _again(stack: Sequence[StackFrame], frame: StackFrame) -> StackFrame | None:
     return next((each for each in stack if same_activation(each, frame)), None)
 
 
-def _owner(stopped: Stopped, address: int) -> StackFrame | None:
+def owner_of(stopped: Stopped, address: int) -> StackFrame | None:
     """Return the activation that owns an address on the stack."""
     if address >= STACK_TOP:
         return None

@@ -10,6 +10,7 @@ from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import parse_count, require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
+from crs_cc.debug.commands.why import go_to_write
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import BEGINNING, Position
 
@@ -44,6 +45,8 @@ def _step(context: CommandContext, text: str, *, backward: bool = False) -> Answ
 
 
 def _next(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
+    if text and not backward and not text.isdigit():
+        return go_to_write(context, text, backward=False)
     return context.move(partial(context.debugger.next, parse_count(text), backward=backward))
 
 
@@ -137,8 +140,9 @@ RUNNING: Final = Group(
             repeats="same",
         ),
         Command(
-            "next", "[N]", "Step to the next line, stepping over calls.",
-            _next, ("n",), repeats="same",
+            "next", "[N|EXPRESSION]", "Step to the next line, stepping over calls.",
+            _next, ("n",), text="With EXPRESSION, go to the next write of that object.",
+            repeats="same",
         ),
         Command(
             "stepi", "[N]", "Step one statement.",

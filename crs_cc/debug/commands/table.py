@@ -27,6 +27,7 @@ from crs_cc.debug.commands.running import RUNNING
 from crs_cc.debug.commands.scripts import SCRIPTS
 from crs_cc.debug.commands.stack import STACK
 from crs_cc.debug.commands.symbols import SYMBOLS
+from crs_cc.debug.commands.why import WHY
 from crs_cc.debug.commands.world import CHANGES, WORLD
 from crs_cc.debug.errors import DebugError
 
@@ -90,7 +91,8 @@ SUPPORT: Final = Group(
 )  # fmt: skip
 
 GROUPS: Final[tuple[Group, ...]] = (
-    RUNNING, BREAKPOINTS, PAST, DATA, STACK, SYMBOLS, WORLD, CHANGES, BRANCHES, SCRIPTS, SUPPORT,
+    RUNNING, BREAKPOINTS, PAST, WHY, DATA, STACK, SYMBOLS, WORLD, CHANGES, BRANCHES, SCRIPTS,
+    SUPPORT,
 )  # fmt: skip
 
 COMMANDS: Final[tuple[Command, ...]] = tuple(each for group in GROUPS for each in group.commands)

@@ -100,7 +100,7 @@ SpecialName: TypeAlias = QualifiedName | ConvenienceVariable | OutsideName
 def slice_in(text: str) -> Slice | None:
     """Parse a slice; return None for other expressions."""
     text, opened = text.strip(), -1
-    for symbol, start, depth in _tokens(text):
+    for symbol, start, depth in tokens(text):
         if depth == 0 and symbol == "@":
             return Slice(text[:start].strip(), text[start + 1 :].strip(), "")
         if depth == 0 and symbol == "[":
@@ -108,14 +108,14 @@ def slice_in(text: str) -> Slice | None:
     if opened < 0 or not text.endswith("]"):
         return None
     inside = text[opened + 1 : -1]
-    for symbol, start, depth in _tokens(inside):
+    for symbol, start, depth in tokens(inside):
         if symbol == ".." and depth == 0:
             first, last = inside[:start].strip(), inside[start + 2 :].strip()
             return Slice(text[:opened].strip(), first, last)
     return None
 
 
-def _tokens(text: str) -> Iterator[tuple[str, int, int]]:
+def tokens(text: str) -> Iterator[tuple[str, int, int]]:
     """Return the tokens with their offsets and the depth of parentheses."""
     depth = 0
     for match in _TOKEN.finditer(text):
@@ -164,7 +164,7 @@ def _special_name(
     inside = match["quoted"] or match["path"] or match["function"]
     if inside is not None and is_robot(inside):
         start = match.start("name")
-        end = _operand_end(match.string, start)
+        end = operand_end(match.string, start)
         return RobotName(inside, match.string[start:end]), end
     if inside is not None:
         is_name = match["name"].isidentifier()
@@ -178,7 +178,7 @@ def _special_name(
     return (None if kept is None else ConvenienceVariable(kept)), match.end()
 
 
-def _operand_end(text: str, start: int) -> int:
+def operand_end(text: str, start: int) -> int:
     """Return the end of an operand: a name or parentheses, and members and elements of that."""
     primary = _PRIMARY.match(text, start)
     end = _closing(text, start) if text[start] == "(" else primary.end() if primary else start
@@ -195,7 +195,7 @@ def _operand_end(text: str, start: int) -> int:
 def _closing(text: str, start: int) -> int:
     """Return the end of the bracket that opens at a place; that of the text if it is not closed."""
     rest = text[start:]
-    ends = (at + len(token) for token, at, depth in _tokens(rest) if depth == 0 and at)
+    ends = (at + len(token) for token, at, depth in tokens(rest) if depth == 0 and at)
     return start + next(ends, len(rest))
 
 

@@ -1,0 +1,104 @@
+"""Commands that find writes in the recorded past: `last`, `next`, `why`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
+from pathlib import PurePath
+from typing import Final
+
+from crs_cc.debug.commands.answer import Answer, Line
+from crs_cc.debug.commands.arguments import require_argument
+from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import CommandContext
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.navigator import Navigator
+from crs_cc.debug.stop import Stop
+from crs_cc.debug.stop_points import StopPoints
+from crs_cc.debug.why import Cause, Why
+
+_WIDTH: Final = 60
+
+
+def go_to_write(context: CommandContext, expression: str, *, backward: bool) -> Answer:
+    """Go to the last write of an object, or to the next one; breakpoints do not count.
+
+    Raises:
+        DebugError: it is not written, or the expression names no object.
+    """
+    debugger = context.debugger
+    here = debugger.position
+    points = StopPoints(debugger.view)
+    points.add_watchpoint(require_argument(expression, "an expression"), "write", location=True)
+    navigator = Navigator(debugger.run, points.breakpoints, points.accepts, points.describe_hit)
+    stop = navigator.backward() if backward else navigator.forward()
+    if not stop.breakpoints:
+        debugger.run.seek(here)
+        if stop.reason == "interrupt":
+            raise DebugError("interrupted")
+        raise DebugError(f"'{expression}' was not written before" if backward else _NOT_AGAIN)
+    yield Line(stop.text, "stop")
+    yield from context.move(partial(_arrived, context, stop))
+
+
+def _arrived(context: CommandContext, stop: Stop) -> Stop:
+    """Select the program and the function that a write is about."""
+    debugger = context.debugger
+    arrived = debugger.goto(stop.position)
+    frames = (each for each in debugger.view.frames() if each.active.function == stop.function)
+    debugger.view.frame = next((each.number for each in frames), debugger.view.frame)
+    return replace(arrived, robot=stop.robot)
+
+
+_NOT_AGAIN: Final = "it is not written again"
+
+
+def _last(context: CommandContext, text: str) -> Answer:
+    return go_to_write(context, text, backward=True)
+
+
+def _why(context: CommandContext, text: str) -> Answer:
+    debugger = context.debugger
+    cause = Why(debugger.view, debugger.navigator).explain(require_argument(text, "an expression"))
+    context.instants = []
+    yield from _rows(context, cause, 0)
+
+
+def _rows(context: CommandContext, cause: Cause, depth: int) -> Iterator[str]:
+    """Yield a node and those below it, and number them."""
+    number = ""
+    if cause.position is not None:
+        context.instants.append(cause.position)
+        number = f"@{len(context.instants)}"
+    names = context.debugger.names
+    whose = f"{names[cause.robot]}: " if len(names) > 1 and cause.robot >= 0 else ""
+    where = ""
+    if cause.location is not None:
+        where = f"{PurePath(cause.location.file).name}:{cause.location.line}  "
+    at = f"t = {cause.time_s:.3f} s  " if cause.how and cause.position is not None else ""
+    head = f"{'  ' * depth}{whose}{cause.text}"
+    yield f"{number:<4} {head:<{_WIDTH - 20}}  {at}{where}{cause.how}".rstrip()
+    for each in cause.causes:
+        yield from _rows(context, each, depth + 1)
+
+
+WHY: Final = Group(
+    "why",
+    "Where values came from.",
+    (
+        Command(
+            "last", "EXPRESSION", "Go back to the last write of an object.", _last,
+            text='Other breakpoints do not count. "next EXPRESSION" goes to the next write.',
+            completes="expression",
+        ),
+        Command(
+            "why", "EXPRESSION", "Show where a value came from.", _why,
+            text="Shows the last write of the object, what that was computed from, and so on:"
+            " through assignments, arguments, returned values and messages of other robots, to"
+            " sensors, with the object that a beam met and the degradation that bent it. The run"
+            ' stays where it is; "goto @3" goes to the instant with that number.',
+            completes="expression",
+        ),
+    ),
+)  # fmt: skip

@@ -1,0 +1,90 @@
+"""The last write of an object before an instant, and the next one after it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.timeline.recorded_run import RecordedRun
+from crs_cc.debug.timeline.run_event import StopRequest
+from crs_cc.debug.watch import MemoryAccess, WatchedObject
+from crs_cc.runtime.diagnosis.inspect import StackFrame
+
+
+@dataclass(frozen=True, slots=True)
+class MemoryObject:
+    """An object in the memory of a robot's program.
+
+    Attributes:
+        frame: the activation whose variable it is; None if it is static.
+    """
+
+    robot: int
+    address: int
+    size: int
+    frame: StackFrame | None = None
+
+    @property
+    def watched(self) -> WatchedObject:
+        """It, as what is watched for writes."""
+        return WatchedObject(0, "write", self.address, self.size, self.frame)
+
+
+@dataclass(frozen=True, slots=True)
+class Write:
+    """A write of an object.
+
+    Attributes:
+        before: the last position before it.
+        access: what was done; None if the user changed the program there.
+        edit: the user's change; empty for none.
+    """
+
+    before: Position
+    access: MemoryAccess | None = None
+    edit: str = ""
+
+
+def last_write(run: RecordedRun, wanted: MemoryObject, before: Position) -> Write | None:
+    """Return the last write of an object before a position; None if there is none.
+
+    The run is off its timeline after that: `seek` must follow.
+
+    Raises:
+        InterruptedRunError: the user interrupts.
+    """
+    limit = before
+    edit = _last_edit(run, wanted, before)
+    for begin in run.history.back_from(before):
+        found: Write | None = None
+        run.arm(StopRequest(watched={wanted.robot: [wanted.watched]}, at_once=True))
+        for event in run.replay(begin, limit):
+            for hit in event.accesses:
+                if hit.access.what == "write" and hit.before < before:
+                    found = Write(hit.before, hit.access)
+        if edit is not None and edit.before >= begin:
+            return found if found is not None and found.before >= edit.before else edit
+        if found is not None:
+            return found
+        if wanted.frame is not None and _begun(run, begin, wanted.robot) < wanted.frame.entered:
+            return None
+        limit = begin
+    return None
+
+
+def _last_edit(run: RecordedRun, wanted: MemoryObject, before: Position) -> Write | None:
+    """Return the last change of an object by the user."""
+    first, end = wanted.address, wanted.address + wanted.size
+    for change in reversed(run.history.changes):
+        if change.robot != wanted.robot or change.position > before:
+            continue
+        spans = ((each.address, each.address + len(each.content)) for each in change.patches)
+        if any(start < end and first < stop for start, stop in spans):
+            return Write(change.position, None, change.text)
+    return None
+
+
+def _begun(run: RecordedRun, snapshot: Position, robot: int) -> int:
+    """Return how many statements of a program had started at a snapshot."""
+    programs = run.history.at(snapshot).session.programs
+    return int(programs[robot].slot["statements"][0]) if robot < len(programs) else 0

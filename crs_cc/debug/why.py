@@ -1,0 +1,361 @@
+"""Where a value came from: a tree of writes, each with what it was computed from.
+
+The last write of an object is found as `last_write` does. Its statement says what it was computed
+from; each of these operands is an object with a last write of its own, before that statement. So
+the tree goes back through assignments, arguments, returned values, messages of other robots and
+`State[]` to readings of sensors, to what was typed, to the user's changes and to initial values.
+
+A statement is read as text, with its macros expanded. Of the calls in it only the last one
+is followed into its `return`; what the others returned is not.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Location
+from crs_cc.debug.data.notation import RobotName
+from crs_cc.debug.data.statement_text import (
+    arguments,
+    calls,
+    cut,
+    is_count,
+    operands,
+    source_of,
+    without_call,
+)
+from crs_cc.debug.data.values import Value
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.last_write import MemoryObject, Write, last_write
+from crs_cc.debug.message_cause import RECEIVES, lost_messages, sending
+from crs_cc.debug.navigator import Navigator
+from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.timeline.recorded_run import InterruptedRunError
+from crs_cc.debug.timeline.run_event import StopRequest
+from crs_cc.debug.view import View
+from crs_cc.debug.watchpoints import owner_of, same_activation
+from crs_cc.debug.world.sensor_cause import sensor_texts
+from crs_cc.ir.names import plain_name
+from crs_cc.runtime.diagnosis.inspect import StackFrame
+
+MAX_NODES: Final = 40
+MAX_DEPTH: Final = 12
+"""A tree has at most so many nodes and levels; `why` at one of its instants goes on."""
+
+_LINES: Final = 20
+_SENDS: Final = re.compile(r"\bcrs_(?:send|broadcast|multicast)\s*\(")
+_ASSIGNS: Final = re.compile(r"[\w.\[\]>*-]+\s*(?:[-+*/%&|^]|<<|>>)?=\s*$")
+"""The head of an assignment before its value: some of them are located at the value."""
+_COMMENT: Final = re.compile(
+    r'("(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\')|/\*.*?\*/|//[^\n]*', re.DOTALL
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """A node of the tree.
+
+    Attributes:
+        text: what it is about: `speed = 40`; or a fact about its parent.
+        how: the source of the statement that did it, or what else did; empty for a fact.
+        position: where to go to see it; None for nowhere.
+        time_s: the clock of the robot's program then [s].
+        robot: the robot.
+        location: the location of the statement, if there is one.
+        causes: what it was computed from.
+    """
+
+    text: str
+    how: str = ""
+    position: Position | None = None
+    time_s: float = 0.0
+    robot: int = -1
+    location: Location | None = None
+    causes: tuple[Cause, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where operands have their values: a position, and a frame at a location."""
+
+    position: Position
+    robot: int
+    frame: StackFrame | None
+
+
+@dataclass(frozen=True, slots=True)
+class _Calling:
+    """The call that passed a parameter: its number, and the frames."""
+
+    number: int
+    callee: StackFrame
+    caller: StackFrame
+
+
+@dataclass(frozen=True, slots=True)
+class _Source:
+    """What was done somewhere: as it is written, in a line, and with macros expanded."""
+
+    shown: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Until:
+    """What a node explains: a value at a time [s], at a depth of the tree."""
+
+    time_s: float
+    depth: int
+
+
+class Why:
+    """Explains values of the recorded run."""
+
+    def __init__(self, view: View, navigator: Navigator) -> None:
+        self._view = view
+        self._run = view.run
+        self._navigator = navigator
+        self._left = MAX_NODES
+        self._seen: set[tuple[MemoryObject, Position]] = set()
+
+    def explain(self, text: str) -> Cause:
+        """Return where the value of an expression came from; the run is where it was.
+
+        Raises:
+            DebugError: the expression is invalid, or the user interrupts.
+        """
+        robot, here = self._view.robot, self._run.position
+        frame = self._view.active_frame(robot)
+        alone = self._view.evaluator(robot).outside_alone(text, frame)
+        if isinstance(alone, RobotName):
+            robot, text = self._view.names.index(alone.robot), alone.text
+            frame = self._view.active_frame(robot)
+        value = self._view.look_up(text, robot=robot)
+        place = _Place(here, robot, frame)
+        try:
+            found = self._object(place, text, 0)
+            if found is None:
+                causes = self._operands(place, operands(text), 0)
+                found = Cause(f"{text} = {value.text}", robot=robot, causes=causes)
+        except InterruptedRunError:
+            raise DebugError("interrupted") from None
+        finally:
+            self._run.seek(here)
+        return found
+
+    # -- values and their writes ---------------------------------------------------------------
+
+    def _operands(self, place: _Place, names: Sequence[str], depth: int) -> tuple[Cause, ...]:
+        """Return where the values of some operands came from."""
+        found: list[Cause] = []
+        for name in names:
+            self._run.seek(place.position)
+            with contextlib.suppress(DebugError):  # a function, a macro's word, a member's name
+                cause = self._object(place, name, depth)
+                found += [] if cause is None else [cause]
+        return tuple(found)
+
+    def _object(self, place: _Place, name: str, depth: int) -> Cause | None:
+        """Return where the value of an operand came from; None if it is no object in memory.
+
+        The run is at the place, and somewhere else after that.
+        """
+        robot, evaluator = place.robot, self._view.evaluator(place.robot)
+        value = evaluator.evaluate(name, place.frame).value
+        evaluator.undo()
+        if value.address is None or not value.type.size:
+            return None
+        stopped = self._run.stopped(robot)
+        owner = owner_of(stopped, value.address)
+        wanted = MemoryObject(robot, value.address, value.type.size, owner)
+        head = f"{name} = {value.text}"
+        if self._left <= 0 or depth >= MAX_DEPTH:
+            return Cause(head, "...", robot=robot)
+        self._left -= 1
+        calling, until = self._calling(robot, owner, value), _Until(self._run.time_s(robot), depth)
+        write = last_write(self._run, wanted, place.position)
+        if write is not None:
+            return self._written(head, wanted, write, until)
+        if calling is not None:
+            return self._argument(head, robot, calling, depth)
+        how = "its initial value" if owner is None else "not written since its function was called"
+        return Cause(head, how, robot=robot)
+
+    def _written(self, head: str, wanted: MemoryObject, write: Write, until: _Until) -> Cause:
+        """Return the node of a write, with what was written as its causes."""
+        robot, access = wanted.robot, write.access
+        self._run.seek(write.before)
+        base = Cause(head, "", write.before, self._run.time_s(robot), robot)
+        if access is None:
+            return replace(base, how=f"you changed it: {write.edit}")
+        if access.location is None:
+            return replace(base, how="the C library wrote it")
+        base = replace(base, location=access.location)
+        frame = self._frame(robot, access.function, access.location)
+        source = self._source(robot, access.function, access.location)
+        shown, text = source.shown, source.text
+        if (wanted, write.before) in self._seen:
+            return replace(base, how=f"{shown} (see above)")
+        self._seen.add((wanted, write.before))
+        place = _Place(write.before, robot, frame)
+        if access.library:
+            causes = self._from_library(place, access.library, text, wanted, until)
+            return replace(base, how=shown, causes=causes)
+        if is_count(text):
+            return replace(base, how=shown)
+        returned = self._returned(place, text, until.depth)
+        if returned is not None:
+            text = without_call(text, returned.text.partition(" ")[0])
+        own = self._operands(place, source_of(text), until.depth + 1)
+        causes = own if returned is None else (returned, *own)
+        return replace(base, how=shown, causes=causes)
+
+    def _returned(self, place: _Place, text: str, depth: int) -> Cause | None:
+        """Return the `return` statement of the call whose value was used last; None for none."""
+        site = self._run.site(place.robot)
+        stack = self._run.stopped(place.robot).stack
+        if site is None or place.frame is None or same_activation(stack[0], place.frame):
+            return None
+        if plain_name(site.function) not in calls(text):
+            return None
+        source = self._source(place.robot, site.function, site.location)
+        inner = _Place(place.position, place.robot, replace(stack[0], location=site.location))
+        return Cause(
+            f"{plain_name(site.function)} returned",
+            source.shown,
+            place.position,
+            self._run.time_s(place.robot),
+            place.robot,
+            site.location,
+            self._operands(inner, source_of(source.text), depth + 1),
+        )
+
+    # -- arguments -----------------------------------------------------------------------------
+
+    def _calling(self, robot: int, owner: StackFrame | None, value: Value) -> _Calling | None:
+        """Return the call that passed a value, if it is a parameter."""
+        if owner is None:
+            return None
+        evaluator, stack = self._view.evaluator(robot), self._run.stopped(robot).stack
+        declared = evaluator.declared_at(owner.function, owner.location)
+        places = {each.variable.name: each.variable.location for each in declared}
+        own = [each for each in evaluator.variables(owner) if each.scope == "parameter"]
+        own.sort(key=lambda each: places[each.name])
+        for number, each in enumerate(own):
+            first = each.value.address or 0
+            if first <= (value.address or 0) < first + each.value.type.size:
+                outer = stack[stack.index(owner) + 1 :]
+                return _Calling(number, owner, outer[0]) if outer else None
+        return None
+
+    def _argument(self, head: str, robot: int, calling: _Calling, depth: int) -> Cause:
+        """Return the node of a parameter: the call that passed it."""
+        caller, begun = calling.caller, calling.callee.entered - 1
+        base = Cause(head, robot=robot)
+        if begun < 0 or not self._navigator.to_statement(robot, begun):
+            return replace(base, how="an argument of the program")
+        place = _Place(self._run.position, robot, caller)
+        source = self._source(robot, caller.function, caller.location)
+        passed = arguments(source.text)[calling.number : calling.number + 1]
+        names = operands(passed[0]) if passed else []
+        return Cause(
+            head,
+            source.shown,
+            place.position,
+            self._run.time_s(robot),
+            robot,
+            caller.location,
+            self._operands(place, names, depth + 1),
+        )
+
+    # -- the library ---------------------------------------------------------------------------
+
+    def _from_library(
+        self, place: _Place, function: str, text: str, wanted: MemoryObject, until: _Until
+    ) -> tuple[Cause, ...]:
+        """Return what a function of the library wrote an object from."""
+        robot = place.robot
+        for field, value in self._view.vendor_state(robot):
+            if value.address == wanted.address:
+                texts = sensor_texts(self._run.session.environment, robot, field)
+                return tuple(
+                    Cause(f"{field.name}: {each}", position=place.position, robot=robot)
+                    for each in texts
+                )
+        if function == RECEIVES:
+            return self._message(place, text, until)
+        names = [each.lstrip("& ") for each in arguments(text)]
+        found = [each for name in names for each in operands(name)]
+        return self._operands(place, list(dict.fromkeys(found)), until.depth + 1)
+
+    def _message(self, place: _Place, text: str, until: _Until) -> tuple[Cause, ...]:
+        """Return where a message came from, and which ones to this robot were lost since."""
+        robot, found = place.robot, list[Cause]()
+        received_s = self._run.time_s(robot)
+        message = f"({arguments(text)[0]})"
+        self._run.arm(StopRequest(all=frozenset({robot})))
+        while self._run.advance().kind != "statement" and self._run.can_advance:
+            pass
+        frame = next(each for each in self._run.stopped(robot).stack if _same(each, place.frame))
+        evaluator = self._view.evaluator(robot)
+        sender, sent_ms = (
+            int(evaluator.evaluate(f"{message}->{name}", frame).value.number or 0)
+            for name in ("from", "sent")
+        )
+        begun = sending(self._run, sender, sent_ms / 1000.0)
+        if begun is not None and self._navigator.to_statement(sender, begun):
+            found.append(self._sent(sender, until.depth))
+        timestep_s = self._run.session.environment.timestep_s
+        for each in lost_messages(self._run, robot, received_s, until.time_s):
+            position = Position(int(each.time_s / timestep_s), 0)
+            found.append(Cause(f"lost since: {each.text}", "", position, each.time_s, robot))
+        return tuple(found)
+
+    def _sent(self, sender: int, depth: int) -> Cause:
+        """Return the node of a message: the run is before the statement that sent it."""
+        stack, site = self._run.stopped(sender).stack, self._run.site(sender)
+        assert site is not None
+        frame = replace(stack[0], location=site.location)
+        place = _Place(self._run.position, sender, frame)
+        source = self._source(sender, site.function, site.location)
+        call = _SENDS.search(source.text)
+        sends = source.text[call.start() :] if call else source.text
+        data = [each.lstrip("& ") for each in arguments(sends)[-2:-1]]
+        return Cause(
+            f"{self._run.name(sender)} sent it",
+            source.shown,
+            place.position,
+            self._run.time_s(sender),
+            sender,
+            site.location,
+            self._operands(place, operands(data[0]) if data else [], depth + 1),
+        )
+
+    # -- the source ----------------------------------------------------------------------------
+
+    def _frame(self, robot: int, function: str, location: Location) -> StackFrame | None:
+        """Return the innermost frame of a function, at a location."""
+        stack = self._run.stopped(robot).stack
+        found = next((each for each in stack if each.function == function), None)
+        return None if found is None else replace(found, location=location)
+
+    def _source(self, robot: int, function: str, location: Location) -> _Source:
+        """Return the source of what was done at a location."""
+        lines = self._view.source(location.file)[location.line - 1 :][:_LINES]
+        before = lines[0][: location.column - 1] if lines else ""
+        assigns = _ASSIGNS.search(before)
+        start = location.column - 1 if assigns is None else assigns.start()
+        text = _COMMENT.sub(lambda found: found[1] or " ", "\n".join(lines)[start:])
+        shown = cut(text)
+        with contextlib.suppress(DebugError, CompileError):
+            text = self._view.names_in(robot, function, location.file).expanded(shown)
+        return _Source(" ".join(shown.split()), text)
+
+
+def _same(one: StackFrame, other: StackFrame | None) -> bool:
+    return other is not None and same_activation(one, other)
