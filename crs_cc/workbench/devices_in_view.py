@@ -13,6 +13,7 @@ from crs_cc.sim.devices.arm.state import arm_of
 from crs_cc.sim.devices.camera import camera_state, picture
 from crs_cc.sim.devices.gripper.state import gripper_of
 from crs_cc.sim.devices.laser.model import NUM_LASER, laser_state
+from crs_cc.sim.model.degradation import part
 from crs_cc.workbench.feed import rounded
 
 if TYPE_CHECKING:
@@ -74,8 +75,8 @@ def _holds(environment: Environment, rows: Sequence[int]) -> Iterator[tuple[int,
             yield robot, held
 
 
-def _degraded(environment: Environment) -> Iterator[tuple[int, str, int, str]]:
-    """Yield robot, device, element (-1 for all) and phase of what is degraded."""
+def _degraded(environment: Environment) -> Iterator[tuple[int, str, int, str, str]]:
+    """Yield robot, device, element (-1 for all), phase and name of what is degraded."""
     if not len(environment.state.degradation.table):
         return
     robots = {robot.id: row for row, robot in enumerate(environment.world.robots)}
@@ -83,7 +84,9 @@ def _degraded(environment: Environment) -> Iterator[tuple[int, str, int, str]]:
         phase = phase_now(environment, each)
         if phase in {"acts", "fades"}:
             element = -1 if each.element is None else each.element
-            yield robots[each.robot], each.device, element, phase
+            robot = robots[each.robot]
+            name = part(each, environment.world.robots[robot].model)
+            yield robot, each.device, element, phase, name
 
 
 def _heats(environment: Environment) -> Iterator[tuple[str, float]]:

@@ -48,17 +48,32 @@ def played(screen: Screen) -> Iterator[Screen]:
 def page_in(
     browser: Any, screen: Screen | BuildScreen, width: int = 900, height: int = 600
 ) -> Iterator[Any]:
+    """Open the page of a screen, see `page_at`."""
+    with page_at(browser, screen.server.address(), width, height) as made:
+        yield made
+
+
+@contextmanager
+def page_at(
+    browser: Any, address: str, width: int, height: int, color_scheme: str = "light"
+) -> Iterator[Any]:
     """Open a page; at its end, nothing has gone wrong in it, and it has asked only this machine."""
-    made = browser.new_page(viewport={"width": width, "height": height})
+    size = {"width": width, "height": height}
+    made = browser.new_page(viewport=size, color_scheme=color_scheme)
     wrong: list[str] = []
     made.on("pageerror", lambda error: wrong.append(str(error)))
     made.on("console", lambda line: wrong.extend([line.text] if is_fault(line) else []))
-    made.on("request", lambda asked: wrong.extend([] if "127.0.0.1" in asked.url else [asked.url]))
+    made.on("request", lambda asked: wrong.extend([] if is_here(asked.url) else [asked.url]))
     made.set_default_timeout(20_000)
-    made.goto(screen.server.address())
+    made.goto(address)
     yield made
     made.close()
     assert not wrong, wrong
+
+
+def is_here(url: str) -> bool:
+    """Return whether a request stays on this machine."""
+    return "127.0.0.1" in url or url.startswith(("file:", "data:"))
 
 
 def is_fault(line: Any) -> bool:

@@ -1,60 +1,128 @@
-"""Take pictures of the workbench for docs: `python -m tests.workbench.pictures [NAME...]`.
+"""Take the pictures of the documentation: `python -m tests.workbench.pictures [NAME...]`.
 
-A picture is a row in `PICTURES`: what is done in the page before it is taken. Look at each picture
-before it is committed.
+`PICTURES` is the table of them: what is opened, what is done in the page, and how large it is. Look
+at each picture before it is committed. To look at the pages at other sizes, take them into another
+folder: `--into /tmp/look --size 1024x768 --dark`.
 """
 
 from __future__ import annotations
 
 import argparse
+import io
 import shutil
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, chdir, contextmanager
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
+from PIL import Image
 from playwright.sync_api import sync_playwright
 
 from crs_cc.cli.debug_options import DebugOptions
 from crs_cc.cli.inputs import Inputs
+from crs_cc.cli.main import main as crs
+from crs_cc.cli.start_build import building
 from crs_cc.cli.start_view import screen_of
-from tests.workbench.in_browser import FLAGS, page_in, played, wait
+from tests.workbench import picture_steps as steps
+from tests.workbench.in_browser import FLAGS, page_at, played
 
 ROOT: Final = Path(__file__).parents[2]
 IMAGES: Final = ROOT / "docs" / "images"
-PROGRAM: Final = ROOT / "samples" / "scout_c" / "wander.c"
-WORLD: Final = ROOT / "worlds" / "complex-3r.xml"
+SAMPLES: Final = ROOT / "samples" / "scout_c"
+WORLDS: Final = ROOT / "worlds"
+PICTURED: Final = Path(__file__).with_name("pictured")
+SCOUT: Final = ROOT / "crs_cc" / "sim" / "files" / "robots" / "scout.xml"
+COLOURS: Final = 256
+PATIENCE_MS: Final = 60_000
+SETTLED_MS: Final = 3000
+"""Until edges are smooth and no note is shown any more."""
 
 
-def at_a_breakpoint(page: Any) -> None:
-    """Stop robot0 where it changes its state for the first time after 20 s."""
-    go_to(page, 20.0)
-    line = PROGRAM.read_text().splitlines().index("    state = new_state;") + 1
-    page.evaluate(f"crs.model.ask('break', {{ file: crs.model.where.file, line: {line} }})")
-    page.keyboard.press("F5")
-    wait(page, "crs.model.state.halt.reason === 'breakpoint'")
+@contextmanager
+def run_of(program: Path, world: Path) -> Iterator[str]:
+    """Show a run, in the folder of its program; yield its address."""
+    options = DebugOptions(inputs=Inputs((Path(program.name),), world), quiet=True)
+    with chdir(program.parent), played(screen_of(options, 0)) as screen:
+        yield screen.server.address()
 
 
-def compared(page: Any) -> None:
-    """Degrade a sonar in the past, and compare the run with the one before."""
-    go_to(page, 20.0)
-    go_to(page, 9.0)
-    page.click("#tab-console")
-    page.fill(".prompt input", "degrade robot0 sonar.0 bias 30cm noise 8cm")
-    page.press(".prompt input", "Enter")
-    wait(page, "crs.model.panel.branches.length === 2")
-    go_to(page, 16.0)
-    page.click("#tab-changes")
-    page.click("button:has-text('Compare')")
-    page.wait_for_selector(".differences tr")
+@contextmanager
+def builder_of(file: Path, name: str) -> Iterator[str]:
+    """Edit a copy of a world or a robot definition; yield the address."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(shutil.copyfile(file, Path(folder, name)))
+        with building(copy, SAMPLES / "wander.c", 0) as screen:
+            yield screen.server.address()
 
 
-PICTURES: Final = {"workbench": at_a_breakpoint, "workbench-runs": compared}
+@contextmanager
+def page_of_a_recording(program: Path, world: Path) -> Iterator[str]:
+    """Record half a minute as a web page; yield its address."""
+    with tempfile.TemporaryDirectory() as folder:
+        run, page = Path(folder, "run.mcap"), Path(folder, "run.html")
+        crs(["run", "-q", str(program), str(world), "--max-time", "30", "--record", str(run)])
+        crs(["replay", str(run), "--html", str(page)])
+        yield page.as_uri()
 
 
-def go_to(page: Any, time_s: float) -> None:
-    """Go to a time and wait until the page shows it."""
-    page.evaluate(f"crs.timeline.seek({time_s})")
-    wait(page, f"Math.abs(crs.model.state.t - {time_s}) < 0.06 && !crs.model.state.busy")
-    wait(page, "Math.abs(crs.model.scene.time - crs.model.state.t) < 1e-6")
+@dataclass(frozen=True)
+class Picture:
+    """A picture: what is opened, what is done in the page before it is taken, and its size."""
+
+    opened: Callable[[], AbstractContextManager[str]]
+    steps: Callable[[Any], None]
+    height: int = 760
+    width: int = 1280
+    is_dark: bool = False
+
+
+three_robots: Final = partial(run_of, SAMPLES / "wander.c", WORLDS / "complex-3r.xml")
+
+PICTURES: Final = {
+    "workbench": Picture(three_robots, steps.at_a_breakpoint),
+    "workbench-runs": Picture(three_robots, steps.two_runs),
+    "workbench-views": Picture(three_robots, steps.four_views, is_dark=True),
+    "workbench-heat": Picture(
+        partial(run_of, SAMPLES / "wander.c", WORLDS / "gallery.xml"), steps.infrared
+    ),
+    "workbench-debugger": Picture(
+        partial(run_of, PICTURED / "fault.c", WORLDS / "room.xml"), steps.at_an_error, 860
+    ),
+    "workbench-robots": Picture(three_robots, steps.table_of_robots),
+    "workbench-faults": Picture(three_robots, steps.faults_and_plot),
+    "workbench-messages": Picture(
+        partial(run_of, SAMPLES / "platoon.c", WORLDS / "platoon.xml"), steps.messages,
+        is_dark=True,
+    ),
+    "world-builder": Picture(
+        partial(builder_of, PICTURED / "hall.xml", "hall.xml"), steps.builder_with("stove")
+    ),
+    "robot-builder": Picture(
+        partial(builder_of, SCOUT, "rover.xml"), steps.builder_with("sensor[1]")
+    ),
+    "replay": Picture(
+        partial(page_of_a_recording, SAMPLES / "wander.c", WORLDS / "cluttered.xml"),
+        steps.recorded_page, 720,
+    ),
+}  # fmt: skip
+
+
+def take(browser: Any, picture: Picture, path: Path) -> None:
+    """Take a picture, with a palette, which halves its size and more."""
+    scheme = "dark" if picture.is_dark else "light"
+    with (
+        picture.opened() as address,
+        page_at(browser, address, picture.width, picture.height, color_scheme=scheme) as page,
+    ):
+        page.set_default_timeout(PATIENCE_MS)
+        picture.steps(page)
+        page.mouse.move(0, 0)
+        page.wait_for_timeout(SETTLED_MS)
+        taken = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+    taken.quantize(COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 def main() -> None:
@@ -62,19 +130,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", default=list(PICTURES))
     parser.add_argument("--into", type=Path, default=IMAGES)
+    parser.add_argument("--size", metavar="WIDTHxHEIGHT", help="of all; by default that of each")
+    parser.add_argument("--dark", action="store_true", help="all in dark colours")
     options = parser.parse_args()
     with sync_playwright() as started:
         browser = started.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
         for name in options.names:
-            run = DebugOptions(inputs=Inputs((PROGRAM,), WORLD), quiet=True)
-            with (
-                played(screen_of(run, 0)) as screen,
-                page_in(browser, screen, 1280, 760) as page,
-            ):
-                page.wait_for_selector(".robot b")
-                PICTURES[name](page)
-                page.wait_for_timeout(3000)  # smooth edges, and no note any more
-                page.screenshot(path=options.into / f"{name}.png")
+            row = PICTURES[name]
+            width, height = map(int, (options.size or f"{row.width}x{row.height}").split("x"))
+            is_dark = row.is_dark or options.dark
+            row = Picture(row.opened, row.steps, height, width, is_dark)
+            take(browser, row, options.into / f"{name}.png")
+            print(name)
         browser.close()
 
 

@@ -399,6 +399,31 @@ def it_is_looked_at_in_three_dimensions(hand: Hand) -> None:
     wait(hand.page, "crs.model.thing('robot0').attributes.x === '1m'")
 
 
+def a_view_that_is_closed_while_it_is_made_or_dragged_stays_closed(page: Any) -> None:
+    canvases = page.evaluate(
+        """async () => {
+            const { solid, model } = crs;
+            await solid.toggle();
+            const made = solid.make(await model.ask("scene"));
+            await solid.toggle();
+            await made;
+            return document.querySelectorAll(".solid canvas").length;
+        }"""
+    )
+    assert canvases == 0
+    page.evaluate(
+        """async () => {
+            const { solid } = crs;
+            await solid.toggle();
+            const at = { clientX: 500, clientY: 400, bubbles: true };
+            const grasp = { place: [0, 0], height: 0, moved: [] };
+            solid.drag = { x: 1, y: 1, way: 0, by: [0, 0], grasp };
+            await solid.toggle();
+            solid.element.dispatchEvent(new PointerEvent("pointermove", at));
+        }"""
+    )
+
+
 def a_unit_is_chosen_for_what_is_drawn(hand: Hand) -> None:
     hand.page.select_option("[aria-label=unit]", "cm")
     hand.press("c")
@@ -475,6 +500,7 @@ def test_a_world_is_drawn_saved_and_tried(page: Any, screen: BuildScreen, folder
     the_line_below_and_the_list_of_keys_say_what_to_do(hand)
     elements_are_locked_and_hidden(hand)
     it_is_looked_at_in_three_dimensions(hand)
+    a_view_that_is_closed_while_it_is_made_or_dragged_stays_closed(hand.page)
     an_object_is_dragged_from_the_library(hand)
     goals_and_programs_are_checked_while_drawing(hand, folder)
     the_world_is_tried_and_editing_goes_on_where_it_was(hand, folder)

@@ -60,8 +60,14 @@ def the_table_has_a_row_for_each_robot(page: Any, debugger: Debugger) -> None:
     page.keyboard.press("9")
 
 
-def a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page: Any, debugger: Debugger) -> None:
+def sensors_have_their_past_though_the_run_stands(page: Any) -> None:
+    page.evaluate("crs.instruments.now = null; crs.instruments.series.clear()")
+    page.evaluate("crs.instruments.known.clear()")
     page.click("#tab-robot")
+    wait(page, "crs.instruments.series.of('1 sonar.0').times.length > 10")
+
+
+def a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page: Any, debugger: Debugger) -> None:
     page.wait_for_selector(".state-rows th:has-text('STATE_SONAR_0')")
     click(page, "Move", ".actions")
     x = page.locator(".action-form input").nth(0)
@@ -244,6 +250,7 @@ def test_a_run_is_seen_changed_and_restored_by_the_panel(browser: Any, tmp_path:
         with page_in(browser, screen, 1280, 720) as page:
             wait(page, "document.body.dataset.time === '0.000'")
             the_table_has_a_row_for_each_robot(page, debugger)
+            sensors_have_their_past_though_the_run_stands(page)
             a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page, debugger)
             a_sonar_is_degraded_and_reads_otherwise(page, debugger)
             an_expression_is_plotted_back_to_the_start(page)

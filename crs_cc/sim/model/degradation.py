@@ -162,6 +162,13 @@ def complaint(degradation: Degradation, model: RobotModel) -> str:
     return _ambiguous(degradation, device, names)
 
 
+def part(degradation: Degradation, model: RobotModel) -> str:
+    """Return what is degraded: the device and its element, such as `drive left`."""
+    names = degradables()[degradation.device].elements(model)
+    which = "" if degradation.element is None else f" {names[degradation.element]}"
+    return f"{degradation.device}{which}"
+
+
 def described(degradation: Degradation, model: RobotModel) -> str:
     """Describe a degradation: the device, its element and the fault.
 
@@ -173,10 +180,8 @@ def described(degradation: Degradation, model: RobotModel) -> str:
     'sonar, bias 0.3m'
     """
     device, element = degradables()[degradation.device], degradation.element
-    names = device.elements(model)
-    which = "" if element is None else f" {names[element]}"
-    kind = device.kind_of(names[element or 0])
-    return f"{device.name}{which}, {degradation.faults(kind)}"
+    kind = device.kind_of(device.elements(model)[element or 0])
+    return f"{part(degradation, model)}, {degradation.faults(kind)}"
 
 
 def element_of(device: Degradable, model: RobotModel, text: str) -> int | None:

@@ -62,14 +62,19 @@ export class Instruments {
     return `${robot} ${expression}`;
   }
 
+  /** What is wanted by panels that are shown. @returns {Wish[]} */
+  shownWishes() {
+    return [...this.wishes.values()].map((wish) => wish()).filter((wish) => wish.isShown);
+  }
+
   async inspect() {
-    const wishes = [...this.wishes.values()].map((wish) => wish()).filter((wish) => wish.isShown);
+    const wishes = this.shownWishes();
     if (!wishes.length || !this.model.run?.can.includes("change") || !this.model.isConnected) return;
     const { robot } = this.model.state;
     const expressions = [...new Set(["speed", "battery", ...wishes.flatMap((wish) => wish.expressions)])].slice(0, 40);
     try {
       this.note(await this.model.channel.ask("inspect", { robot, expressions: expressions.join("\n") }), expressions);
-      for (const wish of wishes) await this.catchUp(robot, wish);
+      for (const wish of this.shownWishes()) await this.catchUp(robot, wish); // it may want what the answer has named
       this.model.tell("instruments", this.now);
     } catch {
       this.now = null; // the robot is no more, or the programs of a recording stand elsewhere

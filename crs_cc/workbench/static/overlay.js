@@ -8,6 +8,7 @@ import { cameraStrip, heatRange, infraredBeams } from "crs/overlay_sensors.js";
 import { angleText, gridStep, lengthText } from "crs/units.js";
 
 const MANY = 60; // robots: of more, only the selected one is annotated
+const LINE = 17; // between names, one above the other [pixels]
 const ECHO_S = 0.8; // how long contacts are marked [s]
 
 /** @typedef {{name: string, title: string, on: boolean, only?: string, device?: string, draw: (o: Overlay) => void}} Part
@@ -126,6 +127,11 @@ function heatScale(o) {
   const { pen, look } = o;
   const most = mostHeat(o.scene);
   const [left, top, size] = [o.width - 30, o.height / 2 - 80, 160];
+  pen.fillStyle = "rgb(11 16 38 / 80%)"; // as cold as can be, so that the text is read on any heat
+  pen.beginPath();
+  pen.roundRect(left - 146, top - 25, 166, 21, 6);
+  pen.roundRect(left - 42, top - 8, 62, size + 18, 6);
+  pen.fill();
   for (let row = 0; row < size; row++) {
     pen.fillStyle = heatColour(1 - row / size);
     pen.fillRect(left, top + row, 14, 1.5);
@@ -310,6 +316,7 @@ function messages(o) {
 
 function labels(o) {
   const { pen, look } = o;
+  const taken = []; // left, right and height of those that are drawn
   pen.font = "600 11px system-ui, sans-serif";
   pen.textAlign = "center";
   for (const body of o.chosen()) {
@@ -317,14 +324,18 @@ function labels(o) {
     if (w <= 0 || x < -40 || x > o.width + 40 || y < -20 || y > o.height + 20) continue;
     const size = Math.max(7, body.radius * o.view.pixels(w)) + 5;
     const half = pen.measureText(body.id).width / 2 + 5;
+    let foot = y - size;
+    const isIn = ([left, right, other]) => x + half > left && x - half < right && Math.abs(other - foot) < LINE;
+    for (let each = taken.find(isIn); each; each = taken.find(isIn)) foot = each[2] - LINE; // above it
+    taken.push([x - half, x + half, foot]);
     pen.globalAlpha = 0.86;
     pen.fillStyle = look.colours.panel;
     pen.beginPath();
-    pen.roundRect(x - half, y - size - 15, 2 * half, 16, 5);
+    pen.roundRect(x - half, foot - 15, 2 * half, 16, 5);
     pen.fill();
     pen.globalAlpha = 1;
     pen.fillStyle = body.row === look.selected ? look.colours.accent : look.colours.text;
-    pen.fillText(body.id, x, y - size - 3.5);
+    pen.fillText(body.id, x, foot - 3.5);
   }
 }
 

@@ -35,9 +35,9 @@ export function laser(o) {
 export function degraded(o) {
   const { pen, look } = o;
   const byRobot = new Map();
-  for (const [row, device, element] of look.devices?.degraded ?? []) {
+  for (const [row, device, element, , name] of look.devices?.degraded ?? []) {
     if (!byRobot.has(row)) byRobot.set(row, []);
-    byRobot.get(row).push([device, element]);
+    byRobot.get(row).push([device, element, name]);
   }
   pen.font = "600 11px system-ui, sans-serif";
   pen.textAlign = "center";
@@ -47,7 +47,7 @@ export function degraded(o) {
     const [x, y, w] = o.project(body.x, body.y, body.z);
     if (w <= 0) continue;
     for (const [device, element] of parts) mark(o, body, device, element);
-    const text = [...new Set(parts.map(([device, element]) => (element < 0 ? device : `${device} ${element}`)))].slice(0, 4).join(", ");
+    const text = [...new Set(parts.map(([, , name]) => name))].slice(0, 4).join(", ");
     const low = y + Math.max(8, body.radius * o.view.pixels(w)) + 13;
     pen.fillStyle = RED;
     pen.beginPath();

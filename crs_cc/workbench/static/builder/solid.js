@@ -30,7 +30,10 @@ export class Solid {
     this.element.hidden = !this.isOn;
     this.model.tell("tool");
     if (this.isOn) await this.renew();
-    else this.drop();
+    else {
+      this.drag = null;
+      this.drop();
+    }
   }
 
   drop() {
@@ -55,6 +58,7 @@ export class Solid {
   /** @param {any} world as the viewer has it */
   async make(world) {
     const [{ View3D }, { Scene }, { Camera }, { Lighting }] = await Promise.all([import("../view3d.js"), import("../scene.js"), import("../camera.js"), import("../lighting.js")]);
+    if (!this.isOn) return; // closed meanwhile
     const colours = palette();
     const names = world.robots.map((robot) => robot.id);
     const scene = new Scene({ world, rosters: [{ t: 0, robots: names, objects: [] }] });

@@ -1,0 +1,13 @@
+"""The pictures of pages in docs/images can be made anew."""
+
+from __future__ import annotations
+
+import pytest
+
+pytest.importorskip("playwright.sync_api")
+
+from tests.workbench.pictures import IMAGES, PICTURES
+
+
+def test_every_picture_of_a_page_is_in_the_table() -> None:
+    assert {path.stem for path in IMAGES.glob("*.png")} == set(PICTURES)
