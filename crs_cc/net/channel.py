@@ -70,6 +70,7 @@ _HEAD: Final = struct.Struct("<IIII")
 for the rest of a message whose size is damaged."""
 
 _CHECKSUM: Final = struct.Struct("<I")
+_HEAD_BYTES: Final = _HEAD.size + _CHECKSUM.size
 _DAMAGED: Final = "a message is missing, doubled or damaged"
 _LEAST, _CHUNK = 2**14, 2**20
 
@@ -153,26 +154,29 @@ class Channel:
         Raises:
             ConnectionLostError: it does not come, or is not valid.
         """
-        end_s = None if within_s is None else time.monotonic() + within_s
+        rest, end_s = self._rest, None if within_s is None else time.monotonic() + within_s
         while True:
-            head = self._read(_HEAD.size + _CHECKSUM.size, end_s)
-            kind, size, number, checksum = _HEAD.unpack_from(head)
-            is_whole = _CHECKSUM.unpack_from(head, _HEAD.size) == (zlib.crc32(head[: _HEAD.size]),)
+            self._await(_HEAD_BYTES, end_s)
+            kind, size, number, checksum = _HEAD.unpack_from(rest)
+            is_whole = _CHECKSUM.unpack_from(rest, _HEAD.size) == (zlib.crc32(rest[: _HEAD.size]),)
             if not is_whole or number != self._received:
                 raise ConnectionLostError(_DAMAGED)
             if kind != Kind.ALIVE and kind not in allowed:
                 raise ConnectionLostError(f"unexpected message of kind {kind}")
             if size > _MOST.get(kind, _SMALL):
                 raise ConnectionLostError(f"message of {size} bytes is too long")
-            content = self._read(size, end_s)
+            end = _HEAD_BYTES + size
+            self._await(end, end_s)
+            content = bytes(rest[_HEAD_BYTES:end])
+            del rest[:end]
             if zlib.crc32(content) != checksum:
                 raise ConnectionLostError(_DAMAGED)
             self._received = (self._received + 1) & 0xFFFFFFFF
             if kind != Kind.ALIVE:
                 return Message(Kind(kind), content)
 
-    def _read(self, size: int, end_s: float | None) -> bytes:
-        """Return so many bytes; memory is taken as they come."""
+    def _await(self, size: int, end_s: float | None) -> None:
+        """Wait until so many bytes have come that are not read; memory is taken as they come."""
         rest = self._rest
         look_s, least = 0.0, 0  # when to look whether so many bytes have come
         while len(rest) < size:
@@ -185,9 +189,6 @@ class Channel:
                 if len(rest) < min(size, least):
                     raise ConnectionLostError("too slow")
                 look_s, least = now_s + SILENCE_S, len(rest) + _LEAST_PROGRESS
-        content = bytes(rest[:size])
-        del rest[:size]
-        return content
 
     def _part(self, size: int) -> bytes:
         """Return some bytes, of so many that are wanted."""
