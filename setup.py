@@ -12,7 +12,7 @@ from setuptools import setup
 from setuptools.command.build_py import build_py
 
 ROOT = Path(__file__).parent
-FILES = ("samples/**/*", "worlds/**/*", "docs/*.md", "docs/tutorial/*")
+FILES = ("samples/**/*", "worlds/**/*", "docs/*.md", "docs/tutorial/**/*")
 ENDINGS = frozenset(
     [".c", ".csv", ".grid", ".h", ".map", ".md", ".png", ".py", ".toml", ".txt", ".xml"]
 )

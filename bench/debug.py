@@ -5,8 +5,9 @@ reads its sonars as often as the line lets it, drives, and turns on the spot whi
 near; the function `minute` is called once a minute, of 60 s unless it is shortened, `never` never.
 The same is run by the run build in a plain session, by the debug build under the debugger with a
 breakpoint in `never`, and by the watching build with a watchpoint on a variable that nobody
-touches. Then the user goes back. Last, a breakpoint with a condition is passed at each depth of a
-deep recursion; the goals are printed with its figures.
+touches. Then the user goes back. Then a breakpoint with a condition is passed at each depth of a
+deep recursion, and last the user asks where a value came from that is a minute old; the goals are
+printed with these figures.
 
     python bench/debug.py [--minutes M] [--minute S] [ROBOTS ...]
 """
@@ -20,11 +21,14 @@ import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
+from crs_cc.debug.past import Past
 from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.why import Why
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.library import HEADERS
@@ -94,6 +98,26 @@ int main(void)
     return down({DEPTH});
 }}
 """
+ASKED = r"""
+#include <unistd.h>
+#include "Nclient.h"
+
+static int first, gap, turns;
+
+int main(void)
+{
+    connect_robot(1);
+    gs();
+    first = (int) State[STATE_SONAR_0] * 3;
+    gap = first + 2;
+    for (;;) {
+        vm(30, 300, 0);
+        turns++;
+        usleep(80000);
+    }
+}
+"""
+MANY = 100
 AGAIN = 5
 """How often each way back is taken; the median counts."""
 
@@ -200,9 +224,16 @@ def backward(bench: Bench, table: Table, debugger: Debugger, minute_s: float) ->
     if abs(back - minute) > 1:
         sys.exit(f"went {back} timesteps back, not {minute}: {debugger.stop}")
     table.row("reverse-continue, a minute", seconds, seconds / minute_s, "x a minute forward")
+    if bench.robots == MANY:
+        goal(f"reverse-continue, {MANY} robots", f"{seconds:.2f} s", "2 s")
     middle = bench.timesteps // 2 + 3
     seconds = timed(lambda: debugger.goto_timestep(middle))
     table.row("goto the middle", seconds, seconds / forward_s, "x the way forward")
+
+
+def goal(what: str, figure: str, most: str) -> None:
+    """Print a figure and its goal."""
+    print(f"{'':7} {what:32}{figure:>12} (goal {most})", flush=True)
 
 
 def deep(folder: Path) -> None:
@@ -215,18 +246,37 @@ def deep(folder: Path) -> None:
     debugger.start()
     debugger.stop_points.add_breakpoint("down", condition="n == 0")
 
-    def row(what: str, figure: str, goal: str) -> None:
-        print(f"{'':7} {what:32}{figure:>12} (goal {goal})", flush=True)
-
     seconds = timed(debugger.resume)
     if debugger.stop.reason != "breakpoint":
         sys.exit(f"stopped: {debugger.stop}")
-    row(f"break if, {DEPTH:,} deep", f"{seconds:.2f} s", "1 s")
+    goal(f"break if, {DEPTH:,} deep", f"{seconds:.2f} s", "1 s")
     seconds = statistics.median(timed(lambda: debugger.step(backward=True)) for _ in range(AGAIN))
-    row("reverse-step there", f"{1e3 * seconds:.0f} ms", "50 ms")
+    goal("reverse-step there", f"{1e3 * seconds:.0f} ms", "50 ms")
     evaluator = debugger.view.evaluator(0)
     seconds = timed(lambda: [evaluator.holds("n == 0") for _ in range(1000)]) / 1000
-    row("a condition", f"{1e6 * seconds:.0f} us", "20 us")
+    goal("a condition", f"{1e6 * seconds:.0f} us", "20 us")
+
+
+def asked(folder: Path) -> None:
+    """Measures questions about the past, at first with the builds that they need."""
+    source = folder / "asked.c"
+    source.write_text(ASKED)
+    executable = build_executable([source], Diagnostics(), debug=True)
+    program = DebugProgram(executable, [source], Options((), (HEADERS,)))
+    debugger = Debugger(empty_world(), [program])
+    debugger.goto_time(60.5)
+
+    def why() -> None:
+        cause = Why(debugger.view, debugger.navigator).explain("gap")
+        if not cause.causes or not cause.causes[0].causes:
+            sys.exit(f"not explained: {cause}")
+
+    goal("why, a minute old, first time", f"{timed(why):.2f} s", "2 s")
+    goal("why, a minute old, again", f"{timed(why):.2f} s", "2 s")
+    past = Past(debugger.view, debugger.stop_points)
+    for expression in ("turns", "robot0.heading"):
+        seconds = timed(partial(past.values, expression, past.whole()))
+        print(f"{'':7} {f'history {expression}, a minute':32}{seconds:10.2f} s", flush=True)
 
 
 def main() -> None:
@@ -241,6 +291,7 @@ def main() -> None:
             bench = Bench(Path(folder), robots, options.minutes, options.minute)
             backward(bench, table, *forward(bench, table))
         deep(Path(folder))
+        asked(Path(folder))
 
 
 if __name__ == "__main__":

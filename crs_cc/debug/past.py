@@ -41,6 +41,7 @@ class Instant:
         text: the value, or the message.
         number: the value, if it is a number.
         location: the location of the statement; None if there is none.
+        robot: the robot in whose program it is; -1 for none.
     """
 
     position: Position
@@ -48,6 +49,7 @@ class Instant:
     text: str
     number: float | None = None
     location: Location | None = None
+    robot: int = -1
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,8 +111,8 @@ class Past:
                 robot = run.session.state.halted
                 if event.kind == "statement" and robot is not None and (site := run.site(robot)):
                     said = self._stop_points.logged(text, robot)
-                    place_ = site.location
-                    _keep(found, Instant(run.position, run.time_s(robot), said, None, place_))
+                    at = run.position, run.time_s(robot)
+                    _keep(found, Instant(*at, said, None, site.location, robot))
         return found
 
     def _changes(
@@ -128,7 +130,7 @@ class Past:
             if content != last and wanted(value):
                 text, number = (value.text, value.number) if value else (UNREADABLE, None)
                 time_s = run.time_s(-1 if is_world else robot)
-                _keep(found, Instant(position, time_s, text, number, location))
+                _keep(found, Instant(position, time_s, text, number, location, robot))
             last = content
 
         with self._moved(part):

@@ -105,14 +105,6 @@ class _Source:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class _Until:
-    """What a node explains: a value at a time [s], at a depth of the tree."""
-
-    time_s: float
-    depth: int
-
-
 class Why:
     """Explains values of the recorded run."""
 
@@ -121,6 +113,7 @@ class Why:
         self._run = view.run
         self._navigator = navigator
         self._left = MAX_NODES
+        self._asked_s = 0.0
         self._seen: set[tuple[MemoryObject, Position]] = set()
 
     def explain(self, text: str) -> Cause:
@@ -130,6 +123,7 @@ class Why:
             DebugError: the expression is invalid, or the user interrupts.
         """
         robot, here = self._view.robot, self._run.position
+        self._asked_s = self._run.time_s(robot)
         frame = self._view.active_frame(robot)
         alone = self._view.evaluator(robot).outside_alone(text, frame)
         if isinstance(alone, RobotName):
@@ -177,16 +171,16 @@ class Why:
         if self._left <= 0 or depth >= MAX_DEPTH:
             return Cause(head, "...", robot=robot)
         self._left -= 1
-        calling, until = self._calling(robot, owner, value), _Until(self._run.time_s(robot), depth)
+        calling = self._calling(robot, owner, value)
         write = last_write(self._run, wanted, place.position)
         if write is not None:
-            return self._written(head, wanted, write, until)
+            return self._written(head, wanted, write, depth)
         if calling is not None:
             return self._argument(head, robot, calling, depth)
         how = "its initial value" if owner is None else "not written since its function was called"
         return Cause(head, how, robot=robot)
 
-    def _written(self, head: str, wanted: MemoryObject, write: Write, until: _Until) -> Cause:
+    def _written(self, head: str, wanted: MemoryObject, write: Write, depth: int) -> Cause:
         """Return the node of a write, with what was written as its causes."""
         robot, access = wanted.robot, write.access
         self._run.seek(write.before)
@@ -204,14 +198,14 @@ class Why:
         self._seen.add((wanted, write.before))
         place = _Place(write.before, robot, frame)
         if access.library:
-            causes = self._from_library(place, access.library, text, wanted, until)
+            causes = self._from_library(place, access.library, text, wanted, depth)
             return replace(base, how=shown, causes=causes)
         if is_count(text):
             return replace(base, how=shown)
-        returned = self._returned(place, text, until.depth)
+        returned = self._returned(place, text, depth)
         if returned is not None:
             text = without_call(text, returned.text.partition(" ")[0])
-        own = self._operands(place, source_of(text), until.depth + 1)
+        own = self._operands(place, source_of(text), depth + 1)
         causes = own if returned is None else (returned, *own)
         return replace(base, how=shown, causes=causes)
 
@@ -276,7 +270,7 @@ class Why:
     # -- the library ---------------------------------------------------------------------------
 
     def _from_library(
-        self, place: _Place, function: str, text: str, wanted: MemoryObject, until: _Until
+        self, place: _Place, function: str, text: str, wanted: MemoryObject, depth: int
     ) -> tuple[Cause, ...]:
         """Return what a function of the library wrote an object from."""
         robot = place.robot
@@ -288,12 +282,21 @@ class Why:
                     for each in texts
                 )
         if function == RECEIVES:
-            return self._message(place, text, until)
+            return self._message(place, text, depth)
         names = [each.lstrip("& ") for each in arguments(text)]
-        found = [each for name in names for each in operands(name)]
-        return self._operands(place, list(dict.fromkeys(found)), until.depth + 1)
+        found = list(dict.fromkeys(each for name in names for each in operands(name)))
+        if not function.endswith("cat"):  # what these write, they have read before (C17 7.24.3)
+            found = [each for each in found if not self._is_at(place, each, wanted)]
+        return self._operands(place, found, depth + 1)
 
-    def _message(self, place: _Place, text: str, until: _Until) -> tuple[Cause, ...]:
+    def _is_at(self, place: _Place, name: str, wanted: MemoryObject) -> bool:
+        """Return whether an operand is at the address of an object."""
+        with contextlib.suppress(DebugError):
+            found = self._view.evaluator(place.robot).place(name, place.frame)
+            return found.address == wanted.address
+        return False
+
+    def _message(self, place: _Place, text: str, depth: int) -> tuple[Cause, ...]:
         """Return where a message came from, and which ones to this robot were lost since."""
         robot, found = place.robot, list[Cause]()
         received_s = self._run.time_s(robot)
@@ -309,9 +312,9 @@ class Why:
         )
         begun = sending(self._run, sender, sent_ms / 1000.0)
         if begun is not None and self._navigator.to_statement(sender, begun):
-            found.append(self._sent(sender, until.depth))
+            found.append(self._sent(sender, depth))
         timestep_s = self._run.session.environment.timestep_s
-        for each in lost_messages(self._run, robot, received_s, until.time_s):
+        for each in lost_messages(self._run, robot, received_s, self._asked_s):
             position = Position(int(each.time_s / timestep_s), 0)
             found.append(Cause(f"lost since: {each.text}", "", position, each.time_s, robot))
         return tuple(found)

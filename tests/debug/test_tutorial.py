@@ -49,9 +49,12 @@ def crs(line: str, folder: Path, script: str = "") -> str:
     return done.stdout
 
 
-def mend(program: Path, change: str) -> None:
-    """Exchanges a line of a program."""
-    removed, added = (line[1:] for line in change.splitlines())
+def mend(folder: Path, change: str) -> None:
+    """Exchange the lines of a diff in the only program that has them."""
+    removed, added = (
+        "\n".join(line[1:] for line in change.splitlines() if line[0] == sign) for sign in "-+"
+    )
+    (program,) = (each for each in folder.rglob("*.c") if removed in each.read_text())
     source = program.read_text()
     assert source.count(removed) == 1
     program.write_text(source.replace(removed, added))
@@ -78,7 +81,7 @@ class Reader:
     def _block(self, kind: str, text: str) -> str:
         if kind == "diff":
             assert self._left.popleft() == text
-            mend(self._folder / "aisle.c", text)
+            mend(self._folder, text)
             return text
         lines = [each for each in text.splitlines() if each.startswith(_TYPED)]
         return "".join(self._do(each) for each in lines)
@@ -125,5 +128,17 @@ def test_the_program_collides_as_in_the_picture_until_it_is_mended(folder: Path)
     assert collisions(folder, "--plot", "aisle.svg") == 1
     assert (folder / "aisle.svg").read_text() == (DOCS / "images" / "aisle.svg").read_text()
     change = next(text for kind, text in _BLOCK.findall(PAGE.read_text()) if kind == "diff")
-    mend(folder / "aisle.c", change)
+    mend(folder, change)
     assert collisions(folder) == 0
+
+
+def test_the_convoy_crashes_by_a_lost_message_until_it_is_mended(folder: Path) -> None:
+    def crashes() -> list[int]:
+        shown = crs("crs run --json -q convoy/convoy.xml", folder)
+        result = json.loads(shown[shown.index("{") : shown.rindex("}") + 1])
+        return [int(each["collisions"]) for each in result["robots"]]
+
+    assert crashes() == [1, 1]
+    _, change = (text for kind, text in _BLOCK.findall(PAGE.read_text()) if kind == "diff")
+    mend(folder, change)
+    assert crashes() == [0, 0]

@@ -52,7 +52,7 @@ class CommandContext:
         input: the commands that are being entered for breakpoints; None for none.
         listing: what `list` showed last; None since the last stop.
         examined: the address at which `x` continues, and in which format; None for none.
-        instants: the instants of the last list, see `past`.
+        instants: the instants of the last list, see `past`, each with its robot or -1.
         has_ended: whether the user has quit.
         depth: how many scripts are being read inside each other.
     """
@@ -68,7 +68,7 @@ class CommandContext:
         self.input: CommandInput | None = None
         self.listing: Listing | None = None
         self.examined: tuple[int, OutputFormat] | None = None
-        self.instants: list[Position] = []
+        self.instants: list[tuple[Position, int]] = []
         self.has_ended = False
         self.depth = 0
         self._value_count = 0

@@ -109,7 +109,7 @@ def log_past(context: CommandContext, text: str) -> Answer:
         for each in debugger.run.event_history.world_events()
         if begin_s <= each.time_s <= end_s and each.kind not in _STOPS
     ]
-    context.instants = [each.position for each in said]
+    context.instants = [(each.position, each.robot) for each in said]
     rows: list[tuple[float, str]] = [
         (each.time_s, f"{_head(number, each)}  {each.text}") for number, each in enumerate(said, 1)
     ]
@@ -136,7 +136,7 @@ def _ranged(context: CommandContext, text: str) -> tuple[str, Range]:
 
 def _listed(context: CommandContext, found: Sequence[Instant], texts: Sequence[str]) -> Answer:
     """Answer with a numbered list of instants."""
-    context.instants = [each.position for each in found]
+    context.instants = [(each.position, each.robot) for each in found]
     pairs = enumerate(zip(found, texts, strict=True), 1)
     yield from _shown([f"{_head(number, each)}  {text}".rstrip() for number, (each, text) in pairs])
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import partial
 from typing import Final
 
@@ -12,7 +13,8 @@ from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.why import go_to_write
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.timeline.position import BEGINNING, Position
+from crs_cc.debug.stop import Stop
+from crs_cc.debug.timeline.position import BEGINNING
 
 
 def _start(context: CommandContext, _text: str) -> Answer:
@@ -84,11 +86,16 @@ _INSTANT: Final = re.compile(
 _LISTED: Final = re.compile(r"@(\d{1,6})")
 
 
-def _listed(context: CommandContext, number: int) -> Position:
-    """Return an instant of the last list."""
+def _go_to_listed(context: CommandContext, number: int) -> Stop:
+    """Go to an instant of the last list, and select its robot."""
     if not 1 <= number <= len(context.instants):
         raise DebugError(f"no @{number} in the last list (it has {len(context.instants)} instants)")
-    return context.instants[number - 1]
+    position, robot = context.instants[number - 1]
+    stop = context.debugger.goto(position)
+    if 0 <= robot < len(context.debugger.names):
+        context.debugger.view.select_robot(robot)
+        stop = replace(stop, robot=robot, time_s=context.debugger.view.time_s)
+    return stop
 
 
 def _goto(context: CommandContext, text: str) -> Answer:
@@ -98,7 +105,7 @@ def _goto(context: CommandContext, text: str) -> Answer:
     if text == "start":
         return context.move(partial(context.debugger.goto, BEGINNING))
     if listed := _LISTED.fullmatch(text):
-        return context.move(partial(context.debugger.goto, _listed(context, int(listed[1]))))
+        return context.move(partial(_go_to_listed, context, int(listed[1])))
     found = _INSTANT.fullmatch(text)
     if not found:
         raise DebugError(

@@ -69,14 +69,14 @@ def _rows(context: CommandContext, cause: Cause, depth: int) -> Iterator[str]:
     """Yield a node and those below it, and number them."""
     number = ""
     if cause.position is not None:
-        context.instants.append(cause.position)
+        context.instants.append((cause.position, cause.robot))
         number = f"@{len(context.instants)}"
     names = context.debugger.names
     whose = f"{names[cause.robot]}: " if len(names) > 1 and cause.robot >= 0 else ""
     where = ""
     if cause.location is not None:
         where = f"{PurePath(cause.location.file).name}:{cause.location.line}  "
-    at = f"t = {cause.time_s:.3f} s  " if cause.how and cause.position is not None else ""
+    at = f"t = {cause.time_s:.3f} s  " if cause.position is not None and cause.time_s > 0.0 else ""
     head = f"{'  ' * depth}{whose}{cause.text}"
     yield f"{number:<4} {head:<{_WIDTH - 20}}  {at}{where}{cause.how}".rstrip()
     for each in cause.causes:
