@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import contextlib
 import math
-import re
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -22,6 +21,7 @@ from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.navigator import Navigator
 from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.returned_value import returned_value
 from crs_cc.debug.step_conditions import (
     ActiveCalls,
     ProgramPoint,
@@ -37,7 +37,7 @@ from crs_cc.debug.timeline.console import ReplayConsole, WaitingAfter
 from crs_cc.debug.timeline.history import History
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
-from crs_cc.debug.view import BacktraceFrame, View
+from crs_cc.debug.view import View
 from crs_cc.debug.world.events import WorldEvent
 from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.session.host import Client, Input, Output, discard, never_waits, no_input
@@ -48,8 +48,6 @@ Move = Callable[[], Stop]
 
 _SLACK_S: Final = 1e-9
 _MAX_STEPS: Final = 1_000_000
-_MAX_LINES: Final = 10
-_RETURN: Final = re.compile(r"return\b\s*([^;]+);")
 
 
 class Debugger:
@@ -159,7 +157,9 @@ class Debugger:
         return self._repeat(count, lambda: self._forward(StepToStatement(robot)))
 
     def finish(self, *, backward: bool = False) -> Stop:
-        """Run until the function returns, and report its value; or go back to its call.
+        """Run until the selected function returns, and report its value; or go back to its call.
+
+        Forward, it stops right behind the call, in the middle of the caller's statement.
 
         Raises:
             DebugError: it has no caller.
@@ -170,32 +170,17 @@ class Debugger:
         if frame is None or callers is None or not callers.functions:
             raise DebugError("'finish' is not meaningful in the outermost frame")
         if backward:
-            aim = ReverseStepCondition(robot, callers, whole_line=False)
+            aim = ReverseStepCondition(robot, callers, whole_line=False, after_calls=True)
             return self._arrive(self.navigator.backward_to(aim))
-        stop = self._go(StepToStatement(robot, callers))
-        if stop.reason != "step":
+        stop = self._go(StepToStatement(robot, callers, after_calls=True))
+        site = self.run.site(robot)
+        if stop.reason != "step" or site is None or not site.after_call:
             return stop
-        value = self._returned(frame)
-        text = f"{frame.function} returned {value}" if value else ""
-        self.stop = replace(stop, text=text)
+        reader = self.view.evaluator(robot).inspector()
+        value = returned_value(self.run.stopped(robot), reader, frame.active)
+        if value is not None:
+            self.stop = replace(stop, text=f"{frame.function} returned {value.text}")
         return self.stop
-
-    def _returned(self, frame: BacktraceFrame) -> str:
-        """Return the value of a completed call if its `return` statement shows it, else ""."""
-        here, robot = self.position, self.view.robot
-        call = ActiveCalls.of([frame.active])
-        spots = self.navigator.program_points_back(robot, call.functions)
-        value = ""
-        with contextlib.suppress(DebugError, InterruptedRunError):
-            last = next(filter(call.include, spots), None)
-            if last is not None:
-                lines = self.view.source(last.location.file)[last.location.line - 1 :][:_MAX_LINES]
-                match = _RETURN.match(" ".join(lines)[last.location.column - 1 :])
-                if match and self.navigator.to_statement(robot, last.statements):
-                    value = self.view.evaluator(robot).evaluate(match[1]).value.text
-                    self.view.evaluator(robot).undo()
-        self.run.seek(here)
-        return value
 
     def until(self) -> Stop:
         """Step like `next`, but only to a line after the current one, so out of loops."""
@@ -213,7 +198,8 @@ class Debugger:
             frame = self.view.current_frame()
             if frame is None:
                 return self._go(None)
-            return self._go(StepToStatement(robot, self.navigator.calls(robot, frame.active)))
+            callers = self.navigator.calls(robot, frame.active)
+            return self._go(StepToStatement(robot, callers, after_calls=True))
         finally:
             if added in list(self.stop_points.breakpoints):
                 self.stop_points.breakpoints.remove(added.number)

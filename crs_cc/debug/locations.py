@@ -83,25 +83,27 @@ def find_location(
     return _function(sites, file, match["function"], programs)
 
 
-_Sites = Mapping[int, Sequence["StatementSite"]]
+_ProgramSites = Mapping[int, "StatementSite"]
+_Sites = Mapping[int, _ProgramSites]
+"""By robot, the statements of its program by number."""
 
 
-def _sites(program: DebugProgram) -> Sequence[StatementSite]:
-    return program.executable.detail().compiled.statements
+def _sites(program: DebugProgram) -> _ProgramSites:
+    return dict(program.executable.detail().compiled.breakable())
 
 
 def _line(sites: _Sites, file: str, line: int) -> BreakpointLocation:
     own = {
         robot: [
             (site.location.line, number)
-            for number, site in enumerate(rows)
+            for number, site in rows.items()
             if is_file(site.location.file, file)
         ]
         for robot, rows in sites.items()
     }
     lines = {each for rows in own.values() for each, _ in rows}
     if not lines:
-        files = sorted({site.location.file for rows in sites.values() for site in rows})
+        files = sorted({site.location.file for rows in sites.values() for site in rows.values()})
         raise DebugError(unknown("file", file, files))
     later = [each for each in lines if each >= line]
     if line < 1 or not later:
@@ -119,7 +121,7 @@ def _line(sites: _Sites, file: str, line: int) -> BreakpointLocation:
     )
 
 
-def _firsts(sites: Sequence[StatementSite], numbers: Sequence[int]) -> frozenset[int]:
+def _firsts(sites: _ProgramSites, numbers: Sequence[int]) -> frozenset[int]:
     """Return the first statement of each function among some."""
     first: dict[str, int] = {}
     for number in sorted(numbers, key=lambda each: sites[each].location):
@@ -134,7 +136,7 @@ def _function(
     for robot, rows in sites.items():
         numbers = [
             number
-            for number, site in enumerate(rows)
+            for number, site in rows.items()
             if plain_name(site.function) == name
             and (file is None or is_file(site.location.file, file))
         ]
@@ -150,7 +152,7 @@ def _function(
         return BreakpointLocation(
             calls, frozenset(), None, name, f"stops before each statement that calls '{name}'"
         )
-    names = sorted({plain_name(site.function) for rows in sites.values() for site in rows})
+    names = sorted({plain_name(each.function) for rows in sites.values() for each in rows.values()})
     raise DebugError(unknown("function", name, names))
 
 
@@ -167,10 +169,7 @@ def calling(program: DebugProgram, name: str) -> frozenset[int]:
     each of these, whether or not the call is evaluated.
     """
     detail = program.executable.detail()
-    sites = {
-        (site.function, site.location): number
-        for number, site in enumerate(detail.compiled.statements)
-    }
+    sites = {(site.function, site.location): number for number, site in detail.compiled.breakable()}
     return frozenset(
         sites[function.name, place]
         for function in detail.program.functions.values()

@@ -119,13 +119,18 @@ class Navigator:
             return marks
         if aim.calls is None:
             return replace(marks, all=frozenset({aim.robot}))
-        statements[aim.robot] |= frozenset(self.inside(aim.robot, aim.calls.functions))
+        inside = self._inside(aim.robot, aim.calls.functions, after_calls=aim.after_calls)
+        statements[aim.robot] |= frozenset(inside)
         return marks
 
-    def inside(self, robot: int, functions: frozenset[str]) -> Iterator[int]:
-        """Return the numbers of the statements in some functions."""
+    def _inside(self, robot: int, functions: frozenset[str], *, after_calls: bool) -> Iterator[int]:
+        """Return the numbers of the statements in some functions, and of returns from calls."""
         sites = self._run.programs[robot].executable.detail().compiled.statements
-        return (number for number, site in enumerate(sites) if site.function in functions)
+        return (
+            number
+            for number, site in enumerate(sites)
+            if site.function in functions and site.after_call <= after_calls
+        )
 
     def _reason(self, event: RunEvent, aim: StepCondition | None) -> Stop | None:
         """Return the reason to stop at an event; None if there is none."""
@@ -175,7 +180,7 @@ class Navigator:
         return replace(stop, breakpoints=tuple(numbers))
 
     def program_point(self, robot: int) -> ProgramPoint | None:
-        """Return the point of a program that has stopped before a statement, else None."""
+        """Return the point of a program that has stopped at a site, else None."""
         run = self._run
         site = run.site(robot)
         if site is None:
@@ -274,7 +279,7 @@ class Navigator:
     def _find_back(self, aim: ReverseStepCondition) -> ProgramPoint | None:
         best: ProgramPoint | None = None
         functions = None if aim.calls is None else aim.calls.functions
-        for program_point in self.program_points_back(aim.robot, functions):
+        for program_point in self._program_points_back(aim.robot, functions, aim.after_calls):
             if not aim.belongs(program_point):
                 continue
             if not aim.can_advance(program_point):
@@ -282,33 +287,39 @@ class Navigator:
             best = program_point
         return best
 
-    def program_points_back(
-        self, robot: int, functions: frozenset[str] | None
+    def _program_points_back(
+        self, robot: int, functions: frozenset[str] | None, after_calls: bool
     ) -> Iterator[ProgramPoint]:
-        """Return the statements of a program before the current position, the last one first.
+        """Return the points of a program before the current position, the last one first.
 
         The run has moved after each of them.
+
+        Args:
+            robot: the robot that runs the program.
+            functions: the functions that count; None for all.
+            after_calls: whether returns from calls in these functions count, too.
         """
         run = self._run
         end, width = run.statements_begun(robot), _FIRST_WINDOW
         limit = run.position
         while end > 0:
             first = max(0, end - width)
-            spots = self._window(robot, first, end, functions, limit)
+            if functions is None:
+                request = StopRequest(all=frozenset({robot}), since={robot: first})
+            else:
+                inside = self._inside(robot, functions, after_calls=after_calls)
+                request = StopRequest({robot: inside}, since={robot: first})
+            spots = self._window(robot, request, end, limit)
             yield from reversed(spots)
             end, width = first, width * _WIDER
 
     def _window(
-        self, robot: int, first: int, end: int, functions: frozenset[str] | None, limit: Position
+        self, robot: int, request: StopRequest, end: int, limit: Position
     ) -> list[ProgramPoint]:
-        """Return the statements of a program with the numbers `first` to `end` - 1."""
+        """Return the requested points of a program at which fewer than `end` sites were passed."""
         run, spots = self._run, []
-        since = {robot: first}
-        if functions is None:
-            run.arm(StopRequest(all=frozenset({robot}), since=since))
-        else:
-            run.arm(StopRequest({robot: self.inside(robot, functions)}, since=since))
-        for event in run.replay(self._snapshot(robot, first, limit), limit):
+        run.arm(request)
+        for event in run.replay(self._snapshot(robot, request.since[robot], limit), limit):
             if run.statements_begun(robot) >= end:
                 break
             program_point = self.program_point(robot) if event.kind == "statement" else None
@@ -317,7 +328,7 @@ class Navigator:
         return spots
 
     def _snapshot(self, robot: int, statements: int, before: Position) -> Position:
-        """Return the latest snapshot with at most so many statements started."""
+        """Return the latest snapshot with at most so many sites passed."""
         run = self._run
         places = run.history.places(before) or [BEGINNING]
 
@@ -338,7 +349,7 @@ class Navigator:
         return self.stop("goto" if run.position.timestep == timestep else "end")
 
     def to_statement(self, robot: int, statements: int) -> bool:
-        """Go to before a statement of a program, by the number of statements started before.
+        """Go to a site of a program, by the number of sites passed before.
 
         Return False if the program ends before.
 
@@ -355,7 +366,7 @@ class Navigator:
             run.restore(run.history.at(self._snapshot(robot, statements, run.position)))
         if is_there():  # the user has changed something there, so there is a snapshot
             return True
-        run.arm(StopRequest(all=frozenset({robot}), since={robot: statements}))
+        run.arm(StopRequest(everywhere=frozenset({robot}), since={robot: statements}))
         while run.can_advance and not run.is_over(robot):
             if run.advance().kind == "statement" and run.statements_begun(robot) == statements:
                 return True

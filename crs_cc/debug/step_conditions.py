@@ -16,16 +16,16 @@ from crs_cc.runtime.diagnosis.inspect import StackFrame
 
 @dataclass(frozen=True, slots=True)
 class ProgramPoint:
-    """A statement before which a program has stopped, and its activation.
+    """A site at which a program has stopped, and its activation.
 
     Attributes:
         function: the innermost active function.
         fp: the address of its frame; those of its callers are higher.
-        entered: how many statements had started when it was called, which distinguishes calls
+        entered: how many sites had been passed when it was called, which distinguishes calls
             whose frames have the same address.
-        site: the number of the statement.
-        location: the location of the statement.
-        statements: how many statements have started.
+        site: the number of the site.
+        location: the location of the statement or the call.
+        statements: how many sites have been passed.
     """
 
     function: str
@@ -47,7 +47,7 @@ class ActiveCalls:
     """Some active calls of a program's functions.
 
     Attributes:
-        frames: the addresses of the frames, and how many statements had started at the call;
+        frames: the addresses of the frames, and how many sites had been passed at the call;
             -1 if that is unknown, as in a function that has failed.
     """
 
@@ -71,10 +71,12 @@ class StepCondition(Protocol):
 
     Attributes:
         calls: the calls in which it may be met; None for all.
+        after_calls: whether it may be met behind a call, in the middle of a statement of those.
     """
 
     robot: int
     calls: ActiveCalls | None
+    after_calls: bool
 
     def reached(self, program_point: ProgramPoint) -> bool:
         """Return whether a step ends at a statement; called for each in turn."""
@@ -86,6 +88,7 @@ class StepToStatement:
 
     robot: int
     calls: ActiveCalls | None = None
+    after_calls: bool = False
 
     def reached(self, program_point: ProgramPoint) -> bool:
         """Return whether it is in one of the calls."""
@@ -105,6 +108,7 @@ class StepToLine:
     start: ProgramPoint | None
     calls: ActiveCalls | None = None
     onward: bool = False
+    after_calls: bool = False
     _seen: set[int] = field(default_factory=set)
 
     def __post_init__(self) -> None:
@@ -131,14 +135,21 @@ class ReverseStepCondition:
 
     Attributes:
         calls: the calls in which they may be; None for all.
+        after_calls: whether a place behind one of their calls counts, too.
     """
 
     def __init__(
-        self, robot: int, calls: ActiveCalls | None = None, *, whole_line: bool = True
+        self,
+        robot: int,
+        calls: ActiveCalls | None = None,
+        *,
+        whole_line: bool = True,
+        after_calls: bool = False,
     ) -> None:
         """Store the robot, the calls that count, and whether to step by lines."""
         self.robot = robot
         self.calls = calls
+        self.after_calls = after_calls
         self._whole_line = whole_line
         self._last: ProgramPoint | None = None
         self._seen: set[int] = set()

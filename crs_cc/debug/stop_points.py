@@ -267,8 +267,8 @@ class StopPoints:
         wrong: DebugError | None = None
         for each in by_program.values():
             evaluator = self._view.evaluator(each)
-            sites = self._run.programs[each].executable.detail().compiled.statements
-            own = ((site.function, site.location) for site in sites if is_own(site.location))
+            sites = self._run.programs[each].executable.detail().compiled.breakable()
+            own = ((site.function, site.location) for _, site in sites if is_own(site.location))
             for function, location in (("", NOWHERE), *own):
                 try:
                     evaluator.check(condition, function, location)

@@ -41,14 +41,14 @@ SLOT: Final = np.dtype(
         ("error_site", "<i4"),  # number of the location in the code, see `runtime.codegen`
         ("error_address", "<u4"),  # the invalid address or value
         ("fuel", "<i8"),  # in: fuel that it may use; out: the rest, negative if overdrawn
-        ("statements", "<i8"),  # statements begun so far (debug density only)
-        ("stop_from", "<i8"),  # number of statements begun before it may stop (the same)
+        ("statements", "<i8"),  # sites passed so far, see `StatementSite` (debug builds only)
+        ("stop_from", "<i8"),  # number of sites passed before it may stop (the same)
         ("error_size", "<u4"),  # size of the failed access; 0 if the code implies it
         (
             "stop_before_all",
             "<u4",
-        ),  # 1: every statement is marked, else those in `marks` (the same)
-        ("stopped", "<u4"),  # 1 + number of the marked statement it stopped before, 0 for none
+        ),  # 1: every statement is marked, 2: every site, 0: those in `marks` (the same)
+        ("stopped", "<u4"),  # 1 + number of the marked site it stopped at, 0 for none
         ("error_base", "<u4"),  # address of the array whose bounds an index exceeds; second pointer
         ("message", MESSAGE),
     ]

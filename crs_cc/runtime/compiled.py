@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from crs_cc.core.source import Location
@@ -44,7 +45,8 @@ class Compiled:
         module: the WebAssembly module.
         sites: every site that can fail, by the number in the slot's `error_site`.
         call_sites: every call site, by its number minus 1; see `sites`.
-        statements: the statements on which breakpoints can be set, by number.
+        statements: the sites at which the program can be stopped, by number: statements, and
+            returns from calls.
         functions: the functions, by the numbers in their frames.
         addresses: address of each global object and function pointer of each function.
         first_function: index in the module of the first function of the program.
@@ -73,6 +75,10 @@ class Compiled:
                 (info.function.name, number) for number, info in enumerate(self.functions)
             )
         return self._numbers
+
+    def breakable(self) -> Iterator[tuple[int, StatementSite]]:
+        """Return the statements on which breakpoints can be set, with their numbers."""
+        return ((n, site) for n, site in enumerate(self.statements) if not site.after_call)
 
     def info(self, function: str) -> FunctionInfo:
         """Return the debug information of a function."""

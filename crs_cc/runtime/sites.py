@@ -65,10 +65,16 @@ class CallSite:
 
 @dataclass(frozen=True, slots=True)
 class StatementSite:
-    """A statement of the user's, before which a debugger can stop: in which function, and where."""
+    """A site in the user's code at which a debugger can stop: in which function, and where.
+
+    Attributes:
+        after_call: whether it is right behind a call in the middle of a statement, where the call
+            has just returned; otherwise it is before a statement.
+    """
 
     function: str
     location: Location
+    after_call: bool = False
 
 
 def call_word(site: int, frame_size: int, arguments_size: int) -> int:

@@ -88,7 +88,7 @@ def source(screen: Context, file: str) -> dict[str, Any]:
     code = {
         site.location.line
         for program in {id(each): each for each in debugger.run.programs}.values()
-        for site in program.executable.detail().compiled.statements
+        for _, site in program.executable.detail().compiled.breakable()
         if site.location.file == file
     }
     return {"file": file, "lines": list(lines), "code": sorted(code)}

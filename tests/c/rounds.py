@@ -57,7 +57,7 @@ _LOOP: Final = f"""
       (i32.store $slot {_at("run")} (i32.const 0) (i32.const 1))
       (i64.store $slot {_at("fuel")} (i32.const 0) (i64.load {_state("fuel")} (i32.const 0)))
       (if (i64.ne (i64.load {_state("statements")} (i32.const 0)) (i64.const 0)) (then
-        (i32.store $slot {_at("stop_before_all")} (i32.const 0) (i32.const 1))
+        (i32.store $slot {_at("stop_before_all")} (i32.const 0) (i32.const 2))
         (i64.store $slot {_at("stop_from")} (i32.const 0) (i64.add
           (i64.load $slot {_at("statements")} (i32.const 0))
           (i64.load {_state("statements")} (i32.const 0))))))

@@ -85,14 +85,109 @@ def test_reverse_next_at_the_start_of_a_call_steps_over_its_sibling(recursion: D
     assert functions(recursion) == ["fib"] * 3 + ["main"]
 
 
-def test_finish_reports_the_value_of_this_call(recursion: Debugger) -> None:
+def test_finish_leaves_one_call_of_a_recursive_function(recursion: Debugger) -> None:
     assert recursion.finish().text == "fib returned 2"
-    assert line(recursion) == 10
+    assert (line(recursion), number(recursion, "n")) == (5, 4)
+    recursion.step()  # fib(2) of the same line
+    assert (line(recursion), number(recursion, "n")) == (3, 2)
+    assert recursion.finish().text == "fib returned 1"
+    assert recursion.finish().text == "fib returned 3"
+    assert (line(recursion), functions(recursion)) == (9, ["main"])
 
 
 def test_reverse_finish_goes_to_each_caller_in_turn(recursion: Debugger) -> None:
     assert walk(recursion, [lambda: recursion.finish(backward=True)] * 2) == [5, 9]
     assert functions(recursion) == ["main"]
+
+
+SUM = """\
+static int f(int x)
+{
+    return x + 1;
+}
+static int g(int x)
+{
+    return x * 3;
+}
+int main(void)
+{
+    int a = 5;
+    a = f(1) + g(2);
+    return a;
+}
+"""
+
+
+def test_a_step_behind_a_call_enters_the_next_call_of_the_line(tmp_path: Path) -> None:
+    debugger = debugger_of(SUM, folder=tmp_path)
+    debugger.start()
+    assert walk(debugger, [debugger.step, debugger.step]) == [12, 3]
+    assert debugger.finish().text == "f returned 2"
+    behind_f = debugger.position
+    assert (line(debugger), number(debugger, "a")) == (12, 5)  # not yet assigned
+    assert walk(debugger, [debugger.step]) == [7]
+    assert debugger.finish().text == "g returned 6"
+    assert (line(debugger), number(debugger, "a")) == (12, 5)
+    behind_g = debugger.position
+    assert walk(debugger, [debugger.next]) == [13]
+    assert number(debugger, "a") == 8
+    # backward: behind f is where g is called
+    assert debugger.goto(behind_g).position == behind_g
+    assert walk(debugger, [lambda: debugger.step(backward=True)]) == [7]
+    assert debugger.finish(backward=True).position == behind_f
+    assert walk(debugger, [lambda: debugger.step(backward=True)]) == [3]
+    debugger.goto(behind_f)
+    assert walk(debugger, [lambda: debugger.next(backward=True)] * 2) == [12, 11]
+    debugger.goto(behind_f)
+    assert walk(debugger, [debugger.next]) == [13]
+
+
+def test_advance_out_of_a_function_stops_right_behind_its_call(tmp_path: Path) -> None:
+    debugger = debugger_of(SUM, folder=tmp_path)
+    debugger.stop_points.add_breakpoint("3")
+    debugger.resume()
+    debugger.advance("2")  # not reached again
+    assert (line(debugger), functions(debugger), number(debugger, "a")) == (12, ["main"], 5)
+
+
+TYPES = """\
+struct pair { short a, b; };
+enum colour { RED, GREEN };
+static char narrow(int x) { return x; }
+static unsigned char byte(int x) { return x; }
+static _Bool truth(int x) { return x; }
+static float third(int x) { return x / 3.0; }
+static long long wide(int x) { return 10000000000LL * x; }
+static enum colour hue(int x) { return x; }
+static const char *name(int x) { return "north" + x; }
+static struct pair both(int x) { struct pair p = { x, -x }; return p; }
+static void nothing(int x) { (void) x; }
+static int without(int x) { if (x) x++; }
+int main(void)
+{
+    narrow(577); byte(-1); truth(7); third(1); wide(2); hue(1); name(1); both(3); nothing(1);
+    without(1);
+    return 0;
+}
+"""
+
+
+def test_finish_shows_a_value_converted_to_the_type_of_the_function(tmp_path: Path) -> None:
+    debugger = debugger_of(TYPES, folder=tmp_path)
+    values = [
+        "65 'A'", "255", "1", "0.333333", "20000000000", "GREEN", None, "{a = 3, b = -3}",
+    ]  # fmt: skip
+    names = ["narrow", "byte", "truth", "third", "wide", "hue", "name", "both"]
+    for function, value in zip(names, values, strict=True):
+        debugger.stop_points.add_breakpoint(function, temporary=True)
+        debugger.resume()
+        text = debugger.finish().text
+        assert value is None or text == f"{function} returned {value}"
+        assert value is not None or text.endswith('"orth"')
+    for function in ("nothing", "without"):  # the latter ends without a value
+        debugger.stop_points.add_breakpoint(function, temporary=True)
+        debugger.resume()
+        assert (debugger.finish().text, functions(debugger)) == ("", ["main"])
 
 
 LONGJMP = """\
@@ -162,10 +257,9 @@ def test_step_enters_a_library_callback_and_next_does_not(tmp_path: Path) -> Non
     debugger.next(backward=True)
     assert walk(debugger, [debugger.step] * 2) == [4, 5]
     assert functions(debugger) == ["order", "main"]
-    debugger.finish()
-    assert line(debugger) == 12
-    assert debugger.stop.text == "order returned 2"  # 3 - 1, the first of several comparisons
-    assert walk(debugger, [debugger.step]) == [4]  # through the pointer
+    debugger.finish()  # the library has called it several times
+    assert (line(debugger), functions(debugger)) == (11, ["main"])
+    assert walk(debugger, [debugger.step] * 2) == [12, 4]  # through the pointer
     assert walk(debugger, [lambda: debugger.finish(backward=True)]) == [12]
     assert walk(debugger, [lambda: debugger.step(backward=True)]) == [5]
     assert functions(debugger) == ["order", "main"]
@@ -212,6 +306,8 @@ def test_finish_returns_from_a_signal_handler(tmp_path: Path) -> None:
     assert debugger.resume().time_s == pytest.approx(1.0, abs=0.01)
     assert functions(debugger) == ["ring", "main"]
     debugger.finish()
+    assert (line(debugger), functions(debugger)) == (16, ["main"])
+    debugger.step()
     assert line(debugger) == 14
     assert debugger.resume().time_s == pytest.approx(2.0, abs=0.01)
     assert debugger.resume(backward=True).time_s == pytest.approx(1.0, abs=0.01)

@@ -156,7 +156,8 @@ RUNNING: Final = Group(
             _stepi, ("si",), repeats="same",
         ),
         Command(
-            "finish", "", "Continue until the current function returns.", _finish, ("fin",),
+            "finish", "", "Continue until the selected function returns, and show its value.", _finish,
+            ("fin",),
             repeats="same",
         ),
         Command(
@@ -190,7 +191,7 @@ RUNNING: Final = Group(
             partial(_stepi, backward=True), ("rsi",), repeats="same",
         ),
         Command(
-            "reverse-finish", "", "Go back to the call of the current function.",
+            "reverse-finish", "", "Go back to the call of the selected function.",
             partial(_finish, backward=True), repeats="same",
         ),
         Command(

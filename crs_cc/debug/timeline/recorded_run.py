@@ -159,7 +159,7 @@ class RecordedRun:
         return now_s if math.isfinite(now_s) else session.time_s
 
     def statements_begun(self, robot: int) -> int:
-        """Return how many statements of a robot's program have started."""
+        """Return how many sites a robot's program has passed: statements and returns from calls."""
         return int(self.session.fleet.slots["statements"][robot])
 
     # -- where programs stop -----------------------------------------------------------------
@@ -385,7 +385,7 @@ class RecordedRun:
         everywhere, since = frozenset[int](), {}
         if target.robot >= 0:
             everywhere, since = frozenset({target.robot}), {target.robot: target.statements}
-        self.arm(StopRequest(all=everywhere, since=since))
+        self.arm(StopRequest(everywhere=everywhere, since=since))
         while self.position < target and self.can_advance:
             self._advance(target)
 
@@ -471,7 +471,7 @@ class RecordedRun:
         return self._stopped[robot]
 
     def site(self, robot: int) -> StatementSite | None:
-        """Return the statement before which a program has stopped, or None."""
+        """Return the site at which a program has stopped, or None."""
         if self.session.state.halted != robot:
             return None
         number = int(self.session.fleet.slots["stopped"][robot]) - 1

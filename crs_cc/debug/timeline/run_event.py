@@ -19,7 +19,8 @@ class StopRequest:
     Attributes:
         statements: by robot, the numbers of statements before which it stops.
         all: the robots that stop before every statement.
-        since: by robot, how many statements must have started before it stops at all.
+        everywhere: the robots that stop behind every call, too.
+        since: by robot, how many sites must have been passed before it stops at all.
         watched: by robot, what is watched: it stops after accesses to that.
         world: the watched expressions that use the world.
         at_once: whether accesses are reported at the end of the round, and not only where the
@@ -28,6 +29,7 @@ class StopRequest:
 
     statements: Mapping[int, Iterable[int]] = field(default_factory=dict)
     all: frozenset[int] = frozenset()
+    everywhere: frozenset[int] = frozenset()
     since: Mapping[int, int] = field(default_factory=dict)
     watched: Mapping[int, Sequence[Watched]] = field(default_factory=dict)
     world: Sequence[WatchedWorld] = ()
@@ -37,8 +39,9 @@ class StopRequest:
         """Set in the slots of the programs what is not said by their marks."""
         slots["stop_before_all"] = 0
         slots["stop_from"] = 0
-        for robot in self.all:
-            slots["stop_before_all"][robot : robot + 1] = 1  # a robot that was added may be gone
+        for wanted, robots in enumerate((self.all, self.everywhere), start=1):
+            for robot in robots:  # one that was added may be gone
+                slots["stop_before_all"][robot : robot + 1] = wanted
         for robot, statements in self.since.items():
             slots["stop_from"][robot : robot + 1] = statements
 

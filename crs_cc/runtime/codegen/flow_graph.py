@@ -62,8 +62,10 @@ class Landing:
         number: its number, from 1; known once `add_dispatchers` has run.
         prepaid: the fuel that must have been paid for the node when it is reached, see
             `fuel_charges`; a function that is resumed there pays it again.
+        after_call: whether it is behind a call that has returned.
     """
 
     node: Node
     number: int = 0
     prepaid: int = 0
+    after_call: bool = False

@@ -237,7 +237,8 @@ class _FunctionCode:
         places = {0: self.function.location}
         landings = self.landings + self.failing
         places.update((landing.number, it.location) for landing, it in landings)
-        callees = {each.number: it.callee for each, it in landings if isinstance(it, Call)}
+        active = [(each, it) for each, it in landings if not each.after_call]
+        callees = {each.number: it.callee for each, it in active if isinstance(it, Call)}
         known = self.assigned.unset if self.assigned else {}
         unset = {each.number: known[it] for each, it in self.landings if it in known}
         calls = {site: landing.number for site, landing in self.calls.items()}
@@ -296,10 +297,19 @@ class _FunctionCode:
             writer.release(register)
 
     def statement(self, node: Node, statement: Statement) -> Node:
-        """Debug builds: stop before a marked statement, when enough others have begun."""
+        """Debug builds: stop before a marked statement, when enough sites have been passed."""
+        return self.stop_site(node, statement, after_call=False)
+
+    def behind(self, node: Node, call: Call) -> Node:
+        """Debug builds: stop behind a marked call, before its result is used."""
+        return self.stop_site(node, call, after_call=True)
+
+    def stop_site(self, node: Node, it: Instruction, *, after_call: bool) -> Node:
         following = Node()
-        landing = self.add_landing(following, statement)
-        number = self.names.statement_number(StatementSite(self.function.name, statement.location))
+        landing = self.add_landing(following, it)
+        landing.after_call = after_call
+        site = StatementSite(self.function.name, it.location, after_call)
+        number = self.names.statement_number(site)
         watching, suspend = self.watching is not None, self.suspend(landing)
         node.code += stop_if_marked(self.marks, number, suspend, watching=watching)
         node.jump(following)
@@ -405,16 +415,21 @@ class _FunctionCode:
         value = self._returned(call, convention)
         after.code += [("local.set", FUEL), *stopping.IF_STOPPED]
         after.code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), *stopping.END]
+        if self.steps and value is not None:  # where debuggers look for it
+            self.writer.store_at(SP, RESULT, value, value.type)
         if call.result is not None:
             if self.shadowed:
                 check_value(self.writer, call)
             self._take_result(call, value)
             self.selector.follow(call)
-        after.jump(self.target(call.then))
+        end = self.behind(after, call) if self.steps else after
+        end.jump(self.target(call.then))
 
     def _take_result(self, call: Call, value: Register | None) -> None:
         """Move the returned value, which is in memory if it is not given, to the call's result."""
         if call.result is None:
+            if value is not None:
+                self.writer.release(value)
             return
         if value is None:
             self.writer.load_at(SP, RESULT, call.result.type)
@@ -427,7 +442,7 @@ class _FunctionCode:
         """Pop the returned value, which is none yet if the callee has stopped."""
         if convention is None or convention.result is None:
             return None
-        if call.result is None:
+        if call.result is None and not self.steps:
             self.writer.code.append(("drop",))
             return None
         value = Register(-1, convention.result)

@@ -58,12 +58,13 @@ def homes_of(
         function: the function.
         registers: its registers by lifetime.
         checked: whether it has checks.
-        steps: whether the function can be resumed at every statement.
+        steps: whether the function can be resumed at every statement and return.
     """
     resumptions = len(registers.headers)
     for block in function.blocks:
         resumptions += isinstance(block.terminator, Call | Request | SetJump)
         if steps:
+            resumptions += isinstance(block.terminator, Call)
             resumptions += sum(isinstance(each, Statement) for each in block.instructions)
     ways = resumptions * len(registers.lasting)
     sizes = [len(block.instructions) for block in function.blocks] if checked else [0]

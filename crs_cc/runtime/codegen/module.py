@@ -180,7 +180,7 @@ def compile_program(
         module.exports.append(("shadow", "memory", SHADOW))
         _add_start(module, program, addresses)
     if debug:
-        add_marks(module, len(names.statements))
+        add_marks(module, names.statements)
     return Compiled(
         module,
         len(own),

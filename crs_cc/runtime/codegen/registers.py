@@ -45,7 +45,7 @@ class Registers:
             liveness: its live registers.
             more: registers of the code generator that must survive a suspension.
             inlined: its calls in which it cannot be suspended.
-            debug: whether it can be suspended before every statement.
+            debug: whether it can be suspended before every statement and behind every call.
         """
         self.headers = loop_headers(function)
         self._last: dict[Block, list[list[Register]]] = {}
@@ -58,7 +58,7 @@ class Registers:
             if isinstance(end, Call | Request | SetJump) and not is_inlined:
                 behind = liveness.at_end(block)
                 result = writes(end)  # known only when the function continues
-                if result is not None:
+                if result is not None and not (debug and isinstance(end, Call)):
                     behind &= ~(1 << result.index)
                 alive |= behind
                 kept = [end.callee] if isinstance(end, Call) else reads(end)

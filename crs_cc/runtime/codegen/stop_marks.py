@@ -1,33 +1,39 @@
-"""Stop marks of debug builds: a byte for each statement in the user's files, 1 to stop.
+"""Stop marks of debug builds: a byte for each site in the user's files, 1 to stop.
 
-It is in a memory of its own, after the watched ranges (`runtime.watch_ranges`), and followed by as
-many bytes that are all set, which are used for stepping.
+It is in a memory of its own, after the watched ranges (`runtime.watch_ranges`), and followed by two
+constant maps, which `stop_before_all` selects: one in which all statements are set, for stepping,
+and one in which the returns from calls are set, too, for going to a number of sites passed.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen.indices import BEGUN_GLOBAL, MAILBOX, MARKS_GLOBAL, SLOT_GLOBAL
 from crs_cc.runtime.codegen.watchpoints import is_pending, stops
+from crs_cc.runtime.sites import StatementSite
 from crs_cc.runtime.wasm import PAGE, UNLIKELY, Instr, Module
 from crs_cc.runtime.watch_ranges import WATCHED
 
 
-def add_marks(module: Module, statements: int) -> None:
-    """Add the memory `marks` to a module with a number of statements, and export their count."""
-    first = WATCHED.itemsize + statements
+def add_marks(module: Module, sites: Sequence[StatementSite]) -> None:
+    """Add the memory `marks` to a module with some sites, and export how many were passed."""
+    statements = bytes(not each.after_call for each in sites)
+    first = WATCHED.itemsize + len(sites)
     module.exports.append(("marks", "memory", len(module.memories) + 1))
     module.exports.append(("begun", "global", BEGUN_GLOBAL))
-    module.memories.append(-(-(first + statements) // PAGE))
-    module.data.append((len(module.memories), first, b"\1" * statements))
+    content = statements + b"\1" * len(sites)
+    module.memories.append(-(-(first + len(content)) // PAGE))
+    module.data.append((len(module.memories), first, content))
 
 
 def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: bool) -> list[Instr]:
-    """Stop before a marked statement, when enough others have begun.
+    """Stop at a marked site, when enough others have been passed.
 
     Args:
         marks: index of the memory of the marks.
-        number: the number of the statement.
+        number: the number of the site.
         suspend: code that leaves the function.
         watching: stop also after an access to a watched range.
     """
@@ -43,7 +49,7 @@ def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: b
 
 
 def begin() -> list[Instr]:
-    """Return the code that counts a statement."""
+    """Return the code that counts a site."""
     return [
         ("global.get", BEGUN_GLOBAL), ("i64.const", 1), ("i64.add",),
         ("global.set", BEGUN_GLOBAL),

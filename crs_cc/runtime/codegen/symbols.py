@@ -79,6 +79,6 @@ class Symbols:
         return self._origin_numbers[key]
 
     def statement_number(self, site: StatementSite) -> int:
-        """Add a statement, and return its number."""
+        """Add a site to stop at, and return its number."""
         self.statements.append(site)
         return len(self.statements) - 1
