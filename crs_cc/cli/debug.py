@@ -13,6 +13,7 @@ from crs_cc.cli.inputs import check_recording_path
 from crs_cc.cli.instants import parse_time
 from crs_cc.cli.program_options import WithProgramArguments, program_options
 from crs_cc.cli.record_options import record_options
+from crs_cc.cli.time_options import MAX_TIME
 
 if TYPE_CHECKING:
     from crs_cc.cli.debug_options import DebugOptions
@@ -76,6 +77,7 @@ _OPTIONS: Final = (
         "--at", "at_s", metavar="TIME", callback=parse_time,
         help="Go to TIME first, in a recording.",
     ),
+    MAX_TIME,
     click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings."),
 )  # fmt: skip
 

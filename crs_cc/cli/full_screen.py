@@ -67,6 +67,7 @@ def show(
     Raises:
         OSError: a script cannot be read.
     """
+    from crs_cc.debug.commands.user_session import UserSession
     from crs_cc.debug.repl.repl import Scripts
     from crs_cc.debug.tui.app import DebugApp
     from crs_cc.debug.tui.controller import Controller
@@ -75,5 +76,14 @@ def show(
     streams = ProgramStreams()
     debugger = make(streams.write, file_input or streams.read)
     scripts = Scripts(options.scripts, options.commands)
-    DebugApp(Controller(debugger, streams, scripts.lines())).show()
+    controller = Controller(debugger, streams, scripts.lines())
+    user = UserSession(controller.shell.context)
+    for text in user.load_settings():
+        say(f"crs: {text}")
+    user.keep_settings()
+    app = DebugApp(controller, user.commands)
+    try:
+        app.show()
+    finally:
+        user.keep_commands(app.typed)
     return debugger

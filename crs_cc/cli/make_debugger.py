@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
@@ -14,6 +15,8 @@ from crs_cc.frontend.dialect import dialect_of
 from crs_cc.frontend.preprocess.options import Dialect, Options
 from crs_cc.session.host import Input, Output, never_waits
 from crs_cc.session.library import library_options
+
+_SLACK: Final = 1e-9  # timesteps
 
 if TYPE_CHECKING:
     from crs_cc.cli.compiler_options import CompilerOptions
@@ -53,6 +56,13 @@ def make_debugger(
         observer=observer,
         waiting=waiting,
     )
+
+
+def end_at(debugger: Debugger, time_s: float | None) -> None:
+    """End a run at the first timestep that ends at or after a time [s]; None for no limit."""
+    if time_s:
+        timestep_s = debugger.session.environment.world.timestep_s
+        debugger.run.last_timestep = math.ceil(time_s / timestep_s - _SLACK)
 
 
 def _programs(loaded: Loaded, compiler: CompilerOptions) -> list[DebugProgram]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.load import load
-from crs_cc.cli.make_debugger import make_debugger
+from crs_cc.cli.make_debugger import end_at, make_debugger
 from crs_cc.cli.messages import WARNINGS_BEFORE_RUN, render, say
 from crs_cc.cli.start_debugger import given_input
 from crs_cc.core.loopback import LEAST_TOKEN, new_token
@@ -81,4 +81,6 @@ def _open(options: DebugOptions, output: Output, tell: Callable[[str], None]) ->
         left_out = len(messages) - WARNINGS_BEFORE_RUN
         tell(f"... and {left_out} more warnings; crs check shows them all")
     read, waiting = given_input(options)
-    return make_debugger(loaded, options, output, read or no_input, waiting=waiting)
+    debugger = make_debugger(loaded, options, output, read or no_input, waiting=waiting)
+    end_at(debugger, options.max_time_s)
+    return debugger

@@ -13,7 +13,7 @@ import click
 from crs_cc.cli import full_screen
 from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.load import Loaded, load
-from crs_cc.cli.make_debugger import make_debugger
+from crs_cc.cli.make_debugger import end_at, make_debugger
 from crs_cc.cli.messages import is_coloured, show_before_run
 from crs_cc.cli.save_files import save_all
 from crs_cc.cli.typed_input import read_script
@@ -131,6 +131,7 @@ def _made(
 ) -> Debugger:
     """Return a debugger of a new run, or of a recorded one, whose changes it knows."""
     debugger = make_debugger(loaded, options, output, read, observer=recorded, waiting=waiting)
+    end_at(debugger, options.max_time_s)
     if recorded is not None:
         recorded.begin(debugger)
     return debugger

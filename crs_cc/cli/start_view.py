@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import math
 import os
 import sys
 import webbrowser
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any
 
 from crs_cc.cli.load import Loaded, load
-from crs_cc.cli.make_debugger import make_debugger
+from crs_cc.cli.make_debugger import end_at, make_debugger
 from crs_cc.cli.messages import say, show_before_run
 from crs_cc.cli.start_debugger import given_input, record_at_end
 from crs_cc.cli.view_address import announced
@@ -32,8 +31,6 @@ if TYPE_CHECKING:
 
 FRAME_S = 0.05
 """Simulated time between two frames that the page gets, at least a timestep."""
-
-_SLACK: Final = 1e-9  # of a timestep, for times that are not exact
 
 
 def view_programs(options: DebugOptions, port: int, *, opens: bool, plays: bool) -> int:
@@ -77,9 +74,7 @@ def _opened(options: DebugOptions, port: int) -> tuple[Screen, Loaded, WaitingAf
     debugger = make_debugger(
         loaded, options, watcher.write, read or no_input, observer=watcher, waiting=waiting
     )
-    end_s = options.max_time_s or world.duration_s
-    if end_s:
-        debugger.run.last_timestep = math.ceil(end_s / world.timestep_s - _SLACK)
+    end_at(debugger, options.max_time_s or world.duration_s)
     watcher.begin(debugger.session)
     debugger.start()
     run = DebuggedRun(debugger, watcher)

@@ -17,6 +17,7 @@ from typing import Final
 
 from crs_cc.debug.branch_comparison import Difference, differences, facts
 from crs_cc.debug.branches import Branch, Branches, Checkpoint
+from crs_cc.debug.data.interpret import Printed
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.navigator import Navigator
@@ -186,16 +187,22 @@ class Debugger:
         """Step like `next`, but only to a line after the current one, so out of loops."""
         return self._arrive(self._next(onward=True))
 
-    def advance(self, place: str) -> Stop:
-        """Continue to a location, or until the function returns.
+    def advance(self, place: str, robot: int | None = None, condition: str = "") -> Stop:
+        """Continue to a location, as `add_breakpoint` takes it, or until the function returns.
 
         Raises:
-            DebugError: there is no such location.
+            DebugError: there is no such location, or the condition is invalid there.
         """
-        robot = self.view.robot
-        added = self.stop_points.add_breakpoint(place, internal=True, temporary=True, robot=robot)
+        other, robot = robot, self.view.robot
+        added = self.stop_points.add_breakpoint(
+            place,
+            internal=True,
+            temporary=True,
+            robot=robot if other is None else other,
+            condition=condition,
+        )
         try:
-            frame = self.view.current_frame()
+            frame = self.view.current_frame() if other in (None, robot) else None
             if frame is None:
                 return self._go(None)
             callers = self.navigator.calls(robot, frame.active)
@@ -363,7 +370,7 @@ class Debugger:
         robot = self.view.robot if robot is None else robot
         found = self.view.evaluator(robot).evaluate(text, self.view.active_frame(robot, frame))
         if found.changed:
-            self._changed(text, robot, found.patches)
+            self._changed(text, robot, found.patches, found.printed)
         return found.value
 
     def edit_world(self, text: str) -> str:
@@ -417,13 +424,20 @@ class Debugger:
                 self.run.patch(change.robot, change.patches)
             except ValueError as wrong:
                 raise DebugError(str(wrong)) from None
-        self._changed(change.text, change.robot, change.patches)
+        self._changed(change.text, change.robot, change.patches, change.printed)
 
-    def _changed(self, text: str, robot: int = -1, patches: tuple[MemoryPatch, ...] = ()) -> None:
+    def _changed(
+        self,
+        text: str,
+        robot: int = -1,
+        patches: tuple[MemoryPatch, ...] = (),
+        printed: tuple[Printed, ...] = (),
+    ) -> None:
         """Record a change, and discard the future."""
         program = self.run.uploads.used_in(text) if robot < 0 else None
         self.branches.leave_past()
-        self.run.changed(Change(self.position, text, robot, patches, program))
+        with self._showing_new():
+            self.run.changed(Change(self.position, text, robot, patches, program, printed))
         self.branches.changed()
         self.stop_points.meet()
 

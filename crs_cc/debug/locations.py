@@ -2,7 +2,8 @@
 
 A line without code means the next one with code. A line or a function stops before its
 first statement; a function of the robot (`ws`, `get_sn`) when its request is posted; another one of
-the library before each statement that calls it.
+the library before each statement that calls it. A function that is never called has locations like
+any other, where no program ever stops.
 """
 
 from __future__ import annotations
@@ -78,9 +79,10 @@ def find_location(
         raise DebugError(f"'{text}' is not a location (expected LINE, FILE:LINE or FUNCTION)")
     file = match["file"]
     sites = {robot: _sites(programs[robot]) for robot in robots}
+    unused = list(_unused(programs))
     if match["line"]:
-        return _line(sites, file or here, int(match["line"]))
-    return _function(sites, file, match["function"], programs)
+        return _line(sites, unused, file or here, int(match["line"]))
+    return _function(sites, unused, file, match["function"], programs)
 
 
 _ProgramSites = Mapping[int, "StatementSite"]
@@ -92,7 +94,28 @@ def _sites(program: DebugProgram) -> _ProgramSites:
     return dict(program.executable.detail().compiled.breakable())
 
 
-def _line(sites: _Sites, file: str, line: int) -> BreakpointLocation:
+_Unused = Sequence[tuple[str, Location]]
+
+
+def _unused(programs: Sequence[DebugProgram]) -> Iterator[tuple[str, Location]]:
+    """Return the statements of the user's functions that are never called, with their functions."""
+    for program in {id(each): each for each in programs}.values():
+        left_out = program.executable.program.unused
+        for function in left_out.functions.values() if left_out else ():
+            for block in function.blocks:
+                for instruction in block.instructions:
+                    if isinstance(instruction, Statement):
+                        yield plain_name(function.name), instruction.location
+
+
+def _never(sites: _Sites, function: str, place: Location) -> BreakpointLocation:
+    """Return a location in a function that is never called."""
+    nowhere = dict.fromkeys(sites, frozenset[int]())
+    note = f"'{function}' is never called"
+    return BreakpointLocation(nowhere, frozenset(), place, function, note)
+
+
+def _line(sites: _Sites, unused: _Unused, file: str, line: int) -> BreakpointLocation:
     own = {
         robot: [
             (site.location.line, number)
@@ -102,13 +125,16 @@ def _line(sites: _Sites, file: str, line: int) -> BreakpointLocation:
         for robot, rows in sites.items()
     }
     lines = {each for rows in own.values() for each, _ in rows}
-    if not lines:
+    never = {at.line: (name, at) for name, at in reversed(unused) if is_file(at.file, file)}
+    if not lines and not never:
         files = sorted({site.location.file for rows in sites.values() for site in rows.values()})
         raise DebugError(unknown("file", file, files))
-    later = [each for each in lines if each >= line]
+    later = [each for each in lines | never.keys() if each >= line]
     if line < 1 or not later:
         raise DebugError(f"{file} has no code at or after line {line}")
     found = min(later)
+    if found not in lines:
+        return _never(sites, *never[found])
     statements = {
         robot: _firsts(sites[robot], [number for each, number in rows if each == found])
         for robot, rows in own.items()
@@ -130,7 +156,7 @@ def _firsts(sites: _ProgramSites, numbers: Sequence[int]) -> frozenset[int]:
 
 
 def _function(
-    sites: _Sites, file: str | None, name: str, programs: Sequence[DebugProgram]
+    sites: _Sites, unused: _Unused, file: str | None, name: str, programs: Sequence[DebugProgram]
 ) -> BreakpointLocation:
     statements, location = {}, None
     for robot, rows in sites.items():
@@ -145,6 +171,9 @@ def _function(
             location = location or rows[number].location
     if location is not None:
         return BreakpointLocation(statements, frozenset(), location, name)
+    for function, place in unused:
+        if function == name and (file is None or is_file(place.file, file)):
+            return _never(sites, name, place)
     if name in POSTS and file is None:
         return BreakpointLocation({}, POSTS[name], None, name)
     calls = {robot: calling(programs[robot], name) for robot in sites}
@@ -152,7 +181,10 @@ def _function(
         return BreakpointLocation(
             calls, frozenset(), None, name, f"stops before each statement that calls '{name}'"
         )
-    names = sorted({plain_name(each.function) for rows in sites.values() for each in rows.values()})
+    names = sorted(
+        {function for function, _ in unused}
+        | {plain_name(each.function) for rows in sites.values() for each in rows.values()}
+    )
     raise DebugError(unknown("function", name, names))
 
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from crs_cc.debug.breakpoints import BreakpointHit, Breakpoints
+from crs_cc.debug.skips import Skips
 from crs_cc.debug.step_conditions import (
     ActiveCalls,
     ProgramPoint,
@@ -65,7 +66,11 @@ class _StopCandidate:
 
 
 class Navigator:
-    """Moves a run to its next or previous stop."""
+    """Moves a run to its next or previous stop.
+
+    Attributes:
+        skips: the functions and files that steps by lines do not enter.
+    """
 
     def __init__(
         self, run: RecordedRun, breakpoints: Breakpoints, accept: Accept, tell: Tell
@@ -75,6 +80,8 @@ class Navigator:
         self._breakpoints = breakpoints
         self._accept = accept
         self._tell = tell
+        self.skips = Skips()
+        self._active: ActiveCalls | None = None  # at the start of a step that skips something
 
     # -- forward -----------------------------------------------------------------------------
 
@@ -86,6 +93,7 @@ class Navigator:
             until: the start of a timestep to stop at.
         """
         run = self._run
+        self._begin(aim)
         run.arm(self._marks(aim))
         try:
             while run.can_advance:
@@ -98,6 +106,18 @@ class Navigator:
             return self.stop("interrupt")
         is_cut = run.session.timesteps >= run.last_timestep
         return self.stop("end", text=f"the run ends at {run.session.time_s:g} s" * is_cut)
+
+    def _begin(self, aim: StepCondition | ReverseStepCondition | None) -> None:
+        """Record in which calls a step begins, if it is to skip others."""
+        self._active = None
+        if aim is not None and aim.by_lines and any(each.enabled for each in self.skips):
+            self._active = ActiveCalls.of(self._run.stopped(aim.robot).stack)
+
+    def _is_skipped(self, robot: int) -> bool:
+        """Return whether a program is inside of a call that the current step skips."""
+        if self._active is None:
+            return False
+        return self.skips.cover(self._run.stopped(robot).stack, self._active)
 
     def stop(self, reason: Reason, robot: int = -1, text: str = "") -> Stop:
         """Return a stop at the current position."""
@@ -143,7 +163,9 @@ class Navigator:
             return stop
         if event.kind == "statement" and aim is not None:
             program_point = self.program_point(aim.robot)
-            if program_point is not None and aim.reached(program_point):
+            if program_point is None or self._is_skipped(aim.robot):
+                return None
+            if aim.reached(program_point):
                 return self.stop("step", aim.robot)
         if event.over:
             return self.stop("end")
@@ -265,6 +287,7 @@ class Navigator:
     def backward_to(self, aim: ReverseStepCondition) -> Stop:
         """Step backward in one program until a condition is met."""
         run, start = self._run, self._run.position
+        self._begin(aim)
         try:
             found = self._find_back(aim)
             if found is not None:
@@ -323,7 +346,7 @@ class Navigator:
             if run.statements_begun(robot) >= end:
                 break
             program_point = self.program_point(robot) if event.kind == "statement" else None
-            if program_point is not None:
+            if program_point is not None and not self._is_skipped(robot):
                 spots.append(program_point)
         return spots
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from crs_cc.debug.data.values import Value, ValueReader
 from crs_cc.ir.types import FunctionType, RecordType, VoidType
-from crs_cc.runtime.codegen.call_checks import NO_VALUE
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
-from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, RESULT
+from crs_cc.runtime.layout import HEADER_SIZE, RESULT
 
 
 def returned_value(stopped: Stopped, reader: ValueReader, call: StackFrame) -> Value | None:
@@ -22,7 +21,7 @@ def returned_value(stopped: Stopped, reader: ValueReader, call: StackFrame) -> V
     ctype = stopped.compiled.info(call.function).function.ctype
     if stopped.stack_pointer() != call.fp or not isinstance(ctype, FunctionType):
         return None
-    if isinstance(ctype.result, VoidType) or _word(stopped, call.fp + FUNCTION) == NO_VALUE:
+    if isinstance(ctype.result, VoidType):
         return None
     if isinstance(ctype.result, RecordType):  # the first argument is where it goes
         return reader.value(_word(stopped, call.fp + HEADER_SIZE), ctype.result)

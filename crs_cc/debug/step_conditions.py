@@ -72,11 +72,13 @@ class StepCondition(Protocol):
     Attributes:
         calls: the calls in which it may be met; None for all.
         after_calls: whether it may be met behind a call, in the middle of a statement of those.
+        by_lines: whether it steps by lines, and so not into what the user skips.
     """
 
     robot: int
     calls: ActiveCalls | None
     after_calls: bool
+    by_lines: bool
 
     def reached(self, program_point: ProgramPoint) -> bool:
         """Return whether a step ends at a statement; called for each in turn."""
@@ -89,6 +91,7 @@ class StepToStatement:
     robot: int
     calls: ActiveCalls | None = None
     after_calls: bool = False
+    by_lines: bool = False
 
     def reached(self, program_point: ProgramPoint) -> bool:
         """Return whether it is in one of the calls."""
@@ -109,6 +112,7 @@ class StepToLine:
     calls: ActiveCalls | None = None
     onward: bool = False
     after_calls: bool = False
+    by_lines: bool = True
     _seen: set[int] = field(default_factory=set)
 
     def __post_init__(self) -> None:
@@ -136,6 +140,7 @@ class ReverseStepCondition:
     Attributes:
         calls: the calls in which they may be; None for all.
         after_calls: whether a place behind one of their calls counts, too.
+        by_lines: whether it steps by lines.
     """
 
     def __init__(
@@ -150,7 +155,7 @@ class ReverseStepCondition:
         self.robot = robot
         self.calls = calls
         self.after_calls = after_calls
-        self._whole_line = whole_line
+        self.by_lines = whole_line
         self._last: ProgramPoint | None = None
         self._seen: set[int] = set()
 
@@ -163,7 +168,7 @@ class ReverseStepCondition:
         if self._last is None:
             self._last = program_point
         elif (
-            not (self._whole_line and self._last.shares_line(program_point))
+            not (self.by_lines and self._last.shares_line(program_point))
             or program_point.site in self._seen
         ):
             return False

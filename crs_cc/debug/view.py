@@ -11,6 +11,7 @@ from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.expression_compiler import SourceNames
+from crs_cc.debug.data.memory_inspection import FULL
 from crs_cc.debug.data.scope import Storage
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable
@@ -52,6 +53,7 @@ class View:
         robot: the selected robot.
         frame: the number of the selected frame.
         convenience_values: the values of `$name` by name; that of `$` has an empty name.
+        full_style: how values are written at length.
     """
 
     def __init__(self, run: RecordedRun) -> None:
@@ -60,6 +62,7 @@ class View:
         self.robot = 0
         self.frame = 0
         self.convenience_values: dict[str, Value] = {}
+        self.full_style = FULL
         self._seen: tuple[Stopped, list[BacktraceFrame]] | None = None
         self._names: dict[int, SourceNames] = {}
         self._evaluators: dict[tuple[int, int], Evaluator] = {}
@@ -252,4 +255,6 @@ class View:
             outside = Surroundings(self, robot)
             made = Evaluator(stopped, names, self.convenience_values, fields, outside)
             self._evaluators[robot, build] = made
-        return self._evaluators[robot, build]
+        found = self._evaluators[robot, build]
+        found.full_style = self.full_style
+        return found

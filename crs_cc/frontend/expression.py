@@ -18,7 +18,7 @@ that they have at the end of the file.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Final
 
@@ -27,7 +27,14 @@ from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit, expression
 from crs_cc.frontend.check.operators import is_lvalue
-from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefName
+from crs_cc.frontend.check.scope import (
+    EnumConstant,
+    FunctionSymbol,
+    ObjectSymbol,
+    Symbol,
+    Tag,
+    TypedefName,
+)
 from crs_cc.frontend.check.tree_parts import walk
 from crs_cc.frontend.error_limit import GiveUp
 from crs_cc.frontend.lower.graph import simplify
@@ -73,6 +80,14 @@ class CompiledExpression:
         return self.program.functions[EXPRESSION]
 
 
+@dataclass(frozen=True, slots=True)
+class BlockNames:
+    """The constants and types, other than variables, that some blocks declare."""
+
+    names: Mapping[str, EnumConstant | TypedefName] = field(default_factory=dict)
+    tags: Mapping[str, Tag] = field(default_factory=dict)
+
+
 class FileNames:
     """The names that are visible at the end of a C file.
 
@@ -100,6 +115,10 @@ class FileNames:
         macro = self._source.macros.get(name)
         return None if macro is None else (self._source.definition(macro), macro.definition)
 
+    def macros(self) -> Iterator[str]:
+        """Return the names of the macros that are defined at the end of the file."""
+        return iter(self._source.macros)
+
     def expanded(self, text: str) -> str:
         """Return a text with its macros replaced, as at the end of the file."""
         assert self._source.more is not None
@@ -121,12 +140,27 @@ class FileNames:
         """
         return self._locals.get((variable.name, variable.location), variable.ctype)
 
+    def in_blocks(self, place: Location) -> BlockNames:
+        """Return the constants and types that the blocks around a place declare before it."""
+        found: dict[str, EnumConstant | TypedefName] = {}
+        tags: dict[str, Tag] = {}
+        for scope, (start, end) in sorted(self._unit.blocks, key=lambda block: block[1][0]):
+            if place.file == start.file and start <= place <= end:
+                found |= {
+                    name: symbol
+                    for name, symbol in scope.names.items()
+                    if isinstance(symbol, EnumConstant | TypedefName) and symbol.location <= place
+                }
+                tags |= {name: tag for name, tag in scope.tags.items() if tag.location <= place}
+        return BlockNames(found, tags)
+
     def compile(
         self,
         text: str,
         function: str,
         variables: Iterable[tuple[str, CType]],
         diagnostics: Diagnostics,
+        blocks: BlockNames | None = None,
     ) -> CompiledExpression:
         """Compile an expression.
 
@@ -135,6 +169,7 @@ class FileNames:
             function: the C name of the function around it, for `__func__`.
             variables: the variables in scope, the outermost first; later ones hide earlier ones.
             diagnostics: receives warnings.
+            blocks: what the blocks around it declare, which the variables hide.
 
         Raises:
             CompileError: when the expression is invalid here.
@@ -143,7 +178,7 @@ class FileNames:
         unit = replace(self._unit, name=EXPRESSION, diagnostics=own, suggestions=1, unknown=set())
         symbols = {name: _indirect(name, ctype) for name, ctype in variables}
         try:
-            checked = self._checked(unit, text, function, symbols)
+            checked = self._checked(unit, text, function, symbols, blocks or BlockNames())
         except GiveUp:
             checked = None
         except CheckError as mistake:
@@ -156,7 +191,12 @@ class FileNames:
         return _lowered(unit, text, checked, symbols)
 
     def _checked(
-        self, unit: Unit, text: str, function: str, symbols: dict[str, ObjectSymbol]
+        self,
+        unit: Unit,
+        text: str,
+        function: str,
+        symbols: dict[str, ObjectSymbol],
+        blocks: BlockNames,
     ) -> tree.Expression | None:
         assert self._source.more is not None
         report = unit.diagnostics
@@ -166,9 +206,9 @@ class FileNames:
         if not tokens:
             report.error(Location(EXPRESSION, 1, 1), "expected an expression")
             return None
-        names = unit.scope.names
+        inner: dict[str, Symbol] = {**blocks.names, **symbols}
+        names = unit.scope.names | inner
         types = [name for name, symbol in names.items() if isinstance(symbol, TypedefName)]
-        types = [each for each in types if each not in symbols]
         node = parse_expression(tokens, types, report, unit.standard)
         if node is None or report.errors:
             return None
@@ -176,7 +216,8 @@ class FileNames:
         symbol = FunctionSymbol(function, FunctionType(VoidType(), ()), place_, function)
         unit.function = FunctionState(symbol, VoidType())
         with unit.new_scope() as scope:
-            scope.names.update(symbols)
+            scope.names.update(inner)
+            scope.tags.update(blocks.tags)
             return expression(unit, node)
 
 

@@ -162,6 +162,7 @@ class Program:
         aliases: for each further name of a function or object, its own name.
         starts: functions to be called before `main`, with their priority, the lowest first.
         ends: functions to be called after the program's end, the highest priority first.
+        unused: of a linked program, what the user has defined but nothing uses; for debuggers.
     """
 
     functions: dict[str, Function] = field(default_factory=dict)
@@ -173,6 +174,7 @@ class Program:
     aliases: dict[str, str] = field(default_factory=dict)
     starts: list[tuple[int, str]] = field(default_factory=list)
     ends: list[tuple[int, str]] = field(default_factory=list)
+    unused: Program | None = None
 
 
 def renumber(terminator: Any, change: Callable[[Any], Any]) -> Any:

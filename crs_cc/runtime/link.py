@@ -85,6 +85,10 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
             missing.add(name)
             continue
         work.extend(references(found))
+    whole.unused = Program(
+        {name: each for name, each in user.functions.items() if name not in whole.functions},
+        {name: each for name, each in user.data.items() if name not in whole.data},
+    )
     if starts:
         whole.data[STARTS] = _table(STARTS, [*starts, *_in_order(user.starts)])
     if not diagnostics.errors:

@@ -9,7 +9,7 @@ concerned; and by a bitmap of the grains that they touch, modulo 64 (a Bloom fil
 All this belongs to the debugger and is not state of the program: no snapshot includes it.
 
 >>> WATCHED.itemsize
-4128
+4136
 >>> hex(grains(0x1008, 4)), hex(grains(0x1010, 16)), hex(grains(0, 4096))
 ('0x1', '0x3', '0xffffffffffffffff')
 """
@@ -53,6 +53,7 @@ WATCHED: Final = np.dtype(
         ("lowest", "<u4"),  # the first address on the stack
         ("highest", "<u4"),  # end of those on the stack
         ("grains", "<u8"),  # bit n: grain n modulo 64 is touched
+        ("statement", "<i8"),  # how many sites were passed when the last statement began
         ("ranges", RANGE, (RANGES,)),
     ]
 )

@@ -150,7 +150,8 @@ def _compile(
     for unit in units:
         verify(unit)
     program = link(units, library(), diagnostics)
-    files = {function.location.file for function in program.functions.values()}
+    unused = program.unused.functions if program.unused else {}
+    files = {each.location.file for each in (program.functions | unused).values()}
     lines = {file: diagnostics.lines[file] for file in sorted(files & diagnostics.lines.keys())}
     return program, lines
 
@@ -251,7 +252,7 @@ def _pack(program: Program, lines: _Lines) -> bytes:
         }
         for table in (program.functions, program.data)
     ]
-    return pickle.dumps((*own, lines), pickle.HIGHEST_PROTOCOL)
+    return pickle.dumps((*own, program.unused, lines), pickle.HIGHEST_PROTOCOL)
 
 
 def _unpack(entry: _Linked) -> tuple[Program, _Lines]:
@@ -259,8 +260,9 @@ def _unpack(entry: _Linked) -> tuple[Program, _Lines]:
     from crs_cc.ir.program import Program
     from crs_cc.session.library import library
 
-    functions, data, lines = pickle.loads(entry.content)  # noqa: S301 - see `crs_cc.toolchain.cache`
+    packed = pickle.loads(entry.content)  # noqa: S301 - see `crs_cc.toolchain.cache`
+    functions, data, unused, lines = packed
     for definitions in (functions, data):
         for name, each in definitions.items():
             definitions[name] = each or library().find(name)
-    return Program(functions, data), lines
+    return Program(functions, data, unused=unused), lines

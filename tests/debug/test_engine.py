@@ -81,7 +81,7 @@ def test_finish_goes_to_the_caller_and_back(loop: Debugger) -> None:
     assert [each.function for each in loop.view.frames()] == ["twice", "main"]
     loop.resume()
     assert loop.finish().text == "twice returned 2"
-    assert line(loop) == 14
+    assert line(loop) == 13
     loop.goto(before)
     loop.finish(backward=True)
     assert line(loop) == 13
@@ -193,7 +193,7 @@ def test_advance_stops_at_its_location_or_in_the_caller(loop: Debugger) -> None:
     assert line(loop) == 6
     assert not list(loop.stop_points.breakpoints)
     loop.advance("16")
-    assert line(loop) == 14
+    assert line(loop) == 13
 
 
 def test_conditions_apply_forward_and_backward(loop: Debugger) -> None:
@@ -308,7 +308,7 @@ def test_all_forward_moves_can_be_interrupted(
 def test_an_interrupt_between_repeated_steps_is_noticed(
     verb: str, backward: bool, loop: Debugger, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    loop.goto_statement(8)
+    loop.goto_statement(10)
     navigator = loop.navigator
     way = "backward_to" if backward else "forward"
     go, moves = getattr(navigator, way), 0

@@ -11,7 +11,7 @@ from crs_cc.debug.commands.context import CommandContext
 
 Completes = Literal[
     "", "command", "place", "expression", "robot", "breakpoint", "display", "file", "catch",
-    "checkpoint", "branch", "edit",
+    "checkpoint", "branch", "edit", "macro",
 ]  # fmt: skip
 """The kind of an argument, for completion."""
 

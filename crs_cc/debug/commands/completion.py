@@ -14,13 +14,17 @@ from crs_cc.debug.commands.command import Completes
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.stack import functions
 from crs_cc.debug.commands.table import find, matching
+from crs_cc.debug.data.notation import FUNCTIONS
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import is_file
 from crs_cc.debug.world.edits import FAULTS
 from crs_cc.debug.world.events import KINDS
+from crs_cc.ir.types import PointerType, RecordType
 from crs_cc.sim.model.degradation import degradables
 
-_LAST_WORD: Final = re.compile(r"[\w.]*$")
+_LAST_EXPRESSION: Final = re.compile(r"(?:\b(?:struct|union|enum)\s+)?(?:[\w$.]|->|\[[^\[\]]*\])*$")
+_MEMBER: Final = re.compile(r"(?P<base>.+)(?P<operator>\.|->)\w*")
+_TAG: Final = re.compile(r"(?P<kind>struct|union|enum)\s+\w*")
 _LAST_PART: Final = re.compile(r"\S*$")
 
 
@@ -52,7 +56,7 @@ def complete(context: CommandContext, text: str) -> Completion:
         return Completion(len(text), ())
     if not command.completes or (not rest and not text.endswith(" ")):
         return Completion(len(text), ())
-    pattern = _LAST_WORD if command.completes == "expression" else _LAST_PART
+    pattern = _LAST_EXPRESSION if command.completes == "expression" else _LAST_PART
     found = pattern.search(text)
     assert found
     words = set(_ARGUMENTS[command.completes](context, found[0]))
@@ -74,11 +78,48 @@ def _places(context: CommandContext, word: str) -> Iterator[str]:
         yield f"{path.name}:"
 
 
-def _expressions(context: CommandContext, _word: str) -> Iterator[str]:
+def _expressions(context: CommandContext, word: str) -> Iterator[str]:
+    """Return variables, functions and macros; members after an expression, tags after `struct`."""
+    member, tag = _MEMBER.fullmatch(word), _TAG.fullmatch(word)
+    if member is not None:
+        yield from _members(context, member["base"], member["operator"])
+        return
+    if tag is not None:
+        yield from _tags(context, tag["kind"])
+        return
+    if word.startswith("$"):
+        yield from (f"${name}" for name in context.debugger.view.convenience_values if name)
+        yield from (f"${name}(" for name in FUNCTIONS)
+        return
+    yield from _macros(context, word)
     with contextlib.suppress(DebugError):
         yield from (each.name for each in context.debugger.view.variables())
     yield from (each.name for each in context.debugger.view.globals_())
     yield from (name for name, _ in functions(context))
+
+
+def _members(context: CommandContext, base: str, operator: str) -> Iterator[str]:
+    """Return the members of an expression, with the expression."""
+    with contextlib.suppress(DebugError):
+        ctype = context.debugger.view.type_of(base)
+        if operator == "->" and isinstance(ctype, PointerType):
+            ctype = ctype.target
+        if isinstance(ctype, RecordType):
+            yield from (f"{base}{operator}{name}" for name in ctype.record.named)
+
+
+def _tags(context: CommandContext, kind: str) -> Iterator[str]:
+    with contextlib.suppress(DebugError):
+        for _, ctype, name in context.debugger.view.file_names().types():
+            if not name and str(ctype).startswith(f"{kind} "):
+                yield str(ctype)
+
+
+def _macros(context: CommandContext, word: str) -> Iterable[str]:
+    """Return the names of macros; none for an empty word, as there are hundreds."""
+    with contextlib.suppress(DebugError):
+        return context.debugger.view.file_names().macros() if word else ()
+    return ()
 
 
 def _robots(context: CommandContext, _word: str) -> Iterable[str]:
@@ -134,4 +175,5 @@ _ARGUMENTS: Final[dict[Completes, Callable[[CommandContext, str], Iterable[str]]
     "checkpoint": _checkpoints,
     "branch": _branches,
     "edit": _edits,
+    "macro": _macros,
 }

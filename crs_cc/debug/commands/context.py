@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.answer import Answer, Line, SourceLine
 from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.commands.display import Display
+from crs_cc.debug.commands.settings import Settings
 from crs_cc.debug.commands.stop_text import Selection, selection, stop_lines
+from crs_cc.debug.data.memory_inspection import FULL
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
@@ -55,6 +57,7 @@ class CommandContext:
         instants: the instants of the last list, see `past`, each with its robot or -1.
         has_ended: whether the user has quit.
         depth: how many scripts are being read inside each other.
+        settings: the values of the settings.
     """
 
     def __init__(
@@ -71,6 +74,7 @@ class CommandContext:
         self.instants: list[tuple[Position, int]] = []
         self.has_ended = False
         self.depth = 0
+        self.settings = Settings()
         self._value_count = 0
         self._selection: Selection | None = None
 
@@ -88,6 +92,11 @@ class CommandContext:
             yield from stop_lines(self.debugger, stop, known, self._selection)
             yield from self.show_displays()
         self._selection = now
+
+    def apply_settings(self) -> None:
+        """Pass on the settings that are not asked for by commands."""
+        elements = self.settings["print elements"]
+        self.debugger.view.full_style = replace(FULL, most_elements=elements)
 
     def show_selection(self) -> Answer:
         """Answer with the frame that the user has selected."""

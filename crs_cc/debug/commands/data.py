@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import (
     OutputFormat,
@@ -18,6 +19,7 @@ from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.display import Display
 from crs_cc.debug.commands.formats import MAX_TEXT_LENGTH, dump, formatted, quoted
+from crs_cc.debug.commands.settings import SETTINGS, parse_setting
 from crs_cc.debug.commands.stack import frame
 from crs_cc.debug.commands.type_declaration import declared
 from crs_cc.debug.errors import DebugError
@@ -52,6 +54,11 @@ def _call(context: CommandContext, text: str) -> Answer:
 
 def _set(context: CommandContext, text: str) -> Answer:
     words = require_argument(text, "an assignment, such as speed = 3").split(maxsplit=1)
+    setting, value = parse_setting(text)
+    if setting is not None and not value.startswith("="):
+        context.settings.change(setting.name, value)
+        context.apply_settings()
+        return
     if words[0] in {"var", "variable"}:
         text = require_argument(
             words[1] if len(words) > 1 else "", "an assignment, such as speed = 3"
@@ -60,6 +67,14 @@ def _set(context: CommandContext, text: str) -> Answer:
         raise DebugError("an assignment is missing: set VARIABLE = EXPRESSION")
     context.debugger.evaluate(text)
     yield from ()
+
+
+def _show(context: CommandContext, text: str) -> Answer:
+    found = [each for each in SETTINGS if each.name.startswith(text)]
+    if not found:
+        raise DebugError(unknown("setting", text, [each.name for each in SETTINGS]))
+    for each in found:
+        yield f"{each.name} = {each.text(context.settings[each.name])}: {each.summary}"
 
 
 def _whatis(context: CommandContext, text: str) -> Answer:
@@ -206,8 +221,13 @@ DATA: Final = Group(
             _call, text=_CHANGES, completes="expression",
         ),
         Command(
-            "set", "[var] VARIABLE = EXPRESSION", "Assign to a variable or memory.", _set,
-            text=_CHANGES, completes="expression",
+            "set", "[var] VARIABLE = EXPRESSION|SETTING VALUE",
+            "Assign to a variable or memory, or change a setting.", _set,
+            text=f"{_CHANGES} Settings are {', '.join(each.name for each in SETTINGS)}; what is set"
+            " at a terminal is kept for later sessions.", completes="expression",
+        ),
+        Command(
+            "show", "[SETTING]", "Show the settings.", _show,
         ),
         Command(
             "display", "[/FMT] [EXPRESSION]", "Show an expression now and at every stop.", _display,

@@ -8,9 +8,15 @@ from functools import partial
 from typing import Final
 
 from crs_cc.debug.commands.answer import Answer
-from crs_cc.debug.commands.arguments import parse_count, require_argument
+from crs_cc.debug.commands.arguments import (
+    parse_breakpoint_arguments,
+    parse_count,
+    parse_robot,
+    require_argument,
+)
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
+from crs_cc.debug.commands.skipping import SKIPPING
 from crs_cc.debug.commands.why import go_to_write
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
@@ -73,9 +79,10 @@ def _until(context: CommandContext, text: str) -> Answer:
 
 
 def _advance(context: CommandContext, text: str) -> Answer:
-    return context.move(
-        partial(context.debugger.advance, require_argument(text, "a line or a function"))
-    )
+    where = parse_breakpoint_arguments(require_argument(text, "a line or a function"))
+    robot = parse_robot(where.robot, context.debugger.names) if where.robot else None
+    advance = context.debugger.advance
+    return context.move(partial(advance, where.place, robot=robot, condition=where.condition))
 
 
 _INSTANT: Final = re.compile(
@@ -156,19 +163,21 @@ RUNNING: Final = Group(
             _stepi, ("si",), repeats="same",
         ),
         Command(
-            "finish", "", "Continue until the selected function returns, and show its value.", _finish,
-            ("fin",),
+            "finish", "", "Continue until the selected function returns, and show its value.",
+            _finish, ("fin",),
+            text="It stops right behind the call, in the caller's line, before the value is used.",
             repeats="same",
         ),
         Command(
-            "until", "[LOCATION]", "Like next, but run a loop to its end.",
-            _until, ("u",),
+            "until", "[LOCATION] [robot NAME] [if CONDITION]",
+            "Like next, but run a loop to its end.", _until, ("u",),
             text='With LOCATION, the same as "advance".',
             repeats="same", completes="place",
         ),
         Command(
-            "advance", "LOCATION", "Continue to a line or a function.",
-            _advance, completes="place",
+            "advance", "LOCATION [robot NAME] [if CONDITION]", "Continue to a location.", _advance,
+            text='LOCATION and what follows are those of "break". It also stops when the selected'
+            " function has returned.", completes="place",
         ),
         Command(
             "tick", "[N]", "Continue to the start of the next timestep.", _tick,
@@ -203,9 +212,10 @@ RUNNING: Final = Group(
             _goto,
             text="TIME, in seconds, goes to the start of the timestep that contains it; tick N is"
             " the start of timestep N; stmt N is the point just before statement N of the robot's"
-            ' program (see "when"). Breakpoints on the way'
-            " are ignored; end runs until all programs have ended. @N is an instant of the last"
+            ' program (see "when"), where returns from calls are counted, too. Breakpoints on the'
+            " way are ignored; end runs until all programs have ended. @N is an instant of the last"
             ' list (see "when" and "history").',
         ),
+        *SKIPPING,
     ),
 )  # fmt: skip

@@ -18,9 +18,6 @@ from crs_cc.ir.names import in_library, plain_name
 if TYPE_CHECKING:
     from crs_cc.debug.view import BacktraceFrame
 
-_LINES: Final = 10
-_MAX_FRAMES: Final = 100
-
 
 def frames(context: CommandContext) -> list[BacktraceFrame]:
     """Return the stack frames of the selected robot; raise DebugError if there are none."""
@@ -44,7 +41,7 @@ def _backtrace(context: CommandContext, text: str) -> Answer:
     is_full = words[:1] in (["full"], ["-full"])
     count = " ".join(words[is_full:])
     is_outermost = count.startswith("-")
-    most = parse_count(count.removeprefix("-")) if count else _MAX_FRAMES
+    most = parse_count(count.removeprefix("-")) if count else context.settings["backtrace limit"]
     shown = found[-most:] if is_outermost else found[:most]
     for each in shown:
         mark = "=>" if each.number == here else "  "
@@ -147,26 +144,26 @@ def _lines_with_breakpoints(context: CommandContext, file: str) -> set[int]:
 
 def _range(context: CommandContext, text: str) -> tuple[str, int, int]:
     """Return the file and the first and last line to list."""
-    listed = context.listing
+    listed, lines = context.listing, context.settings["listsize"]
     if not text and listed is not None:
-        return listed.file, listed.last + 1, listed.last + _LINES
+        return listed.file, listed.last + 1, listed.last + lines
     if text == "-" and listed is not None:
         if listed.first == 1:
             raise DebugError(f"already at the start of '{listed.file}'")
-        return listed.file, max(1, listed.first - _LINES), listed.first - 1
+        return listed.file, max(1, listed.first - lines), listed.first - 1
     first, comma, last = text.partition(",")
     if not text or text == "-":
         middle = _here(context)
-        return _around(middle.file, middle.line)
+        return _around(middle.file, middle.line, lines)
     if not comma:
         middle = _listed(context, first)
-        return _around(middle.file, middle.line)
+        return _around(middle.file, middle.line, lines)
     if not first.strip():
         end = _listed(context, require_argument(last, "a line: list FIRST,LAST"))
-        return end.file, max(1, end.line - _LINES + 1), end.line
+        return end.file, max(1, end.line - lines + 1), end.line
     begin = _listed(context, first)
     if not last.strip():
-        return begin.file, begin.line, begin.line + _LINES - 1
+        return begin.file, begin.line, begin.line + lines - 1
     end = _listed(context, last)
     if end.file != begin.file or end.line < begin.line:
         raise DebugError(f"{end} is not after {begin}")
@@ -187,9 +184,9 @@ def _listed(context: CommandContext, text: str) -> Location:
     return named[line] if line in named and not file else find_line(context, text)
 
 
-def _around(file: str, line: int) -> tuple[str, int, int]:
-    first = max(1, line - _LINES // 2)
-    return file, first, first + _LINES - 1
+def _around(file: str, line: int, lines: int) -> tuple[str, int, int]:
+    first = max(1, line - lines // 2)
+    return file, first, first + lines - 1
 
 
 def _here(context: CommandContext) -> Location:
@@ -212,14 +209,15 @@ def find_line(context: CommandContext, text: str) -> Location:
 def functions(context: CommandContext) -> Iterator[tuple[str, Location]]:
     """Return names and locations of the user's functions in the selected robot's program."""
     program = context.debugger.run.programs[context.debugger.view.robot].executable.program
-    for name, function in program.functions.items():
+    unused = program.unused.functions if program.unused else {}
+    for name, function in (program.functions | unused).items():
         if not in_library(function.location):
             yield plain_name(name), function.location
 
 
 _LIST_TEXT: Final = (
-    "Ten lines around LOCATION, from FIRST on, up to LAST, or all from FIRST to LAST. Without"
-    " arguments, those around the"
+    "Ten lines (see set listsize) around LOCATION, from FIRST on, up to LAST, or all from FIRST to"
+    " LAST. Without arguments, those around the"
     ' current line, then those that follow; "list -" shows those before.'
 )
 

@@ -144,7 +144,7 @@ SYMBOLS: Final = Group(
             text="With TEXT, those whose names contain it.",
         ),
         Command(
-            "info macro", "NAME", "Show the definition of a macro.", _info_macro,
+            "info macro", "NAME", "Show the definition of a macro.", _info_macro, completes="macro",
             text="Macros have the meaning that they have at the end of the current file.",
         ),
         Command(

@@ -30,7 +30,7 @@ from crs_cc.debug.data.expression_memory import EvaluationError
 from crs_cc.debug.data.expression_scope import active_call, global_scope, lasting_scope
 from crs_cc.debug.data.interpret import SCRATCH, Interpreter
 from crs_cc.debug.data.memory import MemoryReads, SavedRegister, StoppedMemory
-from crs_cc.debug.data.memory_inspection import MemoryInspector
+from crs_cc.debug.data.memory_inspection import FULL, MemoryInspector
 from crs_cc.debug.data.notation import (
     NAME,
     OutsideName,
@@ -43,14 +43,14 @@ from crs_cc.debug.data.observation import UNREADABLE, Observation
 from crs_cc.debug.data.operators import unsigned
 from crs_cc.debug.data.outside import Nothing, Outside, OutsideUse
 from crs_cc.debug.data.scope import FrameAddresses, Scopes, Storage
+from crs_cc.debug.data.spare_definitions import SpareDefinitions
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.state_fields import StateField
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.instruction import ByteState
-from crs_cc.ir.names import LIBRARY, in_library
-from crs_cc.ir.program import Data, Function
+from crs_cc.ir.names import in_library
 from crs_cc.ir.types import (
     LONG,
     ArrayType,
@@ -63,14 +63,11 @@ from crs_cc.ir.types import (
     is_complete,
 )
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
-from crs_cc.session.library import library
 
 MAX_ELEMENTS: Final = 100_000
 """Longer slices are refused."""
 _MAY_BE_OUTSIDE: Final = re.compile(r"::|\$world|\w\s*\.\s*\w|distance\s*\(")
 _WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
-_PURE: Final = tuple(f"{LIBRARY}{part}/" for part in ("math", "stdlib", "string", "wide"))
-"""The parts of the library that programs need not have linked for expressions to use them."""
 
 
 class Evaluator:
@@ -78,6 +75,7 @@ class Evaluator:
 
     Attributes:
         convenience_values: the values of `$name` by name; that of `$` has an empty name.
+        full_style: how values are written at length.
     """
 
     def __init__(
@@ -100,6 +98,7 @@ class Evaluator:
         self.convenience_values: dict[str, Value] = (
             {} if convenience_values is None else convenience_values
         )
+        self.full_style = FULL
         self._replaced: list[tuple[str, Value | None]] = []  # by the last expression
         self._stopped = stopped
         self._names = names
@@ -112,7 +111,9 @@ class Evaluator:
             names, self._scopes, self.convenience_values, self._outside
         )
         self._memory = StoppedMemory(now, self._explain)
-        self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory, _lend)
+        self._spare = SpareDefinitions(now.program)
+        lend = self._spare.lend
+        self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory, lend)
 
     def evaluate(self, text: str, frame: StackFrame | None = None) -> Evaluation:
         """Evaluate an expression.
@@ -141,11 +142,13 @@ class Evaluator:
             return Evaluation(self._outside.value(alone))
         prepared, result = self._run(text, stopped, frame)
         try:
+            self._spare.check(self._interpreter.changed_loans())
             value = self._value(prepared.compiled, result)
         except EvaluationError as wrong:
             self._memory.undo()
             raise DebugError(str(wrong)) from None
-        return Evaluation(value, self._memory.patches() if self._memory.has_changed() else ())
+        patches = self._memory.patches() if self._memory.has_changed() else ()
+        return Evaluation(value, patches, tuple(self._interpreter.printed))
 
     def undo(self) -> None:
         """Undo the side effects of the last expression, on convenience variables, too."""
@@ -316,7 +319,8 @@ class Evaluator:
 
     def inspector(self) -> MemoryInspector:
         """Return an inspector of the program's current memory."""
-        return MemoryInspector(self._stopped(), self._interpreter.scratch, self._fields)
+        scratch = self._interpreter.scratch
+        return MemoryInspector(self._stopped(), scratch, self._fields, self.full_style)
 
     def uses_outside(self, text: str, frame: StackFrame | None = None) -> bool:
         """Return whether an expression uses the world, or the programs of other robots.
@@ -479,12 +483,6 @@ class Evaluator:
 
     def _explain(self, address: int, size: int, reading: bool) -> str:
         return self.inspector().explain(address, size, reading)
-
-
-def _lend(name: str) -> Function | Data | None:
-    """Return a function or object of the library, if it does not need the simulated world."""
-    found = library().find(name)
-    return None if found is None or not found.location.file.startswith(_PURE) else found
 
 
 def _innermost(stopped: Stopped) -> StackFrame | None:

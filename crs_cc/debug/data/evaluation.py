@@ -17,15 +17,17 @@ class Evaluation:
 
     Attributes:
         patches: what has changed in the program's memory; empty if nothing has.
+        printed: what the program's functions have printed: the stream and bytes of each piece.
     """
 
     value: Value
     patches: tuple[MemoryPatch, ...] = ()
+    printed: tuple[tuple[int, bytes], ...] = ()
 
     @property
     def changed(self) -> bool:
-        """Return whether the program's memory has changed."""
-        return bool(self.patches)
+        """Return whether the program's memory or output has changed."""
+        return bool(self.patches or self.printed)
 
 
 @dataclass(frozen=True, slots=True)

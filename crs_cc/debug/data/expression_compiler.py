@@ -27,7 +27,7 @@ from crs_cc.debug.data.scope import Scopes, Storage, concrete
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.program import DebugProgram
-from crs_cc.frontend.expression import CompiledExpression, FileNames
+from crs_cc.frontend.expression import BlockNames, CompiledExpression, FileNames
 from crs_cc.ir.instruction import Variable
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.ir.types import CType, PointerType, is_variably_modified
@@ -191,7 +191,8 @@ class ExpressionCompiler:
     def _compile(self, text: str, standing: ExpressionContext) -> PreparedExpression:
         names = self._names.of(standing.function, standing.place.file)
         rest, special = self.rewritten(text, standing)
-        known = self._visible(standing, names, set(_WORD.findall(rest)))
+        used, blocks = set(_WORD.findall(rest)), names.in_blocks(standing.place)
+        known = self._visible(standing, names, used, blocks)
         found: list[tuple[str, Use | OutsideUse | bytes, CType]] = [
             (name, Use(storage), self._type(names, storage, standing)) for name, storage in known
         ]
@@ -202,7 +203,8 @@ class ExpressionCompiler:
         pairs = [(name, ctype) for name, _, ctype in found]
         try:
             warnings = Diagnostics()
-            compiled = names.compile(rest, plain_name(standing.function), pairs, warnings)
+            function = plain_name(standing.function)
+            compiled = names.compile(rest, function, pairs, warnings, blocks)
         except CompileError as error:
             first = error.diagnostics[0]
             hint = f" ({first.hint})" if first.hint else ""
@@ -224,8 +226,11 @@ class ExpressionCompiler:
         """
         names = self._names.of(standing.function, standing.place.file)
 
+        blocks = names.in_blocks(standing.place)
+
         def is_in_c(name: str) -> bool:
-            return names.knows(name) or bool(self._visible(standing, names, {name}))
+            is_known = names.knows(name) or name in blocks.names
+            return is_known or bool(self._visible(standing, names, {name}, blocks))
 
         def is_robot(name: str) -> bool:
             return self._outside.is_robot(name) and not self._scopes.functions(name)
@@ -265,11 +270,12 @@ class ExpressionCompiler:
         return ctype
 
     def _visible(
-        self, standing: ExpressionContext, names: FileNames, used: set[str]
+        self, standing: ExpressionContext, names: FileNames, used: set[str], blocks: BlockNames
     ) -> list[tuple[str, Storage]]:
         """Return the variables that names refer to at a location.
 
-        One that is declared later counts if its name has no other meaning.
+        Of what is visible there, the last declaration hides the others. A variable that is declared
+        later counts if its name has no other meaning.
         """
         place = standing.place
         if not standing.function or in_library(place):
@@ -280,9 +286,11 @@ class ExpressionCompiler:
             variable = storage.variable
             if variable.name not in used or not variable.reaches(place):
                 continue
+            inner = blocks.names.get(variable.name)
             if storage.is_visible(place):
-                found.setdefault(variable.name, storage)
-            elif not names.knows(variable.name):
+                if inner is None or inner.location < variable.location:
+                    found.setdefault(variable.name, storage)
+            elif inner is None and not names.knows(variable.name):
                 later.setdefault(variable.name, storage)
         return list((later | found).items())
 

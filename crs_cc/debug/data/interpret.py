@@ -2,8 +2,8 @@
 
 The program itself runs as machine code; an expression, and the functions of the
 program that it calls, are interpreted here. Their own variables, and the strings in the expression,
-are in scratch memory above the program's. Whatever would leave the program (a request) or the
-functions (`longjmp`) is refused, and so is a long evaluation.
+are in scratch memory above the program's. What they print is collected. Whatever else would leave
+the program (a request) or the functions (`longjmp`) is refused, and so is a long evaluation.
 """
 
 from __future__ import annotations
@@ -13,18 +13,24 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final, Protocol
 
+import numpy as np
+
 from crs_cc.debug.data.expression_memory import EvaluationError, Scratch
 from crs_cc.debug.data.operators import compute, signed, unsigned
+from crs_cc.debug.timeline.change import STREAMS
 from crs_cc.ir import instruction as ir
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import Data, Function, Program
 from crs_cc.ir.value_type import MEMORY_SIZE, MemoryType
+from crs_cc.requests import CODES, DATA_SIZE, MESSAGE
 
 MAX_INSTRUCTIONS: Final = 1_000_000
 MAX_CALLS: Final = 200
 SCRATCH: Final = 0x8000_0000
 """The first address of the scratch memory: no program's own memory reaches so far."""
 SCRATCH_BYTES: Final = 1 << 24
+Printed = tuple[int, bytes]
+"""A stream, and what was written to it."""
 Lend = Callable[[str], Function | Data | None]
 """Returns the library's function or object of a name."""
 
@@ -83,7 +89,11 @@ class _CallFrame:
 
 
 class Interpreter:
-    """Evaluates functions of IR."""
+    """Evaluates functions of IR.
+
+    Attributes:
+        printed: the stream and bytes of each piece of output of the last evaluation.
+    """
 
     def __init__(
         self,
@@ -110,9 +120,10 @@ class Interpreter:
         self._scratch = Scratch(SCRATCH, SCRATCH_BYTES)
         self._lent = Scratch(SCRATCH + SCRATCH_BYTES, SCRATCH_BYTES)
         self._lend = lend
-        self._borrowed: list[str] = []
+        self._loans: dict[str, tuple[int, bytes]] = {}  # address and first content
         self._left = MAX_INSTRUCTIONS
         self._depth = 0
+        self.printed: list[Printed] = []
 
     def evaluate(self, expression: Program, name: str, arguments: Sequence[int | bytes]) -> Any:
         """Call a function of an expression's program, which may use all of the stopped one.
@@ -132,8 +143,10 @@ class Interpreter:
         self._left, self._memory.trusting = MAX_INSTRUCTIONS, False
         self._scratch.release(0)
         self._lent.release(0)
-        while self._borrowed:
-            del self._addresses[self._borrowed.pop()]
+        self.printed = []
+        for lent in self._loans:
+            del self._addresses[lent]
+        self._loans.clear()
         for data in expression.data.values():
             self._addresses[data.name] = self._scratch.allocate(data.size)
         for data in expression.data.values():
@@ -141,6 +154,14 @@ class Interpreter:
         own = expression.functions[name]
         passed = [self._kept(each) if isinstance(each, bytes) else each for each in arguments]
         return self._call(own, [("i32", signed(each, 32), 4) for each in passed])
+
+    def changed_loans(self) -> list[str]:
+        """Return the lent objects that the last evaluation has changed."""
+        return [
+            name
+            for name, (address, content) in self._loans.items()
+            if self._lent.peek(address, len(content)) != content
+        ]
 
     def scratch(self, address: int, size: int) -> bytes:
         """Return bytes of the scratch memory, fewer at its end."""
@@ -163,9 +184,10 @@ class Interpreter:
         if name not in self._addresses and name not in self._program.functions:
             found = self._lend(name)
             if isinstance(found, Data):
-                self._addresses[name] = self._lent.allocate(found.size)
-                self._borrowed.append(name)
+                self._addresses[name] = address = self._lent.allocate(found.size)
+                self._loans[name] = address, b""
                 self._fill(found)
+                self._loans[name] = address, self._lent.peek(address, found.size)
         if name not in self._addresses:
             why = "it is called only" if name in self._program.functions else "it is unused"
             raise EvaluationError(f"'{plain_name(name)}' has no address here: {why}")
@@ -260,9 +282,17 @@ class Interpreter:
                 return None if end.value is None else self._value(frame, end.value)
             block = self._next(frame, end)
 
-    def _request(self, _code: int, _message: int) -> int:
-        """Refuse a request to the simulated world."""
-        raise EvaluationError("the expression calls a function that needs the simulated world")
+    def _request(self, code: int, address: int) -> int:
+        """Answer a request to print; refuse others, which are to the simulated world."""
+        if code != CODES["WRITE"]:
+            raise EvaluationError("the expression calls a function that needs the simulated world")
+        content = self._read(address, MESSAGE.itemsize, judged=False)
+        message = np.frombuffer(content, MESSAGE)[0]
+        stream, size = int(message["i"][0]), int(message["size"])
+        if stream not in STREAMS or not 0 <= size <= DATA_SIZE:
+            return -1
+        self.printed.append((stream, message["data"][:size].tobytes()))
+        return size
 
     def _spend(self) -> None:
         self._left -= 1

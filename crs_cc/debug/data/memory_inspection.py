@@ -60,9 +60,11 @@ class MemoryInspector:
         stopped: Stopped,
         scratch: Callable[[int, int], bytes],
         fields: tuple[StateField, ...] = (),
+        full_style: Style = FULL,
     ) -> None:
         """Create an inspector."""
         self.stopped = stopped
+        self._full_style = full_style
         self._fields = fields
         self._scratch = scratch
         self._variables = Variables(stopped)
@@ -75,7 +77,7 @@ class MemoryInspector:
     @cached_property
     def full(self) -> Values:
         """Formats values at length."""
-        return self._values(FULL)
+        return self._values(self._full_style)
 
     def _values(self, style: Style) -> Values:
         return Values(self.read, self.states, self.name_of, self.function_at, style)

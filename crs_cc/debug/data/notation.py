@@ -1,4 +1,4 @@
-"""Extensions of C expressions: slices, qualified names, convenience variables, and the world.
+"""Extensions of C expressions: slices, qualified names, convenience names, and the world.
 
 >>> slice_in("a[i + 1..5]"), slice_in("*p@4"), slice_in("a[1]")
 (Slice(base='a', first='i + 1', last='5'), Slice(base='*p', first='4', last=''), None)
@@ -6,6 +6,8 @@
 '__crs_0 + __crs_1 - __crs_2'
 >>> rewritten("'map.c'::size - $speed")[1]
 (QualifiedName(inside='map.c', name='size'), ConvenienceVariable(name='speed'))
+>>> rewritten('$_streq(name, "left")')
+('!__builtin_strcmp(name, "left")', ())
 >>> rewritten("robot1::tab[i].x > $world.bin.x", {"robot1"}.__contains__)
 ('__crs_0 > __crs_1', (RobotName(robot='robot1', text='tab[i].x'), WorldName(path=('bin', 'x'))))
 """
@@ -29,7 +31,18 @@ _WORLD: Final = (
     rf"\$world\b(?:\s*\.\s*distance\s*\(\s*(?P<one>{_OBJECT})\s*,\s*(?P<other>{_OBJECT})\s*\)"
     rf"|(?P<steps>(?:\s*\.\s*{_OBJECT}){{0,2}}))"
 )
-_SPECIAL: Final = re.compile(rf"{_STRING}|{_WORLD}|{_OUTER}|{_CHARACTER}|\$(?P<kept>\$?\w*)")
+
+FUNCTIONS: Final = {
+    "_strlen": "__builtin_strlen",
+    "_streq": "!__builtin_strcmp",
+    "_memeq": "!__builtin_memcmp",
+}
+"""The convenience functions, which need not be declared in the program, and what they are in C."""
+
+_CALLED: Final = rf"\$(?P<called>{'|'.join(FUNCTIONS)})(?=\s*\()"
+_SPECIAL: Final = re.compile(
+    rf"{_STRING}|{_WORLD}|{_OUTER}|{_CHARACTER}|{_CALLED}|\$(?P<kept>\$?\w*)"
+)
 _BARE: Final = re.compile(
     rf"{_STRING}|(?<![\w.$])(?<!->)(?<!::)(?:(?P<thing>{_OBJECT})(?=\s*\.\s*[A-Za-z_])"
     rf"|distance\s*\(\s*(?P<one>{_OBJECT})\s*,\s*(?P<other>{_OBJECT})\s*\))|{_CHARACTER}"
@@ -151,7 +164,8 @@ def rewritten(
     while match := _SPECIAL.search(text, at):
         name, end = _special_name(match, is_robot)
         pieces.append(text[at : match.start()])
-        pieces.append(match[0] if name is None else NAME.format(len(found)))
+        called = FUNCTIONS.get(match["called"] or "", match[0])
+        pieces.append(called if name is None else NAME.format(len(found)))
         found += [] if name is None else [name]
         at = end
     return "".join([*pieces, text[at:]]), tuple(found)

@@ -13,6 +13,7 @@ from typing import Final
 from crs_cc.debug.commands.answer import Line
 from crs_cc.debug.commands.completion import complete
 from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.commands.user_session import UserSession
 from crs_cc.debug.repl.terminal import Terminal
 
 _DELIMITERS: Final = " \t\n!@#$%^&*()=+[{]}|;'\",<>?"
@@ -114,6 +115,25 @@ def offer_completion(shell: Shell) -> None:
     readline.set_completer(completer(shell, readline.get_line_buffer))
     readline.set_completer_delims(_DELIMITERS)
     readline.parse_and_bind("tab: complete")
+
+
+@contextmanager
+def line_history(session: UserSession) -> Iterator[None]:
+    """Offer the commands of earlier sessions, if Python has `readline`, and keep those of this."""
+    try:
+        import readline
+    except ImportError:
+        yield
+        return
+    readline.clear_history()
+    for each in session.commands:
+        readline.add_history(each)
+    known = readline.get_current_history_length()
+    try:
+        yield
+    finally:
+        new = range(known + 1, readline.get_current_history_length() + 1)
+        session.keep_commands([readline.get_history_item(number) for number in new])
 
 
 def completer(shell: Shell, line: Callable[[], str]) -> Callable[[str, int], str | None]:

@@ -9,9 +9,10 @@ from pathlib import Path
 from crs_cc.debug.commands.answer import Line
 from crs_cc.debug.commands.scripts import read_script
 from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.commands.user_session import UserSession
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.repl.keyboard import Keyboard, offer_completion
+from crs_cc.debug.repl.keyboard import Keyboard, line_history, offer_completion
 from crs_cc.debug.repl.terminal import Terminal
 
 
@@ -56,10 +57,19 @@ class Repl:
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
         """Execute scripts, then the user's commands; return how many have failed."""
         with self._keyboard.listening():
+            is_at_terminal = self._keyboard.is_typed and not batch
+            user = UserSession(self.shell.context) if is_at_terminal else None
+            for text in user.load_settings() if user else ():
+                self._terminal.line(Line(text, "error"))
             for line in self.shell.greet():
                 self._terminal.line(line)
             self._script(scripts)
-            if not batch:
+            if user is not None:
+                offer_completion(self.shell)
+                user.keep_settings()
+                with line_history(user):
+                    self._converse()
+            elif not batch:
                 self._converse()
         self._terminal.settle()
         return self.shell.failures
@@ -82,8 +92,6 @@ class Repl:
         self._terminal.line(Line(text, "error"))
 
     def _converse(self) -> None:
-        if self._keyboard.is_typed:
-            offer_completion(self.shell)
         while not self.shell.has_ended:
             text = self._keyboard.command(self.shell.prompt)
             if text is None:

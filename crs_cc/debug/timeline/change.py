@@ -16,7 +16,7 @@ from __future__ import annotations
 from base64 import b64decode, b64encode
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any, Final, Self
 
 import numpy as np
 
@@ -24,6 +24,9 @@ from crs_cc.core.arrays import ByteArray
 from crs_cc.debug.timeline.position import Position
 
 Data = Mapping[str, Any]
+
+STREAMS: Final = (1, 2)
+"""The standard output and error."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +54,8 @@ class Change:
         robot: the robot whose program was changed; -1 for the world.
         patches: what was changed in the program's memory, in this order.
         program: name and source of a program that the user brought, for a robot that joins.
+        printed: what functions of the program have printed that the user called: the stream and
+            bytes of each piece.
     """
 
     position: Position
@@ -58,6 +63,7 @@ class Change:
     robot: int = -1
     patches: tuple[MemoryPatch, ...] = ()
     program: tuple[str, str] | None = None
+    printed: tuple[tuple[int, bytes], ...] = ()
 
     def as_data(self) -> dict[str, Any]:
         """Return it as plain data."""
@@ -72,6 +78,7 @@ class Change:
                 for each in self.patches
             ],
             **({} if self.program is None else {"program": list(self.program)}),
+            **({"printed": _printed(self.printed)} if self.printed else {}),
         }
 
     @classmethod
@@ -93,7 +100,10 @@ class Change:
         place = Position(timestep, round_, halted, statements)
         name, text = data.get("program", ("", ""))
         program = (str(name), str(text)) if name else None
-        return cls(place, str(data["text"]), int(data["robot"]), patches, program)
+        printed = tuple((int(each), _decoded(content)) for each, content in data.get("printed", ()))
+        if any(stream not in STREAMS for stream, _ in printed):
+            raise ValueError("a change prints to an unknown stream")
+        return cls(place, str(data["text"]), int(data["robot"]), patches, program, printed)
 
 
 def write(patches: Sequence[MemoryPatch], memory: ByteArray, shadow: ByteArray) -> None:
@@ -112,6 +122,10 @@ def write(patches: Sequence[MemoryPatch], memory: ByteArray, shadow: ByteArray) 
         raise ValueError("a change outside of the memory")
     for where, at, content in parts:
         where[at : at + len(content)] = content
+
+
+def _printed(pieces: Sequence[tuple[int, bytes]]) -> list[list[int | str]]:
+    return [[stream, _encoded(content)] for stream, content in pieces]
 
 
 def _encoded(content: bytes) -> str:

@@ -24,7 +24,7 @@ from __future__ import annotations
 
 import copy
 from array import array
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -91,6 +91,13 @@ class ReplayConsole:
         self._at += 1
         if self.is_live or (is_new and self.shows_new):
             self._show(robot, stream, content)
+
+    def insert(self, robot: int, pieces: Sequence[tuple[int, bytes]]) -> None:
+        """Write output on the user's behalf, which replaces what has followed."""
+        if pieces:
+            self.truncate()
+        for stream, content in pieces:
+            self.write(robot, stream, content)
 
     def read(self, robot: int, wanted: int) -> bytes:
         """Return input for a program: recorded input first."""

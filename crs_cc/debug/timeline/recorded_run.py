@@ -324,13 +324,13 @@ class RecordedRun:
         return replace(event, accesses=tuple(found)) if found else event
 
     def _last_before(self, event: RunEvent, robot: int) -> Position:
-        """Return the last position before an access that a program made in this round."""
+        """Return the position before the statement that made an access in this round."""
         session = self.session
         round_ = session.state.rounds - (event.kind == "round")
-        begun = self.statements_begun(robot) - 1
-        if begun < self._begun[robot]:
+        statement = int(session.fleet.watched[robot]["statement"][0])  # maybe one of the future
+        if not self._begun[robot] <= statement < self.statements_begun(robot):
             return Position(session.timesteps, round_)
-        return Position(session.timesteps, round_, robot, begun)
+        return Position(session.timesteps, round_, robot, statement)
 
     def _note_begun(self) -> None:
         self._begun = self.session.fleet.slots["statements"].copy()
@@ -435,6 +435,7 @@ class RecordedRun:
 
     def changed(self, change: Change) -> None:
         """Record a change that the user has made here: discard the future of the history."""
+        self.console.insert(change.robot, change.printed)
         kept = self._kept()
         self._know(kept.session.added)
         self._discard_future()

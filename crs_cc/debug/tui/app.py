@@ -7,6 +7,7 @@ responsive; the only thing done to it meanwhile is to interrupt it.
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Final
 
@@ -76,9 +77,12 @@ class DebugApp(App[int]):
         ),
     ]
 
-    def __init__(self, backend: Backend) -> None:
+    def __init__(self, backend: Backend, history: Sequence[str] = ()) -> None:
+        """Set the debugger, and the commands of earlier sessions."""
         super().__init__()
+        self.typed: list[str] = []  # commands, without input for programs
         self._backend = backend
+        self._history = history
         self._requests: deque[BackendRequest] = deque()
         self._current: BackendRequest | None = None
         self._slow: Timer | None = None
@@ -107,7 +111,7 @@ class DebugApp(App[int]):
         yield TimeLine(id="time")
         with Horizontal(id="prompt"):
             yield Label(PROMPT)
-            yield CommandLine(self._backend.complete, id="command")
+            yield CommandLine(self._backend.complete, self._history, id="command")
         yield ButtonBar(id="keys")
 
     def on_mount(self) -> None:
@@ -291,6 +295,7 @@ class DebugApp(App[int]):
         if self._asks:
             self._give(message.line)
         else:
+            self.typed += [message.line] if message.line.strip() else []
             self._request(BackendRequest(message.line, is_typed=True))
 
     async def on_command_line_finished(self) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import ClassVar, Final
 
+from textual import events
 from textual.binding import Binding, BindingType
 from textual.message import Message
 from textual.suggester import Suggester
@@ -22,6 +23,7 @@ class CommandLine(Input):
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up", "remember(-1)", show=False),
         Binding("down", "remember(1)", show=False),
+        Binding("ctrl+r", "search", show=False),
         Binding("tab", "complete", show=False),
         Binding("ctrl+d", "finish", show=False),
     ]
@@ -36,7 +38,8 @@ class CommandLine(Input):
     class Finished(Message):
         """The user has ended the input: Ctrl-D in an empty line."""
 
-    def __init__(self, complete: Complete, **arguments: str) -> None:
+    def __init__(self, complete: Complete, history: Sequence[str] = (), **arguments: str) -> None:
+        """Set what completes a line, and the lines typed before."""
         super().__init__(
             placeholder=_HINT,
             suggester=_Completions(complete),
@@ -44,8 +47,9 @@ class CommandLine(Input):
             **arguments,  # type: ignore[arg-type]
         )
         self._complete = complete
-        self._history: list[str] = []
-        self._at = 0
+        self._history = list(history)
+        self._at = len(self._history)
+        self._sought: str | None = None
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Post a line and add it to the history."""
@@ -62,6 +66,21 @@ class CommandLine(Input):
         self._at = min(max(0, self._at + direction), len(self._history))
         self.value = self._history[self._at] if self._at < len(self._history) else ""
         self.cursor_position = len(self.value)
+
+    def on_key(self, event: events.Key) -> None:
+        """End a search with any other key."""
+        if event.key != "ctrl+r":
+            self._sought = None
+
+    def action_search(self) -> None:
+        """Recall the last line that contains what stands here; when repeated, an earlier one."""
+        if self._sought is None:
+            self._sought, self._at = self.value, len(self._history)
+        for number in reversed(range(self._at)):
+            if self._sought in self._history[number]:
+                self._at, self.value = number, self._history[number]
+                self.cursor_position = len(self.value)
+                return
 
     def action_complete(self) -> None:
         """Complete the common prefix; in an empty line focus the next pane."""

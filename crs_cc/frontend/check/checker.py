@@ -149,6 +149,7 @@ class Unit:
         externals: objects and functions with linkage, by name, wherever they were declared.
         objects: the objects with static storage duration, in the order of their definitions.
         functions: the defined functions.
+        blocks: the blocks of functions that have been checked, each with its start and end.
         specified: the type of each specifier node; declarators share them.
         function: the function that is being checked.
         place: the last known location, for nodes without one.
@@ -172,6 +173,7 @@ class Unit:
     externals: dict[str, ObjectSymbol | FunctionSymbol] = field(default_factory=dict)
     objects: list[tree.ObjectDefinition] = field(default_factory=list)
     functions: list[tree.FunctionDefinition] = field(default_factory=list)
+    blocks: list[tuple[Scope, tuple[Location, Location]]] = field(default_factory=list)
     specified: dict[Any, CType] = field(default_factory=dict)
     function: FunctionState | None = None
     link_names: dict[str, int] = field(default_factory=dict)

@@ -33,7 +33,7 @@ from crs_cc.frontend.check.conversion import (
 from crs_cc.frontend.check.escape import escape
 from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.fold import wrap
-from crs_cc.frontend.check.scope import ObjectSymbol
+from crs_cc.frontend.check.scope import ObjectSymbol, Scope
 from crs_cc.frontend.check.suspicious_operands import warn_returned
 from crs_cc.frontend.check.tree import Expression, Statement
 from crs_cc.frontend.check.unsupported import refused
@@ -105,14 +105,23 @@ def _entries(state: FunctionState) -> tuple[int, int]:
 
 @contextmanager
 def _names(unit: Unit, node: Node) -> Iterator[None]:
-    """Open a block's scope of names, and record its start and end in its variables."""
+    """Open a block's scope of names, and record its start and end, in its variables, too."""
     with unit.new_scope() as scope:
         yield
-    if isinstance(node.coord, Span):
-        ends = node.coord.first.location, node.coord.last.location
+    ends = record_block(unit, scope, node)
+    if ends is not None:
         for symbol in scope.names.values():
             if isinstance(symbol, ObjectSymbol) and not symbol.is_external:
                 symbol.block = ends
+
+
+def record_block(unit: Unit, scope: Scope, node: Node) -> tuple[Location, Location] | None:
+    """Keep the names of a block for debuggers; return its start and end, if they are known."""
+    if not isinstance(node.coord, Span):
+        return None
+    ends = node.coord.first.location, node.coord.last.location
+    unit.blocks.append((scope, ends))
+    return ends
 
 
 @contextmanager

@@ -25,7 +25,7 @@ from crs_cc.frontend.check.declarator import declared_type, parameter_type
 from crs_cc.frontend.check.function_attributes import apply_attributes
 from crs_cc.frontend.check.nested import declare_nested, enclose, enter
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefName
-from crs_cc.frontend.check.statements import check_labels, statement
+from crs_cc.frontend.check.statements import check_labels, record_block, statement
 from crs_cc.frontend.check.tag import static_assert
 from crs_cc.frontend.check.type_compat import compatible, is_promoted
 from crs_cc.frontend.check.unsupported import refused
@@ -107,7 +107,7 @@ def _function_definition(unit: Unit, node: Node) -> None:
     if unit.function is not None:
         enter(unit, state, location)
     unit.function = state
-    with unit.new_scope():
+    with unit.new_scope() as scope:
         body: list[tree.Statement] = []
         with vla.effects(unit) as effects:
             parameters, passed = _parameters(unit, node, ctype, before)
@@ -116,6 +116,7 @@ def _function_definition(unit: Unit, node: Node) -> None:
         with vla.block(state, body, location):
             for each in node.body.block_items or []:
                 statement(unit, each, body)
+    record_block(unit, scope, node.body)
     check_labels(unit)
     vla.finish(state, body)
     made = tree.FunctionDefinition(

@@ -64,7 +64,7 @@ from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.rotation import rotated_loops
 from crs_cc.runtime.codegen.scalar_replacement import Partly
 from crs_cc.runtime.codegen.selection import Selector
-from crs_cc.runtime.codegen.stop_marks import begin, stop_if_marked
+from crs_cc.runtime.codegen.stop_marks import begin, has_statements, stop_if_marked
 from crs_cc.runtime.codegen.struct_registers import with_structs_in_registers
 from crs_cc.runtime.codegen.structuring import emit
 from crs_cc.runtime.codegen.switches import lower_switch
@@ -104,7 +104,7 @@ class _FunctionCode:
         self.fields = partly.homes
         self.build = build
         self.checked, self.debug = build.checked, build.debug
-        self.steps = build.debug and not in_library(function.location)
+        self.steps = build.debug and has_statements(function)
         self.shadowed = build.checked and not function.trusted
         self.marks = SHADOW + 1 if build.checked else SHADOW
         self.names = names
@@ -313,7 +313,7 @@ class _FunctionCode:
         watching, suspend = self.watching is not None, self.suspend(landing)
         node.code += stop_if_marked(self.marks, number, suspend, watching=watching)
         node.jump(following)
-        following.code += begin()
+        following.code += begin(self.marks, recorded=watching and not after_call)
         self.selector.forget()
         self.writer.code = following.code
         return following

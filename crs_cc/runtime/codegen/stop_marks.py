@@ -9,12 +9,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from crs_cc.ir.instruction import Statement
+from crs_cc.ir.names import in_library
+from crs_cc.ir.program import Function
 from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen.indices import BEGUN_GLOBAL, MAILBOX, MARKS_GLOBAL, SLOT_GLOBAL
 from crs_cc.runtime.codegen.watchpoints import is_pending, stops
 from crs_cc.runtime.sites import StatementSite
 from crs_cc.runtime.wasm import PAGE, UNLIKELY, Instr, Module
-from crs_cc.runtime.watch_ranges import WATCHED
+from crs_cc.runtime.watch_ranges import WATCHED, offset
+
+
+def has_statements(function: Function) -> bool:
+    """Return whether a program can stop in a function: it is the user's, and has statements."""
+    return not in_library(function.location) and any(
+        isinstance(it, Statement) for block in function.blocks for it in block.instructions
+    )
 
 
 def add_marks(module: Module, sites: Sequence[StatementSite]) -> None:
@@ -48,9 +58,13 @@ def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: b
     ]  # fmt: skip
 
 
-def begin() -> list[Instr]:
-    """Return the code that counts a site."""
+def begin(marks: int, *, recorded: bool) -> list[Instr]:
+    """Return the code that counts a site; a statement of a watching build is `recorded`."""
+    record: list[Instr] = [
+        ("i32.const", 0), ("global.get", BEGUN_GLOBAL), ("i64.store", marks, offset("statement")),
+    ]  # fmt: skip
     return [
+        *(record if recorded else []),
         ("global.get", BEGUN_GLOBAL), ("i64.const", 1), ("i64.add",),
         ("global.set", BEGUN_GLOBAL),
     ]  # fmt: skip

@@ -20,6 +20,20 @@ def shell() -> Shell:
     return Shell(debugger)
 
 
+def test_members_tags_macros_and_convenience_functions_are_completed(shell: Shell) -> None:
+    def words(text: str) -> tuple[str, ...]:
+        return complete(shell.context, text).words
+
+    assert words("print 1 + shapes[0].si") == ("shapes[0].size",)
+    assert words("print (&shapes[0])->si") == ()  # an expression in parentheses is none of these
+    assert words("print largest->na") == ("largest->name",)
+    assert words("print nothing.na") == ()
+    assert words("ptype struct sh") == ("struct shape",)
+    assert "$_streq(" in words("print $_str")
+    assert words("info macro BUFS") == ("BUFSIZ",)
+    assert words("print BUFS") == ("BUFSIZ",)
+
+
 def test_every_argument_kind_is_completed(shell: Shell) -> None:
     assert complete(shell.context, "reverse-n") == Completion(0, ("reverse-next",))
     assert complete(shell.context, "info lo") == Completion(5, ("locals",))

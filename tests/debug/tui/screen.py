@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 
 from textual.pilot import Pilot
 
@@ -19,11 +19,16 @@ NO_BARS = dict.fromkeys(map(ord, "▁▂▃▄▅▆▇▉▊▋▌▍▎▏"), 
 Session = Callable[[Pilot[int], DebugApp], Awaitable[None]]
 
 
-def drive(backend: Backend, session: Session, size: tuple[int, int] = SMALL) -> DebugApp:
+def drive(
+    backend: Backend,
+    session: Session,
+    size: tuple[int, int] = SMALL,
+    history: Sequence[str] = (),
+) -> DebugApp:
     """Let somebody use a screen of this size; return the app when it has ended."""
 
     async def run() -> DebugApp:
-        app = DebugApp(backend)
+        app = DebugApp(backend, history)
         async with app.run_test(size=size) as pilot:
             await settle(pilot)
             await session(pilot, app)

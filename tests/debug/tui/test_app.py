@@ -66,6 +66,21 @@ def test_history_and_completion_of_the_command_line() -> None:
     drive(backend, session)
 
 
+def test_ctrl_r_searches_the_commands_typed_before() -> None:
+    backend = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        line = app.query_one(CommandLine)
+        line.value = "pr"
+        found = []
+        for _ in range(3):
+            await pilot.press("ctrl+r")
+            found.append(line.value)
+        assert found == ["print speed", "print sum", "print sum"]  # no earlier one
+
+    drive(backend, session, history=["print sum", "break 12", "print speed"])
+
+
 def test_the_screen_is_responsive_while_the_program_runs() -> None:
     backend = FakeWork()
 

@@ -202,7 +202,7 @@ def test_another_file_is_shown_until_the_run_moves(tmp_path: Path) -> None:
     snapshot = controller.do(BackendRequest("next", file=str(other))).snapshot
     assert (snapshot.source.file, snapshot.source.line) == (str(other), 3)
     snapshot = controller.do(BackendRequest("finish", file=str(other))).snapshot
-    assert (snapshot.source.file, snapshot.source.line) == (str(main), 5)
+    assert (snapshot.source.file, snapshot.source.line) == (str(main), 4)
 
 
 def test_edited_files_are_shown_as_compiled(tmp_path: Path) -> None:

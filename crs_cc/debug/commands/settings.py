@@ -1,0 +1,126 @@
+"""The settings of the debugger: one table, for `set`, `show` and the file that keeps them.
+
+Only a session at a terminal reads the file: what a script prints does not depend on it.
+
+>>> settings = Settings()
+>>> settings.change("listsize", "20")
+>>> settings["listsize"], settings["history save"], parse_setting("listsize 20")[1]
+(20, 1, '20')
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from crs_cc.debug.commands.user_files import read_lines, write_lines
+from crs_cc.debug.errors import DebugError
+
+_SWITCH: Final = {"on": 1, "off": 0}
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A setting.
+
+    Attributes:
+        name: its name, maybe of two words.
+        default: its value at first; 0 and 1 are off and on if it is a switch.
+        summary: its meaning, in a line.
+        lowest: the smallest value.
+        highest: the largest value.
+        is_switch: whether it is on or off.
+    """
+
+    name: str
+    default: int
+    summary: str
+    lowest: int = 0
+    highest: int = 1
+    is_switch: bool = False
+
+    def text(self, value: int) -> str:
+        """Return a value as the user writes it."""
+        return ("off", "on")[value] if self.is_switch else str(value)
+
+    def parse(self, text: str) -> int:
+        """Return the value that a text means; raise DebugError if it is none."""
+        if self.is_switch:
+            if text not in _SWITCH:
+                raise DebugError(f"invalid value '{text}' of '{self.name}' (expected on or off)")
+            return _SWITCH[text]
+        is_number = text.isascii() and text.isdigit() and len(text) < 10
+        if not is_number or not self.lowest <= int(text) <= self.highest:
+            wanted = f"{self.lowest} to {self.highest:,}"
+            raise DebugError(f"invalid value '{text}' of '{self.name}' (expected {wanted})")
+        return int(text)
+
+
+SETTINGS: Final = (
+    Setting("listsize", 10, "How many source lines list shows.", 1, 10_000),
+    Setting("print elements", 200, "How many elements of an array print shows.", 1, 100_000),
+    Setting("backtrace limit", 100, "How many frames backtrace shows.", 1, 100_000),
+    Setting("history save", 1, "Whether commands are kept in a file.", is_switch=True),
+    Setting("history size", 1000, "How many commands the file keeps.", 0, 100_000),
+)
+
+_BY_NAME: Final = {each.name: each for each in SETTINGS}
+
+
+def parse_setting(text: str) -> tuple[Setting | None, str]:
+    """Return the setting at the start of a text, if any, and the rest."""
+    words = text.split()
+    for count in (2, 1):
+        found = _BY_NAME.get(" ".join(words[:count]))
+        if found is not None:
+            return found, " ".join(words[count:])
+    return None, text
+
+
+class Settings:
+    """The values of the settings."""
+
+    def __init__(self) -> None:
+        """Set all to their defaults."""
+        self._values = {each.name: each.default for each in SETTINGS}
+        self._kept: dict[str, int] = {}
+        self._file: Path | None = None
+
+    def __getitem__(self, name: str) -> int:
+        return self._values[name]
+
+    def change(self, name: str, text: str) -> None:
+        """Set a value, and write it to the file that keeps the settings, if there is one.
+
+        Raises:
+            DebugError: the text is no value of this setting.
+        """
+        self._values[name] = value = _BY_NAME[name].parse(text)
+        if self._file is not None:
+            self._kept[name] = value
+            write_lines(self._file, self._kept_lines())
+
+    def load(self, path: Path) -> Iterator[str]:
+        """Take over the values in a file; return a message for each line that is invalid."""
+        for number, line in enumerate(read_lines(path), start=1):
+            found, rest = parse_setting(line)
+            if found is None:
+                yield f"{path}:{number}: unknown setting '{line}'"
+                continue
+            try:
+                self._values[found.name] = self._kept[found.name] = found.parse(rest)
+            except DebugError as error:
+                yield f"{path}:{number}: {error}"
+
+    def keep_in(self, path: Path | None) -> None:
+        """Write changes from now on to a file."""
+        self._file = path
+
+    def _kept_lines(self) -> list[str]:
+        return [
+            f"{each.name} {each.text(self._kept[each.name])}"
+            for each in SETTINGS
+            if each.name in self._kept
+        ]

@@ -1,0 +1,126 @@
+"""What a program declares but does not use, or only in a block, has its meaning in the debugger.
+
+And its functions can be called there, those that print, too.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.change import Change
+from tests.debug.debuggers import debugger_of, line
+
+SOURCE = """\
+#include <stdio.h>
+static double unused_gain = 2.5;
+static const char *names[2] = { "left", "right" };
+int table[3] = { 1, 2, 3 };
+static int helper(int n)
+{
+    int twice = 2 * n;
+    return twice + table[1];
+}
+static int report(int n)
+{
+    printf("n is %d\\n", n);
+    return n + 1;
+}
+enum { OUTER = 1 };
+int main(void)
+{
+    int n = OUTER;
+    report(n);
+    {
+        enum { NEAR = 40, FAR, OUTER = 7 };
+        typedef struct pair { int a, b; } pair;
+        pair p = { NEAR, FAR };
+        n += p.a + OUTER;
+    }
+    {
+        int OUTER = 99;
+        n += OUTER;
+    }
+    return n;
+}
+"""
+
+
+@pytest.fixture
+def printed() -> list[bytes]:
+    """Receives what the program prints."""
+    return []
+
+
+@pytest.fixture
+def debugger(tmp_path: Path, printed: list[bytes]) -> Debugger:
+    """Stands before `report` is called."""
+    made = debugger_of(
+        SOURCE, folder=tmp_path, output=lambda robot, stream, content: printed.append(content)
+    )
+    made.stop_points.add_breakpoint("19")
+    made.resume()
+    return made
+
+
+def text(debugger: Debugger, expression: str) -> str:
+    """Return the value of an expression."""
+    return debugger.evaluate(expression).text
+
+
+def test_unused_globals_and_functions_have_values(debugger: Debugger) -> None:
+    assert text(debugger, "unused_gain * 2") == "5.0"
+    assert '"right"' in text(debugger, "names[1]")
+    assert text(debugger, "helper(3)") == "8"  # 2 * 3 + table[1], which is unused but by helper
+    assert not debugger.run.history.changes
+    with pytest.raises(DebugError, match="'unused_gain' cannot be changed"):
+        debugger.evaluate("unused_gain = 3")
+    assert text(debugger, "unused_gain") == "2.5"
+
+
+def test_breakpoints_can_be_set_in_functions_that_are_never_called(debugger: Debugger) -> None:
+    for place in ("helper", "7"):
+        made = debugger.stop_points.add_breakpoint(place)
+        assert made.place is not None
+        assert made.place.location is not None
+        assert (made.place.location.line, made.place.note) == (7, "'helper' is never called")
+    assert debugger.resume().reason == "end"
+
+
+def test_enumerators_and_types_of_blocks_are_known_there_and_nowhere_else(
+    debugger: Debugger,
+) -> None:
+    assert text(debugger, "OUTER") == "1"
+    with pytest.raises(DebugError, match="NEAR"):
+        debugger.evaluate("NEAR")
+    debugger.advance("23")
+    assert text(debugger, "FAR + OUTER") == "48"
+    assert text(debugger, "sizeof(pair) + sizeof(struct pair)") == "16"
+    debugger.advance("28")
+    assert (line(debugger), text(debugger, "OUTER")) == (28, "99")
+
+
+def test_convenience_functions_need_no_header_and_no_function_of_the_program(
+    debugger: Debugger,
+) -> None:
+    assert text(debugger, '$_streq(names[0], "left") + $_strlen(names[1])') == "6"
+    assert text(debugger, '$_memeq("abc", "abd", 2) && !$_memeq("abc", "abd", 3)') == "1"
+
+
+def test_a_function_that_prints_can_be_called(debugger: Debugger, printed: list[bytes]) -> None:
+    before = debugger.position
+    assert text(debugger, "report(41)") == "42"
+    assert printed == [b"n is 41\n"]
+    debugger.next()
+    assert debugger.run.console.text() == b"n is 41\nn is 1\n"
+    debugger.goto(before)
+    assert debugger.run.console.text() == b"n is 41\n"
+    (change,) = debugger.run.history.changes
+    assert Change.of(change.as_data()) == change
+    assert not debugger.view.holds("report(1) == 0", 0)  # a condition prints nothing
+    assert printed == [b"n is 41\n", b"n is 1\n"]
+    debugger.take_back(0)
+    assert debugger.run.console.text() == b""
