@@ -16,13 +16,17 @@ STEEP: Final = 2.0
 MARKS: Final = 4.0
 ANTS: Final = 10
 RELEASE_S: Final = 3.0
+DETOUR_RELEASE_S: Final = 1.45
+"""From one ant to the next at the fork, if they leave as fast as robots can smell there."""
 TURN_S: Final = 4.5
 """From the end of a branch to the nest or the food, and back to the choice."""
 SHORT_S: Final = 10.5
 LONG_S: Final = 20.8
 
 
-def shares_by_minute(second_s: float, minutes: int, seed: int) -> list[float]:
+def shares_by_minute(
+    second_s: float, minutes: int, seed: int, release_s: float = RELEASE_S
+) -> list[float]:
     """Return the share of choices of the first branch in each minute of a colony.
 
     Args:
@@ -30,13 +34,14 @@ def shares_by_minute(second_s: float, minutes: int, seed: int) -> list[float]:
             SHORT_S.
         minutes: how long the run is.
         seed: of the random numbers.
+        release_s: the time between two ants that leave first [s].
     """
     draw = random.Random(seed)
     first, all_ = [0] * minutes, [0] * minutes
     marks = [[0.0, 0.0], [0.0, 0.0]]  # at both ends of the bridge, on both branches
     # of each ant: when, at which end, and the branch on which it arrives; None before it chooses
     events: list[tuple[float, int, int, int | None]] = [
-        (RELEASE_S * ant, ant, 0, None) for ant in range(ANTS)
+        (release_s * ant, ant, 0, None) for ant in range(ANTS)
     ]
     while events[0][0] < 60.0 * minutes:
         time_s, ant, end, branch = heapq.heappop(events)

@@ -5,32 +5,40 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from bridge_model import SHORT_S, shares_by_minute
+from bridge_model import DETOUR_RELEASE_S, LONG_S, SHORT_S, shares_by_minute
+from colonies import ROBOTS, numbers, over_time
 
-from crs_cc.sweeps.report.results import Group, Results
+from crs_cc.sweeps.report.results import Results
 from crs_cc.sweeps.rows import Row
 
 COLONIES: Final = 300
 """Colonies without bodies."""
 
 
-def by_minute(rows: Sequence[Row]) -> Results:
-    """Return the share of the branch that leads in the end, in each minute, for both colonies.
+def of_leader(rows: Sequence[Row]) -> Results:
+    """Return the share of the branch that leads in the end, of two equal ones.
 
     Args:
         rows: the rows of the sweep.
     """
-    rows = sorted(rows, key=lambda row: int(row["run"]))
-    robots = [list(map(float, row["measures"]["north_by_minute"].split())) for row in rows]
-    minutes = len(robots[0])
-    ants = [shares_by_minute(SHORT_S, minutes, seed) for seed in range(COLONIES)]
-    groups = []
-    for colony, members, shares in (("robots", tuple(rows), robots), ("without bodies", (), ants)):
-        leading = [_of_leader(each) for each in shares]
-        for minute, values in enumerate(zip(*leading, strict=True), 1):
-            names = {"minute": minute, "colony": colony}
-            groups.append(Group(names, members, values, (True,) * len(values)))
-    return Results("share", ("minute", "colony"), tuple(groups), 0)
+    robots = numbers(rows, "north_by_minute")
+    ants = [shares_by_minute(SHORT_S, len(robots[0]), seed) for seed in range(COLONIES)]
+    colonies = {ROBOTS: robots, "without bodies": ants}
+    leading = {kind: [_of_leader(run) for run in runs] for kind, runs in colonies.items()}
+    return over_time("share", rows, leading)
+
+
+def of_short(rows: Sequence[Row]) -> Results:
+    """Return the share of the short branch, if the other is twice as long.
+
+    Args:
+        rows: the rows of the sweep.
+    """
+    robots = numbers(rows, "north_by_minute")
+    ants = [
+        shares_by_minute(LONG_S, len(robots[0]), seed, DETOUR_RELEASE_S) for seed in range(COLONIES)
+    ]
+    return over_time("share of the short branch", rows, {ROBOTS: robots, "without bodies": ants})
 
 
 def _of_leader(shares: list[float]) -> list[float]:

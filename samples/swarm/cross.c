@@ -25,13 +25,15 @@
 #ifndef DETOUR
 #define DETOUR   1              /* 0: both branches are equally long */
 #endif
+#ifndef RELEASE
+#define RELEASE  3              /* s between two robots that leave first */
+#endif
 
 #define K        20.0           /* both of the ants in these papers */
 #define STEEP    2.0
 #define MARKS    4.0            /* a robot counts as so many ants */
 #define CELL     0.7            /* m: of the field */
 
-#define RELEASE  3              /* s between two robots that leave first */
 #define SPEED    130            /* 0.1 inch/s */
 #define TURN     100            /* 0.1 inch/s of a wheel, per radian */
 #define PERIOD   100000         /* microseconds */

@@ -16,7 +16,7 @@ from functools import partial
 from pathlib import Path
 from typing import Final
 
-from bridge_results import by_minute
+from bridge_results import of_leader, of_short
 
 from crs_cc.sweeps.report.findings import medians
 from crs_cc.sweeps.report.page import drawn
@@ -31,7 +31,8 @@ FIGURES: Final = ROOT / "docs" / "images"
 RUNS: Final = ROOT / "build" / "swarm"
 
 SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
-    "bridge": (by_minute, "curve"),
+    "bridge": (of_leader, "curve"),
+    "detour": (of_short, "curve"),
     "foraging": (partial(results, measure="items_per_min"), "curve"),
     "heat": (partial(results, measure="goal.cool.at_s"), "survival"),
 }
@@ -50,7 +51,7 @@ def renew(name: str, runs: Path = RUNS) -> None:
     summarize, figure = SHOWN[name]
     sweep = Sweep(FOLDER / f"{name}.toml", runs / name)
     sweep.run(os.cpu_count() or 1, resume=True)
-    found = summarize(list(sweep.rows.values()))
+    found = summarize([sweep.rows[number] for number in sorted(sweep.rows)])
     table = medians(found)
     RESULTS.mkdir(exist_ok=True)
     with (RESULTS / f"{name}.csv").open("w", encoding="utf-8", newline="") as file:

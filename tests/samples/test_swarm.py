@@ -53,6 +53,11 @@ def test_robots_that_follow_their_trail_agree_on_one_of_two_branches(tmp_path: P
     assert max(shares[-1], 1.0 - shares[-1]) > 0.75  # 0.5 if they did not smell
 
 
+def test_robots_find_both_branches_if_one_is_twice_as_long(tmp_path: Path) -> None:
+    (row,) = rows_of("detour", tmp_path, "define.RELEASE", [1], "60s")
+    assert 0.0 < float(row["measures"]["north_by_minute"]) < 1.0
+
+
 def test_ants_without_bodies_choose_the_short_branch_more_often() -> None:
     model = runpy.run_path(str(SWARM / "bridge_model.py"))
 
