@@ -76,7 +76,7 @@ class Roster:
         with self._changed:
             if self.has_ended:
                 raise RefusedError("the run has ended")
-            names = hello.robots or self._free()
+            names = hello.robots or self._own(hello.host) or self._free()
             for name in names:
                 if name not in self._definitions:
                     raise RefusedError(unknown("robot", name[:40], list(self._definitions)))
@@ -113,6 +113,10 @@ class Roster:
             now_s = time.monotonic()
         for channel in others:
             channel.close()
+
+    def _own(self, host: str) -> tuple[str, ...]:
+        """Return the robots of a host that comes back, which may have noticed a loss before us."""
+        return next((seat.names for seat in self._seats if seat.host == host), ())
 
     def _free(self) -> tuple[str, ...]:
         """Return the robots without a host; the lost host's if the run waits for those."""

@@ -111,6 +111,17 @@ def test_a_lost_host_is_replaced_by_one_with_the_same_program(opened: Open) -> N
     assert opened.roster.take(seat, lambda: False)
 
 
+def test_a_host_of_all_robots_that_notices_a_loss_first_comes_back(opened: Open) -> None:
+    opened.visit()
+    wait_until_ready(opened, "left", "right")
+    seat = opened.roster.begin()[0]
+    first = opened.roster.take(seat, lambda: False)
+    assert opened.visit().robots == ("left", "right")
+    assert opened.roster.take(seat, lambda: False) is not first
+    with pytest.raises(RefusedError, match="every robot has a host already"):
+        opened.visit(host="two")
+
+
 @pytest.mark.parametrize("way", ["killed", "cut off"])
 def test_a_host_that_is_lost_while_it_has_nothing_to_run_is_replaced(
     opened: Open, way: str, monkeypatch: pytest.MonkeyPatch
