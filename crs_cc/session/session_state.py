@@ -153,6 +153,17 @@ class SessionState:
         self.update_presence()
         return number
 
+    def admit_robot(self, robot: int) -> None:
+        """Let a robot join now that is to join later, between two timesteps.
+
+        It is as if this had been its time to join: if its place is occupied, it waits.
+
+        Raises:
+            ValueError: the robot does not exist, has joined, or has left.
+        """
+        self.environment.admit_robot(robot)
+        self.update_presence()
+
     def remove_robot(self, robot: int | str) -> None:
         """Remove a robot, by number or id, from the world, between two timesteps.
 

@@ -18,6 +18,7 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import load_robot, parse_world
@@ -51,6 +52,35 @@ def run_to(session: Session, time_s: float) -> Session:
     while session.time_s < time_s - 1e-9:
         session.step()
     return session
+
+
+def test_a_robot_that_is_let_in_is_one_that_joins_at_that_time(roam: Executable):
+    at_its_time = run_to(begun(yard('join="1s"'), roam), 3.0)
+    session = run_to(begun(yard('join="100s"'), roam), 1.0)
+    before = session.snapshot()
+    assert edit_run(session, "join guest") == "guest joins"
+    assert run_to(session, 3.0).state_hash() == at_its_time.state_hash()
+    session.restore(before)
+    assert run_to(session, 3.0).result().robots[1].outcome == "absent"
+
+
+def test_a_robot_that_is_let_in_waits_while_its_place_is_occupied(roam: Executable):
+    other = '<robot id="other" x="19m" y="2m" leave="1s"/>'
+    session = begun(yard('join="100s"', other), roam)
+    assert edit_run(session, "join guest") == "guest joins when its place is free"
+    assert run_to(session, 0.95).result().robots[2].joined_s is None
+    assert run_to(session, 2.0).result().robots[2].joined_s == 1.0
+
+
+def test_who_has_joined_or_left_is_not_let_in(roam: Executable):
+    session = begun(yard('join="0s"'), roam)
+    with pytest.raises(ValueError, match="'guest' has already joined"):
+        session.state.admit_robot(1)
+    session.remove_robot("guest")
+    with pytest.raises(ValueError, match="'guest' has already left"):
+        session.state.admit_robot(1)
+    with pytest.raises(ValueError, match="no robot number 7"):
+        session.state.admit_robot(7)
 
 
 def test_a_robot_joins_at_its_time(roam: Executable):

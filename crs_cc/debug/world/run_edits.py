@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 MAX_ROBOTS: Final = 10_000
 """Robots of a run to which more may be added by hand; chosen by us."""
 
-_JOIN: Final = "NAME like ROBOT to X Y [HEADING] [running PROGRAM]"
+_JOIN: Final = "NAME [like ROBOT to X Y [HEADING] [running PROGRAM]]"
 _SLEEP: Final = "ROBOT TIME"
 _NAME: Final = re.compile(r"[\w.-]{1,60}")
 
@@ -105,6 +105,8 @@ def _running(session: Session, name: str) -> int:
 
 
 def _join(session: Session, programs: Sequence[Executable], words: Words) -> str:
+    if len(words) == 1:
+        return _admit(session, words[0])
     if len(words) < 6 or words[1] != "like" or words[3] != "to":
         raise ValueError(f"expected: join {_JOIN}")
     name, place = words[0], list(words[4:])
@@ -118,13 +120,27 @@ def _join(session: Session, programs: Sequence[Executable], words: Words) -> str
         del place[at:]
     if len(place) not in (2, 3):
         raise ValueError(f"expected: join {_JOIN}")
-    if session.state.rounds or session.state.halted is not None:
-        raise ValueError("robots join between two timesteps: 'tick' goes to the end of this one")
+    _require_between_timesteps(session)
     if len(session.fleet) >= MAX_ROBOTS:
         raise ValueError(f"too many robots (maximum: {MAX_ROBOTS:,})")
     start = pose_of(place)
     session.add_robot(Robot(name, model.model, start, join_s=session.time_s), executable)
     return f"{name} joins at {pose_text(start.x_m, start.y_m, start.heading_rad)}"
+
+
+def _admit(session: Session, name: str) -> str:
+    """Let a robot of the world join that is to join later."""
+    _require_between_timesteps(session)
+    environment = session.environment
+    number = environment.world.robots.index(find_robot(environment, name))
+    session.state.admit_robot(number)
+    has_joined = math.isfinite(environment.state.presence.joined_s[number])
+    return f"{name} joins" if has_joined else f"{name} joins when its place is free"
+
+
+def _require_between_timesteps(session: Session) -> None:
+    if session.state.rounds or session.state.halted is not None:
+        raise ValueError("robots join between two timesteps: 'tick' goes to the end of this one")
 
 
 def _program(programs: Sequence[Executable], words: Words) -> Executable:
@@ -149,7 +165,8 @@ RUN_EDITS: Final = {
     "join": RunEdit(
         _JOIN,
         "Add a robot of the kind of another: join two like robot0 to 1 2.",
-        "It runs the same program, or another one of the run, by its name.",
+        "It runs the same program, or another one of the run, by its name. With a name alone, a "
+        "robot of the world joins now whose time to join is later, or when its place is free.",
         _join,
     ),
 }

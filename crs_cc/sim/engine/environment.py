@@ -427,6 +427,10 @@ class Environment:
         """Add a robot, which joins now or at its time; return its number."""
         return self._data.add_robot(robot)
 
+    def admit_robot(self, number: int) -> None:
+        """Let a robot join now that is to join later."""
+        self._data.admit_robot(number)
+
     def remove_robot(self, number: int) -> None:
         """Remove a robot, or make sure that it never joins."""
         self._data.remove_robot(number)

@@ -95,7 +95,8 @@ def test_a_robot_that_joins_is_gone_before_and_back_after(debugger: Debugger) ->
     debugger.take_back(0)
     assert debugger.names == ("robot0",)
     for wrong in ("join robot0 like robot0 to 1 1", "join x like nobody to 1 1",
-                  "join x like robot0 to 1 1 running other.c", "join x like robot0"):  # fmt: skip
+                  "join x like robot0 to 1 1 running other.c", "join x like robot0",
+                  "join robot0", "join x"):  # fmt: skip
         with pytest.raises(DebugError):
             debugger.edit_world(wrong)
 
