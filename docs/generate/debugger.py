@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from crs_cc.debug.commands.command import Command
-from crs_cc.debug.commands.table import GROUPS
+from crs_cc.debug.commands.gdb_names import LACKING, gdb_name
+from crs_cc.debug.commands.table import COMMANDS, GROUPS
 from crs_cc.debug.world.world_values import (
     OBJECT_VALUES,
     ROBOT_VALUES,
@@ -28,6 +29,17 @@ def _row(command: Command) -> tuple[str, ...]:
     return f"`{cell(command.usage)}`", aliases, cell(description)
 
 
+def gdb_commands() -> str:
+    """Return a table of gdb's commands, with ours."""
+    rows = sorted(
+        (f"`{name}`", f"`{each.name}`" if each.name != name else "the same", cell(each.summary))
+        for each in COMMANDS
+        if (name := gdb_name(each.name))
+    )
+    lacking = [(cell(names), "none", cell(reason)) for names, reason in LACKING]
+    return table(("gdb", "here", "description"), [*rows, *lacking])
+
+
 def world_values() -> str:
     """Return a table of the values of the world that expressions can use."""
     rows = [
@@ -43,4 +55,8 @@ def _value(before: str, value: WorldValue) -> tuple[str, ...]:
     return f"`{before}{value.name}`", cell(value.unit), value.frame, cell(value.meaning)
 
 
-FILLERS: Fillers = {"commands": commands, "world_values": world_values}
+FILLERS: Fillers = {
+    "commands": commands,
+    "gdb_commands": gdb_commands,
+    "world_values": world_values,
+}

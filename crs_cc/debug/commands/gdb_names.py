@@ -1,0 +1,48 @@
+"""How the commands compare with gdb's, for its users.
+
+>>> gdb_name("info globals"), gdb_name("finish"), gdb_name("goto")
+('info variables', 'finish', '')
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.debug.commands.table import GROUPS
+
+_FROM_GDB: Final = frozenset(
+    {"running", "breakpoints", "data", "stack", "symbols", "scripts", "support"}
+)
+"""The groups of commands that have the names, and the meaning, that gdb's have."""
+
+_OWN: Final = frozenset({"tick", "reverse-tick", "goto", "wwatch", "log"})
+"""The commands of those groups that gdb does not have."""
+
+_OTHERS: Final = {
+    "info globals": "info variables",
+    "robots": "info threads",
+    "robot": "thread",
+    "checkpoint": "checkpoint",
+    "restart": "restart",
+    "info checkpoints": "info checkpoints",
+}
+"""Commands that gdb has by another name, or that are in another group."""
+
+LACKING: Final = (
+    ("attach, detach, kill", "a program runs in the simulator, and ends with the debugger"),
+    ("set args, run ARGS", "arguments stand on the command line: `crs debug wander.c -- 500`"),
+    ("record, record stop", "all of a run is recorded, always"),
+    ("info registers, disassemble", "`crs compile --emit wat` prints a program's code"),
+    ("handle, info signals", "signals are those that a program sends to itself"),
+    ("return", "set the variable that decides, or go back"),
+    ("define, python", "scripts hold commands, see `source`"),
+)
+"""Commands that gdb has and we do not, and what to do or to know."""
+
+
+def gdb_name(command: str) -> str:
+    """Return gdb's name of a command; "" if gdb has no such command."""
+    if command in _OTHERS:
+        return _OTHERS[command]
+    group = next(each for each in GROUPS if any(one.name == command for one in each.commands))
+    return command if group.name in _FROM_GDB and command not in _OWN else ""
