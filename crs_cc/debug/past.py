@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Final
@@ -24,8 +25,11 @@ from crs_cc.debug.timeline.run_event import RunEvent, StopRequest
 from crs_cc.debug.view import View
 from crs_cc.debug.watch import Watched, WatchedExpression, WatchedWorld
 from crs_cc.debug.watchpoints import UNREADABLE, content_value
+from crs_cc.debug.world.events import WorldEvent, is_of
 from crs_cc.ir.instruction import plain_states
 
+_STOPS: Final = frozenset({"stop", "error"})
+"""Events of time lines that are not of the world."""
 _SLACK: Final = 1e-9  # of a timestep
 MAX_INSTANTS: Final = 100_000
 """More answers to one question are refused; chosen by us, some tens of megabytes."""
@@ -113,6 +117,38 @@ class Past:
                     said = self._stop_points.logged(text, robot)
                     at = run.position, run.time_s(robot)
                     _keep(found, Instant(*at, said, None, site.location, robot))
+        return found
+
+    def printed(self, line: int) -> tuple[int, int]:
+        """Return the robot that printed a line, and the number of the statement that did, from 1.
+
+        Args:
+            line: the number of the line in the output of all robots, from 1.
+
+        Raises:
+            DebugError: no such line has been printed.
+        """
+        run = self._run
+        try:
+            robot, piece = run.console.origin(line)
+        except IndexError:
+            raise DebugError(f"no line {line} has been printed") from None
+        places = run.history.places(self.whole().end)
+        before = bisect_right(places, piece, key=lambda each: run.history.at(each).console.written)
+        with self._moved(Range(places[max(0, before - 1)], self.whole().end)):
+            for _ in self._events(StopRequest(), self.whole().end):
+                if run.console.at > piece:
+                    return robot, run.statements_begun(robot)
+        raise DebugError(f"no line {line} has been printed")
+
+    def events(self, kind: str, part: Range) -> list[tuple[Instant, WorldEvent]]:
+        """Return the events of the world of a kind, or of all kinds, where they would be caught."""
+        found = []
+        for timestep, each in self._run.event_history.by_timestep():
+            position = Position(timestep + 1, 0)
+            is_wanted = each.kind not in _STOPS if not kind else is_of(each.kind, [kind])
+            if is_wanted and part.begin < position <= part.end:
+                found.append((Instant(position, each.time_s, each.text, robot=each.robot), each))
         return found
 
     def _changes(

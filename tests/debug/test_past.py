@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.engine import Debugger
+from crs_cc.debug.errors import DebugError
 from crs_cc.debug.past import Past
 from tests.debug.debuggers import debugger_of, line
 
@@ -114,3 +115,49 @@ def test_a_part_of_the_past_has_the_value_at_its_start(debugger: Debugger) -> No
     assert [each.text for each in part[1:]] == [
         each.text for each in whole if 2.0 < each.time_s < 3.0
     ]
+
+
+PRINTS = """\
+#include <stdio.h>
+#include "Nclient.h"
+int main(void)
+{
+    int i;
+    connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400);
+    for (i = 0; i < 4; i++) {
+        printf("turn %d\\n", i);
+        scout_vm(300, 0);
+        sleep(1);
+    }
+    return 0;
+}
+"""
+
+
+def test_every_printed_line_leads_to_its_statement(tmp_path: Path) -> None:
+    debugger = debugger_of("#include <unistd.h>\n" + PRINTS, folder=tmp_path, world="pair.xml")
+    debugger.goto_end()
+    lines = debugger.run.console.text().decode().splitlines()
+    for number, text in enumerate(lines, 1):
+        robot, statement = past(debugger).printed(number)
+        if text.startswith("turn"):
+            debugger.view.select_robot(robot)
+            debugger.goto_statement(statement)
+            assert line(debugger) == 9
+            assert debugger.view.look_up("i").text == text.removeprefix("turn ")
+            debugger.goto_end()
+    with pytest.raises(DebugError, match="no line 99 has been printed"):
+        past(debugger).printed(99)
+
+
+def test_an_event_is_where_a_catchpoint_stops(tmp_path: Path) -> None:
+    debugger = debugger_of("#include <unistd.h>\n" + PRINTS, folder=tmp_path, world="pair.xml")
+    debugger.goto_end()
+    found = past(debugger).events("collision", past(debugger).whole())
+    assert found
+    debugger.stop_points.add_catchpoint("collision")
+    debugger.goto_time(0.0)
+    caught = []
+    while (stop := debugger.resume()).breakpoints:
+        caught.append(stop.position)
+    assert list(dict.fromkeys(one.position for one, _ in found)) == caught

@@ -19,13 +19,11 @@ from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.commands.stop_text import when_text
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.past import Instant, Past, Range
-from crs_cc.debug.world.events import WorldEvent
+from crs_cc.debug.world.events import WorldEvent, check_event_kind
 
 _RANGE: Final = re.compile(r"(?:^|\s)(?P<first>\d*\.?\d*)\.\.(?P<last>\d*\.?\d*)\s*$")
 _PLACE: Final = re.compile(r"\s+at\s+(?P<place>\S+)\s*$")
 _CSV: Final = re.compile(r"/csv\b\s*")
-_STOPS: Final = frozenset({"stop", "error"})
-"""Events of time lines that are not of the world."""
 
 MAX_ROWS: Final = 60
 """So many rows of a list are shown; `/csv` shows all."""
@@ -102,13 +100,7 @@ def log_past(context: CommandContext, text: str) -> Answer:
     debugger = context.debugger
     place = debugger.stop_points.location(found["place"])
     said = past(context).messages(place, log_text(literal, expressions), part)
-    timestep_s = debugger.session.environment.timestep_s
-    begin_s, end_s = (each.timestep * timestep_s for each in (part.begin, part.end))
-    events = [
-        each
-        for each in debugger.run.event_history.world_events()
-        if begin_s <= each.time_s <= end_s and each.kind not in _STOPS
-    ]
+    events = [each for _, each in past(context).events("", part)]
     context.instants = [(each.position, each.robot) for each in said]
     rows: list[tuple[float, str]] = [
         (each.time_s, f"{_head(number, each)}  {each.text}") for number, each in enumerate(said, 1)
@@ -117,16 +109,39 @@ def log_past(context: CommandContext, text: str) -> Answer:
     yield from _shown([row for _, row in sorted(rows, key=lambda each: each[0])])
 
 
+def _events(context: CommandContext, text: str) -> Answer:
+    kind, part = _ranged(context, f" {text}") if text else ("", past(context).whole())
+    found = past(context).events(check_event_kind(kind) if kind else "", part)
+    if not found:
+        raise DebugError("no such event in the recorded run")
+    instants = [one for one, _ in found]
+    yield from _listed(context, instants, [f"{each.kind}: {each.text}" for _, each in found])
+
+
+def _note(context: CommandContext, text: str) -> Answer:
+    view = context.debugger.view
+    said = require_argument(text, 'a note, such as "here it turns the wrong way"').strip('"')
+    context.notes.append(Instant(view.position, view.time_s, said, robot=view.robot))
+    yield from ()
+
+
+def _info_notes(context: CommandContext, _text: str) -> Answer:
+    notes = sorted(context.notes, key=lambda each: each.position)
+    if not notes:
+        yield "No notes."
+    yield from _listed(context, notes, [each.text for each in notes])
+
+
 def _event_row(event: WorldEvent) -> str:
     return f"{'':6} t = {event.time_s:8.3f} s  {event.kind}: {event.text}"
 
 
 def _ranged(context: CommandContext, text: str) -> tuple[str, Range]:
     """Return an argument without the range of times at its end, and that range."""
-    text = require_argument(text, "an expression")
+    text = text if text.startswith(" ") else require_argument(text, "an expression")
     found = _RANGE.search(text)
     if found is None:
-        return text, past(context).whole()
+        return text.strip(), past(context).whole()
     try:
         first, last = (float(found[each]) if found[each] else None for each in ("first", "last"))
     except ValueError:
@@ -174,6 +189,18 @@ PAST: Final = Group(
             text=f"EXPRESSION is that of a watchpoint. {_RANGE_TEXT} With /csv, show"
             " all of them as comma-separated values.",
             completes="expression",
+        ),
+        Command(
+            "events", "[EVENT] [FROM..TO]",
+            "List the events of the world: collisions, messages, ...", _events,
+            text=f"EVENT is that of catch; default is all of them but ticks. {_RANGE_TEXT}",
+            completes="catch",
+        ),
+        Command(
+            "note", "TEXT", "Keep a note on the current position.", _note,
+        ),
+        Command(
+            "info notes", "", "List the notes.", _info_notes, text='"goto @3" goes to the third.',
         ),
     ),
 )  # fmt: skip

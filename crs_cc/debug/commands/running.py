@@ -19,6 +19,7 @@ from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.skipping import SKIPPING
 from crs_cc.debug.commands.why import go_to_write
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.past import Past
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.timeline.position import BEGINNING
 
@@ -105,6 +106,17 @@ def _go_to_listed(context: CommandContext, number: int) -> Stop:
     return stop
 
 
+_PRINTED: Final = re.compile(r"output\s+(\d{1,9})")
+
+
+def _go_to_output(context: CommandContext, line: int) -> Stop:
+    """Go to before the statement that printed a line."""
+    debugger = context.debugger
+    robot, number = Past(debugger.view, debugger.stop_points).printed(line)
+    debugger.view.select_robot(robot)
+    return debugger.goto_statement(number)
+
+
 def _goto(context: CommandContext, text: str) -> Answer:
     text = require_argument(text, "a time, such as 12.3 or tick 120")
     if text == "end":
@@ -113,6 +125,8 @@ def _goto(context: CommandContext, text: str) -> Answer:
         return context.move(partial(context.debugger.goto, BEGINNING))
     if listed := _LISTED.fullmatch(text):
         return context.move(partial(_go_to_listed, context, int(listed[1])))
+    if printed := _PRINTED.fullmatch(text):
+        return context.move(partial(_go_to_output, context, int(printed[1])))
     found = _INSTANT.fullmatch(text)
     if not found:
         raise DebugError(
@@ -208,13 +222,15 @@ RUNNING: Final = Group(
             partial(_tick, backward=True), ("rt",), repeats="same",
         ),
         Command(
-            "goto", "TIME|tick N|stmt N|start|end", "Go to a point in time, forward or in reverse.",
+            "goto", "TIME|tick N|stmt N|output N|@N|start|end",
+            "Go to a point in time, forward or in reverse.",
             _goto,
             text="TIME, in seconds, goes to the start of the timestep that contains it; tick N is"
             " the start of timestep N; stmt N is the point just before statement N of the robot's"
             ' program (see "when"), where returns from calls are counted, too. Breakpoints on the'
             " way are ignored; end runs until all programs have ended. @N is an instant of the last"
-            ' list (see "when" and "history").',
+            ' list (see "when" and "history"), output N the statement that printed line N of the'
+            ' output (see "output /n").',
         ),
         *SKIPPING,
     ),

@@ -127,11 +127,16 @@ def _across_m(text: str) -> float:
 
 
 def _output(context: CommandContext, text: str) -> Answer:
-    debugger, words = context.debugger, text.split()
+    debugger = context.debugger
+    is_numbered = text.split()[:1] == ["/n"]
+    words = text.split()[is_numbered:]
     most = parse_count(words.pop()) if words and words[-1].isdigit() else 0
     robot = parse_robot(" ".join(words), debugger.names) if words else None
     written = debugger.run.console.text(robot).decode(errors="replace").splitlines()
-    yield from written[-most:] if most else written
+    if is_numbered and robot is not None:
+        raise DebugError("/n numbers the output of all robots")
+    rows = [f"{n:5}  {each}" for n, each in enumerate(written, 1)] if is_numbered else written
+    yield from rows[-most:] if most else rows
 
 
 WORLD: Final = Group(
@@ -173,8 +178,8 @@ WORLD: Final = Group(
             completes="robot",
         ),
         Command(
-            "output", "[ROBOT] [LINES]", "Show the output of the programs up to here.",
-            _output, completes="robot",
+            "output", "[/n] [ROBOT] [LINES]", "Show the output of the programs up to here.",
+            _output, text="With /n, number its lines, for goto output N.", completes="robot",
         ),
     ),
 )  # fmt: skip

@@ -328,7 +328,7 @@ class Evaluator:
         Raises:
             DebugError: it is invalid here.
         """
-        return any(isinstance(each, OutsideUse) for each in self._prepared(text, frame).uses)
+        return bool(self._prepared(text, frame).outside)
 
     def global_scope(self, text: str, frame: StackFrame | None = None) -> ExpressionContext:
         """Return where the names of an expression have their meaning, whatever is called.

@@ -89,11 +89,13 @@ class PreparedExpression:
         uses: its arguments: addresses of variables, values from outside, and bytes of convenience
             variables.
         sizes: the sizes of types for which it was compiled.
+        outside: the values from outside among its arguments.
     """
 
     compiled: CompiledExpression
     uses: tuple[Use | OutsideUse | bytes, ...]
     sizes: Sizes
+    outside: tuple[OutsideUse, ...] = ()
 
 
 class SourceNames:
@@ -185,8 +187,9 @@ class ExpressionCompiler:
 
     def _is_current(self, found: PreparedExpression) -> bool:
         """Return whether the types of values from outside are as they were."""
-        outside = (each for each in found.uses if isinstance(each, OutsideUse))
-        return all(self._outside.state(each.name) == each.state for each in outside)
+        if not found.outside:
+            return True
+        return all(self._outside.state(each.name) == each.state for each in found.outside)
 
     def _compile(self, text: str, standing: ExpressionContext) -> PreparedExpression:
         names = self._names.of(standing.function, standing.place.file)
@@ -214,7 +217,9 @@ class ExpressionCompiler:
         for warning in warnings.messages:
             if warning.text.startswith(_LOSES_POINTER):
                 raise DebugError(restored(f"{warning.text} (cast it if that is meant)", special))
-        return PreparedExpression(compiled, tuple(use for _, use, _ in found), standing.sizes)
+        uses = tuple(use for _, use, _ in found)
+        outside = tuple(each for each in uses if isinstance(each, OutsideUse))
+        return PreparedExpression(compiled, uses, standing.sizes, outside)
 
     def rewritten(
         self, text: str, standing: ExpressionContext

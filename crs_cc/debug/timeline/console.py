@@ -24,6 +24,7 @@ from __future__ import annotations
 
 import copy
 from array import array
+from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
@@ -160,6 +161,26 @@ class ReplayConsole:
         """Return robot, stream and bytes of each piece of output up to here."""
         for at in range(since, self._at):
             yield *divmod(self._writers[at], _STREAMS), self._piece(at)
+
+    def origin(self, line: int) -> tuple[int, int]:
+        """Return the robot that printed a line and the piece of output in which the line starts.
+
+        Args:
+            line: its number in all output that was ever recorded, from 1.
+
+        Raises:
+            IndexError: there is no such line.
+        """
+        start = 0
+        for _ in range(line - 1):
+            end = self._content.find(b"\n", start)
+            if end < 0:
+                raise IndexError(line)
+            start = end + 1
+        if line < 1 or start >= len(self._content):
+            raise IndexError(line)
+        piece = bisect_right(self._ends, start) - 1
+        return self._writers[piece] // _STREAMS, piece
 
     def _piece(self, at: int) -> bytes:
         return bytes(self._content[self._ends[at] : self._ends[at + 1]])

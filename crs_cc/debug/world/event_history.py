@@ -80,6 +80,10 @@ class EventHistory:
         """Return all events by time, also those ahead of the current position."""
         return sorted((each for _, each in self._happened), key=lambda each: each.time_s)
 
+    def by_timestep(self) -> list[tuple[int, WorldEvent]]:
+        """Return all events by time, each with the timestep in which it happened."""
+        return sorted(self._happened, key=lambda each: each[1].time_s)
+
     def contacts(self, timestep: int) -> list[tuple[int, float, float]]:
         """Return the robot and the position [m] of contacts before a timestep."""
         return [
