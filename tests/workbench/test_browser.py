@@ -130,6 +130,14 @@ def a_button_goes_ten_seconds_back(page: Any) -> None:
     wait(page, "Math.abs(crs.model.state.t - 0.5) < 1e-6 && !crs.model.state.busy")
 
 
+def overlays_are_of_all_robots_or_of_the_selected_one(page: Any) -> None:
+    named = "crs.views.active.overlay.chosen().map((body) => body.id).join()"
+    assert page.evaluate(named) == "ada,bob"
+    page.click("text=Only of the selected robot")
+    assert page.evaluate(named) == "ada"
+    page.click("text=Only of the selected robot")
+
+
 def a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page: Any) -> None:
     page.click(".line:nth-child(8) .gutter")
     page.wait_for_selector(".line:nth-child(8).stop")
@@ -231,6 +239,7 @@ def test_a_run_is_watched_moved_stepped_and_left(browser: Any, page: Any, screen
     it_shows_the_world_and_runs(page, screen)
     the_time_line_goes_back_to_any_instant(page, screen)
     a_button_goes_ten_seconds_back(page)
+    overlays_are_of_all_robots_or_of_the_selected_one(page)
     a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page)
     a_robot_is_selected_in_the_view_and_commands_change_the_run(page)
     two_fingers_enlarge_the_view_and_one_selects(page)

@@ -177,6 +177,9 @@ def messages_are_listed_shut_and_sent(page: Any, debugger: Debugger) -> None:
 
 
 def changes_are_listed_taken_back_and_written_out(page: Any, debugger: Debugger) -> None:
+    page.click("#tab-events")  # changes are marked, and listed among what has happened
+    page.wait_for_selector(".event:has-text('move bob to 3 2.50 0')")
+    assert page.evaluate("crs.timeline.marks().filter(([, kind]) => kind === 'change').length") > 1
     page.click("#tab-changes")
     assert page.locator(".change").count() == len(changes(debugger)) == 6
     script = page.evaluate("crs.model.channel.ask('export', { form: 'inputs' })")["text"]

@@ -71,6 +71,18 @@ def what_is_hot_is_marked_and_has_its_heat_of_now(page: Any) -> None:
     wait(page, f"!{mark}.visible && crs.model.scene.heat({shape}) === 0")
 
 
+def what_can_be_pushed_is_outlined(page: Any) -> None:
+    drawn = """(() => {
+        const { over } = crs.views.active;
+        const { data } = over.getContext("2d").getImageData(0, 0, over.width, over.height);
+        return data.filter((each, at) => at % 4 === 3 && each).length;
+    })()"""
+    before = page.evaluate(drawn)
+    page.click("text=What can be pushed")
+    wait(page, f"{drawn} < {before}")
+    page.click("text=What can be pushed")
+
+
 def what_sensors_have_measured_is_drawn(page: Any) -> None:
     """Of the camera's picture, the left half is red and the right one green."""
     page.evaluate("crs.look.toggle('heat')")
@@ -93,6 +105,14 @@ def what_sensors_have_measured_is_drawn(page: Any) -> None:
     page.wait_for_function(f"() => ({pixel})(-60) === '255,0,0'", polling=100)
     assert page.evaluate(pixel, 60) == "0,255,0"
     page.evaluate("crs.look.toggle('heat')")
+
+
+def who_wants_no_motion_is_shown_the_end_of_it(page: Any) -> None:
+    jump = "[crs.model.clock.shown = 5.9, crs.model.clock.advance(0.001), crs.model.clock.target]"
+    page.emulate_media(reduced_motion="reduce")
+    _, shown, target = page.evaluate(jump)
+    assert shown == target
+    page.emulate_media(reduced_motion="no-preference")
 
 
 def lamps_light_the_night(page: Any) -> None:
@@ -165,7 +185,9 @@ def test_the_view_shows_devices_and_saves_what_it_shows(
         an_arm_and_what_it_carries_are_where_they_are(page)
         what_is_degraded_is_told_and_slopes_are_measured(page)
         what_is_hot_is_marked_and_has_its_heat_of_now(page)
+        what_can_be_pushed_is_outlined(page)
         what_sensors_have_measured_is_drawn(page)
+        who_wants_no_motion_is_shown_the_end_of_it(page)
         lamps_light_the_night(page)
         views_are_kept_and_shown_again(page)
         a_video_and_a_page_are_saved(browser, page, tmp_path)

@@ -2,6 +2,7 @@
  * The time that is shown: smooth between what the run tells, and free of the run while the user
  * drags the time line.
  */
+import { isStill } from "crs/theme.js";
 
 const DELAY = 0.1; // of real time behind the run, so that there is a frame to move towards [s]
 const FOLLOW = 6; // how fast a difference goes [1/s]
@@ -41,7 +42,7 @@ export class Clock {
     }
     if (!this.isPlaying) {
       const gap = this.target - this.shown;
-      const isFar = Math.abs(gap) > Math.max(0.3, this.rate * JUMP);
+      const isFar = isStill() || Math.abs(gap) > Math.max(0.3, this.rate * JUMP);
       this.shown = isFar || Math.abs(gap) < 1e-4 ? this.target : this.shown + gap * Math.min(1, elapsed * 15);
       return this.shown;
     }

@@ -15,6 +15,7 @@ export class Look {
     this.trails = new Trails(() => this.version++);
     this.colours = palette();
     this.isInfrared = false;
+    this.isSelectedOnly = false; // what is drawn of other robots is left out
     this.light = new Lighting();
     /** @type {any} the run that this one is compared with */
     this.other = null;
@@ -34,6 +35,11 @@ export class Look {
     this.show[name] = !this.show[name];
     this.version++;
     this.model.tell("look");
+  }
+
+  setSelectedOnly(isOn) {
+    this.isSelectedOnly = isOn;
+    this.version++;
   }
 
   setInfrared(isOn) {

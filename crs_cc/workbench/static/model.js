@@ -171,6 +171,12 @@ export class Model {
     this.tell("link");
   }
 
+  /** All that has happened: events, close approaches, and what was changed by hand; like events. @returns {any[][]} */
+  get happenings() {
+    const changes = (this.panel?.changes ?? []).map(({ t, text }) => [t, "change", -1, text, null, null]);
+    return [...(this.run?.events ?? []), ...this.approaches.events, ...changes];
+  }
+
   /** The number and name of the selected robot. */
   get selected() {
     const roster = this.run?.rosters.at(-1)?.robots ?? [];

@@ -4,6 +4,7 @@
  */
 import { heatColour, mostHeat } from "crs/heat.js";
 import { degraded, laser, ranges } from "crs/overlay_devices.js";
+import { movable } from "crs/overlay_things.js";
 import { cameraStrip, heatRange, infraredBeams } from "crs/overlay_sensors.js";
 import { angleText, gridStep, lengthText } from "crs/units.js";
 
@@ -11,14 +12,15 @@ const MANY = 60; // robots: of more, only the selected one is annotated
 const LINE = 17; // between names, one above the other [pixels]
 const ECHO_S = 0.8; // how long contacts are marked [s]
 
-/** @typedef {{name: string, title: string, on: boolean, only?: string, device?: string, draw: (o: Overlay) => void}} Part
- *   `only`: what a run must hold for it; `device`: what a robot must have */
+/** @typedef {{name: string, title: string, on: boolean, only?: (run: any) => any, device?: string, draw: (o: Overlay) => void}} Part
+ *   `only`: whether a run has any of it; `device`: what a robot must have */
 
 /** @type {Part[]} */
 export const PARTS = [
   { name: "trails", title: "Trails", on: true, draw: trails },
-  { name: "paths", title: "Whole paths, and believed ones", on: true, only: "paths", draw: paths },
-  { name: "marks", title: "What programs draw", on: true, only: "marks", draw: marks },
+  { name: "paths", title: "Whole paths, and believed ones", on: true, only: (run) => run.paths, draw: paths },
+  { name: "marks", title: "What programs draw", on: true, only: (run) => run.marks, draw: marks },
+  { name: "movable", title: "What can be pushed", on: true, only: (run) => run.world.shapes.some((shape) => shape.movable), draw: movable },
   { name: "sonar", title: "Sonar echoes", on: true, draw: sonar },
   { name: "laser", title: "Laser", on: true, device: "laser", draw: laser },
   { name: "camera", title: "Camera", on: true, device: "camera", draw: cameraStrip },
@@ -66,9 +68,14 @@ export class Overlay {
 
   /** The robots that are annotated. */
   chosen() {
-    if (this.several) return this.scene.bodies;
+    if (this.several) return this.scene.bodies.filter(({ row }) => this.concerns(row));
     const body = this.scene.body(this.look.selected);
     return body ? [body] : [];
+  }
+
+  /** Whether what is about these robots is drawn: all, or the selected one. @param {...number} rows */
+  concerns(...rows) {
+    return !this.look.isSelectedOnly || rows.includes(this.look.selected);
   }
 
   /** A line through points [x, y, z]; parts behind the camera are left out. */
@@ -150,7 +157,7 @@ function trails(o) {
   const { pen, look } = o;
   pen.lineWidth = 2;
   pen.lineJoin = "round";
-  for (const body of o.several ? o.scene.bodies : o.chosen()) {
+  for (const body of o.chosen()) {
     const points = look.trails.of(body.row);
     if (points.length < 2) continue;
     const [newest, oldest] = [points.at(-1).t, points[0].t];
@@ -243,7 +250,7 @@ function bumpers(o) {
   pen.lineWidth = 4;
   for (const body of o.scene.bodies) {
     const bits = look.sensors.bumpers(body.row);
-    if (!bits || !body.kind) continue;
+    if (!bits || !body.kind || !o.concerns(body.row)) continue;
     for (const { bit, bearing, span } of body.kind.bumpers) {
       if (!((bits >> bit) & 1)) continue;
       const points = [];
@@ -279,8 +286,8 @@ function believed(o) {
 function contacts(o) {
   const { pen, look } = o;
   pen.strokeStyle = "#e5383b";
-  for (const [at, kind, , , x, y] of look.recent(ECHO_S)) {
-    if (kind !== "collision" || x === null) continue;
+  for (const [at, kind, row, , x, y] of look.recent(ECHO_S)) {
+    if (kind !== "collision" || x === null || !o.concerns(row)) continue;
     const share = (look.time - at) / ECHO_S;
     pen.lineWidth = 2.5;
     pen.globalAlpha = 1 - share;
@@ -295,7 +302,7 @@ function messages(o) {
   const { pen, look } = o;
   for (const { from, to, share, isLost } of look.traffic()) {
     const [a, b] = [o.scene.body(from), o.scene.body(to)];
-    if (!a || !b) continue;
+    if (!a || !b || !o.concerns(from, to)) continue;
     const high = 0.35 * Math.hypot(a.x - b.x, a.y - b.y) + 0.3;
     const points = [];
     for (let step = 0; step <= 16; step++) {

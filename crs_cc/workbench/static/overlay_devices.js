@@ -43,7 +43,7 @@ export function degraded(o) {
   pen.textAlign = "center";
   for (const [row, parts] of byRobot) {
     const body = o.scene.body(row);
-    if (!body) continue;
+    if (!body || !o.concerns(row)) continue;
     const [x, y, w] = o.project(body.x, body.y, body.z);
     if (w <= 0) continue;
     for (const [device, element] of parts) mark(o, body, device, element);

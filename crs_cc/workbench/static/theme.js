@@ -37,4 +37,5 @@ export function restoreTheme() {
   }
 }
 
+/** Whether the user wants nothing to move that need not. */
 export const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -3,6 +3,7 @@ import { button, clockText, el, fill } from "crs/dom.js";
 import { gridStep } from "crs/units.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 0];
+const MARK = 4.2; // the height of a row of marks [pixels]
 const ASK = 80; // [ms] between two questions while the user drags
 
 /** Kinds of marks: name, colour, and which events they are. */
@@ -12,6 +13,7 @@ export const MARKS = [
   { name: "near", title: "Close approaches", colour: "#b08900", is: (kind) => kind === "near" },
   { name: "message", title: "Messages", colour: "#8250df", is: (kind) => kind.startsWith("message") },
   { name: "print", title: "Prints", colour: "#1a7f37", is: (kind) => kind === "print" },
+  { name: "change", title: "Changes", colour: "#0c8599", is: (kind) => kind === "change" },
   { name: "other", title: "Other events", colour: "muted", is: () => true },
 ];
 
@@ -55,7 +57,7 @@ export class Timeline {
           button({ text: "›", title: "To the next event", key: "N", onclick: () => this.jump(1) }))),
       this.track);
     this.listen();
-    for (const kind of ["state", "hello", "forget", "event", "output", "look", "near"]) model.on(kind, () => (this.isStale = true));
+    for (const kind of ["state", "hello", "forget", "event", "output", "look", "near", "panel"]) model.on(kind, () => (this.isStale = true));
     this.isStale = true;
   }
 
@@ -141,7 +143,7 @@ export class Timeline {
     const box = this.track.getBoundingClientRect();
     const width = box.width / this.end;
     const x = event.clientX - box.left;
-    const near = [...(this.model.run?.events ?? []), ...this.model.approaches.events].filter((each) => Math.abs(each[0] * width - x) < 4).slice(0, 6) ?? [];
+    const near = this.model.happenings.filter((each) => Math.abs(each[0] * width - x) < 4).slice(0, 6);
     this.track.title = near.map((each) => `${each[0].toFixed(3)} s  ${each[3]}`).join("\n");
   }
 
@@ -215,8 +217,7 @@ export class Timeline {
 
   /** The times of what is marked, with its kind. */
   marks() {
-    const { events, output } = this.model.run;
-    return [...events, ...this.model.approaches.events].map((each) => [each[0], each[1]]).concat(output.map((each) => [each[0], "print"]));
+    return this.model.happenings.map((each) => [each[0], each[1]]).concat(this.model.run.output.map((each) => [each[0], "print"]));
   }
 
   /** Go to the next event, or the one before. @param {number} way 1 or -1 */
@@ -310,7 +311,7 @@ export class Timeline {
       if (taken.has(key)) continue; // thousands of them may share a pixel
       taken.add(key);
       pen.fillStyle = this.look.colours[mark.colour] ?? mark.colour;
-      pen.fillRect(x - 1, line - 5 - (MARKS.length - 1 - row) * 5, 2.5, 4);
+      pen.fillRect(x - 1, line - 5 - (MARKS.length - 1 - row) * MARK, 2.5, MARK - 1);
     }
   }
 }

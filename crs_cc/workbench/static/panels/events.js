@@ -37,7 +37,7 @@ export const events = {
       first = model.approaches.closest(isOnly ? number : null);
       closest.hidden = !first;
       if (first) fill(closest, el("b", {}, "Closest"), el("span.when", {}, `${first[0].toFixed(3)} s`), el("span", {}, first[3]));
-      const found = [...model.run.events, ...model.approaches.events]
+      const found = model.happenings
         .filter(([, kind, row]) => chosen.has(markOf(kind).name) && !(isOnly && row >= 0 && row !== number))
         .sort((one, other) => one[0] - other[0]).slice(-MOST);
       if (!found.length) return fill(list, el("p.hint", {}, "Nothing has happened yet."));
@@ -49,7 +49,7 @@ export const events = {
       }));
     };
 
-    for (const kind of ["hello", "event", "forget", "near", "look", "roster"]) model.on(kind, () => (isStale = true));
+    for (const kind of ["hello", "event", "forget", "near", "look", "roster", "panel"]) model.on(kind, () => (isStale = true));
     model.on("tick", draw);
   },
 };

@@ -100,11 +100,17 @@ export const messages = {
       fill(list, ...(found.length ? found.slice(-MOST).reverse().map(shownRow) : [el("p.hint", {}, known.length ? "None of these." : "No message has been sent.")]));
       const recent = known.filter((row) => row[0] > time - RATE);
       const followed = one ? "one message" : link ? link.split(">").map((each) => names()[Number(each)]).join(" to ") : "";
-      about.textContent = followed ? `followed: ${followed}` : `${known.filter((row) => row[1] === SENT).length} sent, ${known.filter((row) => isLost(row[1])).length} lost`;
+      about.textContent = followed ? `followed: ${followed}` : countsOf(known.map((row) => row[1]));
       clear.hidden = !followed;
       const links = linksOf(recent, isLost);
       fill(graph, links.length ? drawGraph(links, { names: names(), seconds: Math.min(RATE, time), meaning, selected: link, choose: (chosen) => follow(chosen, "") })
         : el("p.hint", {}, `Nothing was delivered or lost in the last ${RATE} s.`));
+    };
+
+    /** What became of messages; each receiver of a message counts. @param {number[]} all their fates */
+    const countsOf = (all) => {
+      const [sent, lost] = [all.filter((fate) => fate === SENT).length, all.filter(isLost).length];
+      return `${sent} sent, ${all.length - sent - lost} arrived, ${lost} lost`;
     };
 
     const shownRow = (row) => {
