@@ -122,7 +122,9 @@ def take(browser: Any, picture: Picture, path: Path) -> None:
         page.mouse.move(0, 0)
         page.wait_for_timeout(SETTLED_MS)
         taken = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
-    taken.quantize(COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
+    method = Image.Quantize.MAXCOVERAGE  # keeps the colours of small marks
+    reduced = taken.quantize(COLOURS, method, kmeans=2, dither=Image.Dither.NONE)
+    reduced.save(path, optimize=True)
 
 
 def main() -> None:
