@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Final
 
 from bridge_results import of_leader, of_short
+from foraging_results import with_trails
 
 from crs_cc.sweeps.report.findings import medians
 from crs_cc.sweeps.report.page import drawn
@@ -31,10 +32,12 @@ FIGURES: Final = ROOT / "docs" / "images"
 RUNS: Final = ROOT / "build" / "swarm"
 
 SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
+    "aggregation": (partial(results, measure="largest_group"), "curve"),
     "bridge": (of_leader, "curve"),
     "detour": (of_short, "curve"),
     "foraging": (partial(results, measure="items_per_min"), "curve"),
     "heat": (partial(results, measure="goal.cool.at_s"), "survival"),
+    "trails": (with_trails, "curve"),
 }
 """Of each experiment: what its rows show, and the figure that shows it."""
 

@@ -15,9 +15,12 @@ SWARM = Path(__file__).parents[2] / "samples" / "swarm"
 
 
 def rows_of(
-    name: str, folder: Path, parameter: str, values: list[int], duration: str
+    name: str, folder: Path, parameter: str, values: list[int], duration: str, *, most: float = 0.5
 ) -> list[dict[str, Any]]:
-    """Run an experiment with some values of its parameter and one seed; return the rows."""
+    """Run an experiment with some values of its parameter and one seed; return the rows.
+
+    Robots may have so many collisions per minute at most.
+    """
     changes = {"seeds": "[2]", parameter: str(values), "duration": f'"{duration}"'}
     lines = (SWARM / f"{name}.toml").read_text().splitlines()
     kept = [line for line in lines if line.partition(" =")[0] not in changes]
@@ -28,7 +31,7 @@ def rows_of(
     sweep.run(1, pool=inline)
     rows = [sweep.rows[number] for number in sorted(sweep.rows)]
     assert [row["error"] for row in rows] == [""] * len(rows)
-    assert all(row["measures"]["collisions_per_robot_min"] < 0.5 for row in rows)
+    assert all(row["measures"]["collisions_per_robot_min"] < most for row in rows)
     return rows
 
 
@@ -45,6 +48,22 @@ def test_too_many_foragers_bring_less(tmp_path: Path) -> None:
     )
     assert few < some
     assert too_many < some
+
+
+def test_trails_lead_foragers_to_the_source(tmp_path: Path) -> None:
+    without, with_trails = (
+        row["measures"]["items_brought"]
+        for row in rows_of("trails", tmp_path, "world.ant.count", [5], "90s")
+    )
+    assert 0 < without < with_trails
+
+
+def test_robots_gather_if_they_stay_where_others_are(tmp_path: Path) -> None:
+    alone, together = (
+        row["measures"]["largest_group"]
+        for row in rows_of("aggregation", tmp_path, "define.STEEP", [0, 2], "60s", most=1.0)
+    )
+    assert alone < together
 
 
 def test_robots_that_follow_their_trail_agree_on_one_of_two_branches(tmp_path: Path) -> None:
