@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import contextlib
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -39,7 +39,8 @@ from crs_cc.debug.timeline.recorded_run import InterruptedRunError
 from crs_cc.debug.timeline.run_event import StopRequest
 from crs_cc.debug.view import View
 from crs_cc.debug.watchpoints import owner_of, same_activation
-from crs_cc.debug.world.sensor_cause import sensor_texts
+from crs_cc.debug.world.sensor_cause import firing, object_met, sensor_texts
+from crs_cc.debug.world.state_fields import StateField
 from crs_cc.ir.names import plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 
@@ -276,11 +277,7 @@ class Why:
         robot = place.robot
         for field, value in self._view.vendor_state(robot):
             if value.address == wanted.address:
-                texts = sensor_texts(self._run.session.environment, robot, field)
-                return tuple(
-                    Cause(f"{field.name}: {each}", position=place.position, robot=robot)
-                    for each in texts
-                )
+                return tuple(self._measured(place, field))
         if function == RECEIVES:
             return self._message(place, text, depth)
         names = [each.lstrip("& ") for each in arguments(text)]
@@ -288,6 +285,21 @@ class Why:
         if not function.endswith("cat"):  # what these write, they have read before (C17 7.24.3)
             found = [each for each in found if not self._is_at(place, each, wanted)]
         return self._operands(place, found, depth + 1)
+
+    def _measured(self, place: _Place, field: StateField) -> Iterator[Cause]:
+        """Return what a reading that the robot reports here was measured from."""
+        run, robot = self._run, place.robot
+        environment = run.session.environment
+        texts = list(sensor_texts(environment, robot, field))
+        ping = firing(environment, robot, field)
+        if ping is not None:
+            fired = Position(int(ping.fired_s / environment.timestep_s), 0)
+            run.seek(fired)
+            met = object_met(environment, robot, ping.number, ping.echo_m)
+            text = f"{field.name}: {ping.text(met)}"
+            yield Cause(text, position=fired, robot=robot)
+        for each in texts:
+            yield Cause(f"{field.name}: {each}", position=place.position, robot=robot)
 
     def _is_at(self, place: _Place, name: str, wanted: MemoryObject) -> bool:
         """Return whether an operand is at the address of an object."""

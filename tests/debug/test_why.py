@@ -143,6 +143,20 @@ def test_a_change_by_the_user_is_a_cause(tmp_path: Path) -> None:
     ]
 
 
+SAMPLES = """\
+#include <unistd.h>
+#include "Nclient.h"
+int front;
+int main(void)
+{
+    connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400);
+    for (;;) {
+        vm(100, 100, 0);
+        front = State[17];
+        usleep(300000);
+    }
+}
+"""
 SENDS = """\
 #include <crs.h>
 #include "Nclient.h"
@@ -194,3 +208,14 @@ def test_of_a_computed_value_the_operands_are_explained(text: str, tmp_path: Pat
     debugger.resume()
     cause = explained(debugger, text)
     assert len(cause.causes) == 2
+
+
+def test_a_reading_names_the_degradation_that_bent_it(tmp_path: Path) -> None:
+    debugger = debugger_of(SAMPLES, folder=tmp_path, world="faulty.xml")
+    debugger.goto_time(8.0)
+    true = shape(explained(debugger, "front"))
+    assert true[-1].endswith("from edge-east")
+    debugger.goto_time(14.0)
+    *_, measured, bent = shape(explained(debugger, "front"))
+    assert measured.endswith("from nothing that was there")
+    assert bent == "STATE_SONAR_0: bent by the degradation stuck: sonar 0, stuck"

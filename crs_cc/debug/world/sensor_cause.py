@@ -5,11 +5,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.debug.world.rows import instant, length
+from crs_cc.debug.world.rows import instant, length, pose_text
 from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.model.degradation import described
@@ -27,34 +28,69 @@ _DEVICES: Final = {
 
 _RAYS: Final = 31
 _SAME_M: Final = 0.1
-"""How far the outline may be from the echo to have returned it; chosen by us: a robot's motion
-while the sound is on its way, and the roundness of a beam's front."""
+"""How far the outline may be from the echo to have returned it; chosen by us: the robot's motion
+during a timestep, and the error of the sensor."""
+
+
+@dataclass(frozen=True, slots=True)
+class Firing:
+    """The last firing of a sonar that a robot has reported.
+
+    Attributes:
+        fired_s: when it fired.
+        echo_m: the distance of the echo as the robot has it, infinite for none.
+    """
+
+    number: int
+    fired_s: float
+    echo_m: float
+
+    def text(self, met: str) -> str:
+        """Return it in words, given the object in its beam at that distance, or ""."""
+        at = f"sonar {self.number} fired at t = {instant(self.fired_s)}"
+        if not math.isfinite(self.echo_m):
+            return f"{at}: no echo"
+        return f"{at}: echo at {length(self.echo_m)} from {met or 'nothing that was there'}"
+
+
+def firing(environment: Environment, robot: int, field: StateField) -> Firing | None:
+    """Return the firing that a field of `State[]` is from; None if it is of no sonar."""
+    number = _number(field)
+    if _device(field) != "sonar" or number is None:
+        return None
+    sonar = sonar_state(environment.state)
+    fired_s = float(sonar.fired_s[robot, number])
+    return Firing(number, fired_s, float(sonar.echo_m[robot, number])) if fired_s > 0.0 else None
 
 
 def sensor_texts(environment: Environment, robot: int, field: StateField) -> Iterator[str]:
-    """Return what is known of a reading that a robot has just reported, in the present world."""
-    device = next((name for word, name in _DEVICES.items() if word in field.name), "")
-    number = int(found) if (found := field.name.rpartition("_")[2]).isdigit() else None
-    if device == "sonar" and number is not None:
-        yield sonar_text(environment, robot, number)
+    """Return what else is known of a reading that a robot has just reported."""
+    device, number = _device(field), _number(field)
+    if device == "bumper":
+        robots, things = np.divmod(environment.state.contacts_before, len(environment.names))
+        touched = [environment.names[thing] for thing in things[robots == robot].tolist()]
+        yield f"the robot touched {', '.join(touched) or 'nothing'}"
+    if "CONF" in field.name:
+        state = environment.state
+        pose = (float(each[robot]) for each in (state.x_m, state.y_m, state.heading_rad))
+        yield f"estimated by odometry; the true pose was {pose_text(*pose)}"
     control, model = environment.degradations, environment.world.robots[robot].model
     for each in control.all():
         is_of = each.robot == environment.world.robots[robot].id and each.device == device
-        if is_of and each.element in {None, number} and control.phase(each.id) == "acts":
+        is_element = number is None or each.element in {None, number}
+        if is_of and is_element and control.phase(each.id) == "acts":
             yield f"bent by the degradation {each.id}: {described(each, model)}"
 
 
-def sonar_text(environment: Environment, robot: int, number: int) -> str:
-    """Return when a sonar fired last, what it heard, and which object that was."""
-    sonar = sonar_state(environment.state)
-    fired_s, echo_m = float(sonar.fired_s[robot, number]), float(sonar.echo_m[robot, number])
-    if fired_s <= 0.0:
-        return f"sonar {number} has not fired yet"
-    at = f"sonar {number} fired at t = {instant(fired_s)}"
-    if not math.isfinite(echo_m):
-        return f"{at}: no echo"
-    met = object_met(environment, robot, number, echo_m)
-    return f"{at}: echo at {length(echo_m)} from {met or 'nothing that is there now'}"
+def _device(field: StateField) -> str:
+    """Return the name of the device that measured a field; "" if it is none of these."""
+    return next((name for word, name in _DEVICES.items() if f"_{word}" in field.name), "")
+
+
+def _number(field: StateField) -> int | None:
+    """Return the number of the sensor that measured a field; None if it has none."""
+    last = field.name.rpartition("_")[2]
+    return int(last) if last.isdigit() else None
 
 
 def object_met(environment: Environment, robot: int, number: int, echo_m: float) -> str:
