@@ -65,6 +65,17 @@ TRAIL_DRAWN = """() => {
         draw(...all);
     };
 }"""
+LOOKED_UP = """async (step) => {
+    const { Trails } = await import("crs/trails.js");
+    const trails = new Trails(() => undefined);
+    const scene = { bodies: [], roster: () => ({ robots: [] }) };
+    const frames = { span: async () => [] };
+    trails.isStale = true;
+    trails.update(scene, frames, 0);
+    trails.update(scene, frames, step);
+    trails.refine();
+    return trails.isStale;
+}"""
 POSE = "() => crs.model.scene.bodies.map((body) => [body.x, body.y, body.heading])"
 
 
@@ -121,6 +132,11 @@ def the_time_line_goes_back_to_any_instant(page: Any, screen: Screen) -> None:
     # The trail that is drawn ends here, not where the robot has been later.
     wait(page, "window.trailDrawn?.at(-1)?.t <= crs.model.state.t + 1e-6")
     assert page.evaluate("window.trailDrawn[0].t") < 0.1
+
+
+def trails_need_no_block_of_frames_while_the_run_is_watched(page: Any) -> None:
+    assert page.evaluate(LOOKED_UP, 0.1) is False
+    assert page.evaluate(LOOKED_UP, 1.0) is True
 
 
 def a_button_goes_ten_seconds_back(page: Any) -> None:
@@ -238,6 +254,7 @@ def test_a_run_is_watched_moved_stepped_and_left(browser: Any, page: Any, screen
     """One test, since each step begins where the one before has led."""
     it_shows_the_world_and_runs(page, screen)
     the_time_line_goes_back_to_any_instant(page, screen)
+    trails_need_no_block_of_frames_while_the_run_is_watched(page)
     a_button_goes_ten_seconds_back(page)
     overlays_are_of_all_robots_or_of_the_selected_one(page)
     a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page)

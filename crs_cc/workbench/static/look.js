@@ -22,7 +22,8 @@ export class Look {
     this.time = 0;
     this.version = 0; // rises when something must be drawn anew
     for (const kind of ["status", "event", "forget", "hello", "look"]) model.on(kind, () => this.version++);
-    for (const kind of ["block", "forget", "hello"]) model.on(kind, () => (this.trails.isStale = true));
+    for (const kind of ["forget", "hello"]) model.on(kind, () => (this.trails.isStale = true));
+    model.on("block", () => this.trails.refine());
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
   }
 

@@ -3,6 +3,7 @@
 const SECONDS = 20;
 const MOST = 64; // robots
 const STEP = 0.02; // [m] between two points, at least
+const FINE = 0.3; // [s] between two points: more leaves out what lies between
 const GAP = 1.5; // [s] of the shown time: more is a jump, and trails are looked up anew
 
 export class Trails {
@@ -14,6 +15,7 @@ export class Trails {
     this.time = -1;
     this.isStale = false; // whether frames hold more than the paths
     this.isLooking = false;
+    this.isCoarse = false; // whether a path leaves something out
   }
 
   of(row) {
@@ -25,10 +27,18 @@ export class Trails {
     if (time < this.time || time > this.time + GAP) {
       this.isStale = true;
       this.paths.clear(); // those of another time would end in a line to where robots are now
-    } else for (const body of scene.bodies.slice(0, MOST)) this.add(body.row, { t: time, x: body.x, y: body.y });
+    } else {
+      if (time > this.time + FINE) this.isCoarse = true;
+      for (const body of scene.bodies.slice(0, MOST)) this.add(body.row, { t: time, x: body.x, y: body.y });
+    }
     this.time = time;
     if (this.isStale && !this.isLooking) this.lookUp(scene, frames);
     for (const path of this.paths.values()) while (path.length && path[0].t < time - SECONDS) path.shift();
+  }
+
+  /** Frames of the latest time can be fetched: look paths up if they leave something out. */
+  refine() {
+    if (this.isCoarse) this.isStale = true;
   }
 
   add(row, point) {
@@ -40,7 +50,7 @@ export class Trails {
 
   /** Take the paths from the frames; meanwhile the run may go on. */
   async lookUp(scene, frames) {
-    [this.isLooking, this.isStale] = [true, false];
+    [this.isLooking, this.isStale, this.isCoarse] = [true, false, false];
     const found = await frames.span(Math.max(0, this.time - SECONDS), this.time).catch(() => []);
     this.isLooking = false;
     const { time } = this;
