@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.cli.messages import say
 from crs_cc.cli.typed_input import OwnInput
 from crs_cc.core.errors import CrsError
+from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.world.run_edits import edit_run
@@ -26,6 +29,7 @@ if TYPE_CHECKING:
     from crs_cc.session.session import Session
     from crs_cc.workbench.server import Front
 
+NOBODY: Final[Mapping[str, float]] = MappingProxyType({})
 _SHOWN: Final = 5
 
 
@@ -51,6 +55,7 @@ class Elsewhere:
         front: Front | None,
         resumption: Resumption | None = None,
         hosts: ClusterHosts | None = None,
+        late: Mapping[str, float] = NOBODY,
     ) -> None:
         """Take the hosts that are ready.
 
@@ -65,9 +70,8 @@ class Elsewhere:
             resumption: what is known of the first part of the run.
             hosts: what starts hosts again on a cluster, which have no streams of their own: these
                 are ours; None for hosts that users start.
+            late: robots that have no host, with their times to join at the earliest [s].
         """
-        import numpy as np
-
         self._roster, self._waits, self.front = roster, waits, front
         self._resumption, self._hosts, self._own = resumption, hosts, own
         self._input: OwnInput | None = OwnInput() if hosts else None
@@ -75,14 +79,19 @@ class Elsewhere:
         self.tell_waiting: Callable[[str], None] = lambda _names: None
         self._seats = {seat.names: seat for seat in seats}
         self._stopped: list[str] = []  # robots whose programs have just stopped with their host
-        links = []
-        for seat in seats:
-            numbers = np.array([robots.index(name) for name in seat.names], np.intp)
-            channel = roster.take(seat, lambda: False)
-            assert channel is not None
-            links.append(HostLink(seat.names, numbers, channel, self._replace))
-        self.fleet = DistantFleet(executables, links)
+        self._numbers = {name: number for number, name in enumerate(robots)}
+        self._late = dict(late)
+        self.fleet = DistantFleet(executables, [self._link(seat) for seat in seats])
         self.fleet.outcome = self._outcome
+
+    def _link(self, seat: Seat) -> HostLink:
+        """Return the connection to a host that is ready."""
+        import numpy as np
+
+        numbers = np.array([self._numbers[name] for name in seat.names], np.intp)
+        channel = self._roster.take(seat, lambda: False)
+        assert channel is not None
+        return HostLink(seat.names, numbers, channel, self._replace)
 
     def begin(self, session: Session, is_interrupted: Callable[[], bool]) -> None:
         """Note the session that uses the fleet, and how it is interrupted."""
@@ -142,9 +151,30 @@ class Elsewhere:
         if self._resumption is not None:
             self._resumption.change(self._session, made)
         while self._stopped:
-            text = f"hold {self._stopped.pop(0)}"
-            edit_run(self._session, text)
-            made(Change(Position(self._session.timesteps, 0), text))
+            self._make(f"hold {self._stopped.pop(0)}", made)
+        if self._late:
+            self._let_in(made)
+
+    def _let_in(self, made: Callable[[Change], None]) -> None:
+        """Keep robots out of the world whose hosts have not come, and let others in."""
+        now_s = self._session.time_s
+        if self._resumption is None and not self._session.timesteps:
+            self._make(f"delay {' '.join(self._late)}", made)
+        if now_s < self.repeats_until_s:
+            return
+        for seat in self._roster.newcomers():
+            self._seats[seat.names] = seat
+            self.fleet.add_link(self._link(seat))
+            say(f"crs: {shown_names(seat.names)}: here now")
+        for names in self._seats:
+            for name in names:
+                if self._late.get(name, math.inf) <= now_s + ROUNDING_S:
+                    del self._late[name]
+                    self._make(f"join {name}", made)
+
+    def _make(self, text: str, made: Callable[[Change], None]) -> None:
+        edit_run(self._session, text)
+        made(Change(Position(self._session.timesteps, 0), text))
 
     def close(self) -> None:
         """Dismiss all hosts: the run has ended."""

@@ -49,6 +49,17 @@ class Resumption:
         finally:
             recording.close()
 
+    @property
+    def absent(self) -> frozenset[str]:
+        """The robots that wait for their programs when the recording ends."""
+        found: set[str] = set()
+        for verb, _, names in (each.text.partition(" ") for each in self._changes):
+            if verb == "delay":
+                found.update(names.split())
+            elif verb == "join":
+                found.difference_update(names.split())
+        return frozenset(found)
+
     def timesteps_left(self, session: Session) -> int | None:
         """Return the number of timesteps to the next comparison or change; None without any."""
         ends = [each.timesteps for each in list(self._expected)[:1]]

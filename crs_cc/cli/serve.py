@@ -48,7 +48,7 @@ Examples:
 
 
 _FOR_HOSTS: Final = (
-    *("listen", "tokens", "tls", "tls_cert", "tls_key", "on_loss", "resume"),
+    *("listen", "tokens", "tls", "tls_cert", "tls_key", "start", "on_loss", "resume"),
     *("hosts", "per_host"),
 )
 
@@ -122,6 +122,14 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     "--insecure",
     is_flag=True,
     help="Listen to other machines without TLS: tokens and programs can be read on the way.",
+)
+@click.option(
+    "--start",
+    type=click.Choice(["all", "now"]),
+    default="all",
+    show_default=True,
+    help="When the run begins: when all robots have their programs; or now, with the first, where "
+    "others join when their hosts come, with the same program.",
 )
 @click.option(
     "--on-loss",
@@ -214,6 +222,8 @@ def serve(
             raise click.UsageError("--record and --resume name the same file.")
     if not wanted.hosts:
         _check_has_no_program(wanted)
+    elif wanted.start == "now":
+        raise click.UsageError("--start now is for programs that join, not for those of --hosts.")
     if wanted.vendor:
         return _serve_vendor(wanted)
     from crs_cc.cli.export_run import recorded

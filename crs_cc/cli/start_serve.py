@@ -45,7 +45,7 @@ def start_serve(options: ServeOptions) -> int:
     with served_port(options, roster) as port:
         _greet(options, port)
         try:
-            seats = _seats(roster, options)
+            seats = _seats(roster, options, resumption)
         except KeyboardInterrupt:
             say("crs: interrupted before the run began")
             return 130
@@ -65,6 +65,7 @@ def start_serve(options: ServeOptions) -> int:
             own=own,
             front=port.front,
             resumption=resumption,
+            late=_late(world, seats, resumption),
         )
         return run_loaded(loaded, run, Diagnostics(), elsewhere)
 
@@ -76,26 +77,51 @@ def _greet(options: ServeOptions, port: ServedPort) -> None:
         say(f"crs: from other machines with: --token {port.access.token('robot')}")
 
 
-def _seats(roster: Roster, options: ServeOptions) -> list[Seat]:
-    """Wait until all robots have programs; return their hosts."""
+def _seats(roster: Roster, options: ServeOptions, resumption: Resumption | None) -> list[Seat]:
+    """Wait until the run can begin; return the hosts that have come.
+
+    Args:
+        roster: where they come.
+        options: whether to begin with the first.
+        resumption: what a run that goes on needs; None for a new run.
+    """
+    absent = frozenset() if resumption is None else resumption.absent
     told: list[str] = []
-    while missing := roster.missing():
+    every = len(roster.missing())
+    while missing := [name for name in roster.missing() if name not in absent]:
+        if options.start == "now" and resumption is None and len(missing) < every:
+            break
         if missing != told and not options.quiet:
             say(f"crs: waiting for {shown_names(missing)}")
         told = missing
         roster.wait()
+    seats = roster.begin()
     if not options.quiet:
-        say("crs: every robot has its program: the run begins")
-    return roster.begin()
+        late = roster.without(seats)
+        without = f"crs: the run begins without {shown_names(late)}"
+        say(without if late else "crs: every robot has its program: the run begins")
+    return seats
+
+
+def _late(
+    world: WorldModel, seats: Sequence[Seat], resumption: Resumption | None
+) -> dict[str, float]:
+    """Return the robots that join when their hosts have come, and not before a time [s]."""
+    here = {name for seat in seats for name in seat.names}
+    if resumption is not None:
+        here -= resumption.absent
+    return {robot.id: robot.join_s for robot in world.robots if robot.id not in here}
 
 
 def _programs(world: WorldModel, seats: Sequence[Seat]) -> list[Program]:
-    """Return the program of each robot."""
+    """Return the program of each robot; those without a host will have that of the first."""
     found: dict[str, Program] = {}
     for seat in seats:
         assert seat.program is not None
         found |= dict.fromkeys(seat.names, seat.program)
-    return [found[robot.id] for robot in world.robots]
+    first = seats[0].program
+    assert first is not None
+    return [found.get(robot.id, first) for robot in world.robots]
 
 
 def _loaded(

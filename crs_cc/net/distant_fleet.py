@@ -48,7 +48,8 @@ class DistantFleet(Fleet):
 
         Args:
             executables: each robot's program, of which its names are used.
-            links: the hosts, which have each robot once.
+            links: the hosts, which have each robot once at most; others must not join before
+                they have one.
         """
         self._programs = list(executables)
         self._mailbox = Mailbox.of_size(SLOTS + len(executables) * RECORD.itemsize)
@@ -69,6 +70,10 @@ class DistantFleet(Fleet):
     def executable(self, robot: int) -> Executable:
         """Return the names of a robot's program."""
         return self._programs[robot]
+
+    def add_link(self, link: HostLink) -> None:
+        """Take a host that has come for robots that have had none, and have not joined."""
+        self.links.append(link)
 
     # -- rounds ----------------------------------------------------------------------------------
 

@@ -38,6 +38,7 @@ class Seat:
         program: the program; None until it has been sent.
         channel: the connection; None until it is ready.
         is_offered: whether the run has not yet taken the connection.
+        is_in_run: whether the run knows it, so that it stays as it is.
     """
 
     names: tuple[str, ...]
@@ -46,13 +47,14 @@ class Seat:
     program: Program | None = None
     channel: Channel | None = None
     is_offered: bool = False
+    is_in_run: bool = False
 
 
 class Roster:
     """The seats of a run.
 
     Attributes:
-        has_begun: whether the run has begun: seats stay as they are.
+        has_begun: whether the run has begun: hosts that come later run the same program.
         has_ended: whether it has ended: no host is taken any more.
     """
 
@@ -134,7 +136,7 @@ class Roster:
                 continue
             if seat.host != hello.host and not _is_lost(seat):
                 raise RefusedError(f"{min(common, key=order.index)} has a host already")
-            if not self.has_begun:
+            if not seat.is_in_run:
                 self._seats.remove(seat)
                 continue
             if seat.names != names:
@@ -143,6 +145,9 @@ class Roster:
             require_same("program", seat.digest, hello.program)
             seat.host = hello.host
             return seat
+        if self.has_begun:  # a recording has begun with the program that was there
+            first = next(seat for seat in self._seats if seat.is_in_run)
+            require_same("program", first.digest, hello.program)
         seat = Seat(names, hello.host, hello.program)
         self._seats.append(seat)
         return seat
@@ -160,7 +165,7 @@ class Roster:
     def withdraw(self, seat: Seat, channel: Channel) -> None:
         """Forget a host that has not become ready."""
         with self._changed:
-            if not self.has_begun and seat.channel in (None, channel) and seat in self._seats:
+            if not seat.is_in_run and seat.channel in (None, channel) and seat in self._seats:
                 self._seats.remove(seat)
 
     # -- for the run, in its thread --------------------------------------------------------------
@@ -171,6 +176,11 @@ class Roster:
             ready = {name for seat in self._seats if seat.is_offered for name in seat.names}
             return [name for name in self._definitions if name not in ready]
 
+    def without(self, seats: Sequence[Seat]) -> list[str]:
+        """Return the robots that none of some hosts has."""
+        taken = {name for seat in seats for name in seat.names}
+        return [name for name in self._definitions if name not in taken]
+
     def wait(self) -> None:
         """Wait until something may have changed, not long."""
         with self._changed:
@@ -180,7 +190,19 @@ class Roster:
         """Return the seats of hosts that are ready, as the run begins."""
         with self._changed:
             self.has_begun = True
-            return [seat for seat in self._seats if seat.is_offered]
+            return self._offered()
+
+    def newcomers(self) -> list[Seat]:
+        """Return the seats of hosts that have become ready since the run began, or since."""
+        with self._changed:
+            return self._offered()
+
+    def _offered(self) -> list[Seat]:
+        """Return the seats that the run does not know, which it does from now on."""
+        found = [seat for seat in self._seats if seat.is_offered and not seat.is_in_run]
+        for seat in found:
+            seat.is_in_run = True
+        return found
 
     def take(self, seat: Seat, is_ended: Callable[[], bool]) -> Channel | None:
         """Wait for a connection to a host; return None if the run ends meanwhile."""

@@ -164,6 +164,15 @@ class SessionState:
         self.environment.admit_robot(robot)
         self.update_presence()
 
+    def delay_robots(self, robots: Sequence[int]) -> None:
+        """Keep robots out of the world until they are admitted, before anything happens.
+
+        Raises:
+            ValueError: a robot does not exist, or something has happened already.
+        """
+        self.environment.delay_robots(robots)
+        self.update_presence()
+
     def remove_robot(self, robot: int | str) -> None:
         """Remove a robot, by number or id, from the world, between two timesteps.
 
@@ -267,8 +276,8 @@ class SessionState:
     def state_hash(self) -> str:
         """Return the SHA-256 of all state, see `RunResult`."""
         digest = hashlib.sha256(self.environment.hash().encode())
-        for robot in range(len(self.fleet)):
-            program = self.fleet.snapshot(robot)
+        for robot in np.flatnonzero(np.isfinite(self.environment.state.presence.joined_s)).tolist():
+            program = self.fleet.snapshot(robot)  # others have not run
             for part in fields(program):
                 digest.update(getattr(program, part.name).tobytes())
         for disk in self.host.disks:

@@ -115,8 +115,7 @@ class AttachedRun:
     def edit(self, text: str, *, is_playing: bool) -> str:  # noqa: ARG002
         """Change it at the start of this timestep; raise DebugError if that is not possible."""
         session = self._session
-        words = words_of(text)
-        if words[:1] == ["join"] and len(words) > 2:  # not one that the world has
+        if words_of(text)[:1] in (["join"], ["delay"]):
             raise DebugError("robots are not added to a run that goes on by itself: use crs view")
         if session.time_s < self._repeats_until_s:
             until = f"{self._repeats_until_s:.2f} s"

@@ -19,6 +19,7 @@ import pytest
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
+from crs_cc.cli.changed_run import recorded_changes
 from crs_cc.cli.main import main
 from crs_cc.recording.recording import Recording
 from tests.session.programs import ROAM
@@ -186,6 +187,45 @@ def test_robots_whose_host_is_lost_stand_still_where_the_run_goes_on_without_it(
         name: len({tuple(each) for each in rows if each[0] == name}) for name in ("left", "right")
     }
     assert moved["right"] == 1 < moved["left"]
+
+
+def test_robots_whose_hosts_come_later_join_then_as_by_the_recorded_inputs(folder: Path) -> None:
+    options = "--start", "now", "--speed", "1", "--record", "late.mcap", "--max-time"
+    with served(folder, *options, "3") as environment:
+        at = environment.address
+        hosts = [join(folder, "left", at, "roam.c")]
+        environment.wait_for("the run begins without right\n")
+        hosts.append(join(folder, "right", at, "roam.c"))
+        environment.wait_for("right: here now")
+        assert environment.finish()[0] == 0
+        outputs(hosts)
+    assert main(["replay", str(folder / "late.mcap"), "--verify"]) == 0
+    changes = recorded_changes(Recording(folder / "late.mcap"))
+    assert [each.text for each in changes] == ["delay right", "join right"]
+    lines = [f"{each.position.timestep * 0.05}s: {each.text}\n" for each in changes]
+    folder.joinpath("changes.txt").write_text("".join(lines))
+    local = "run", "roam.c", "world.xml", "--inputs", "changes.txt", "--quiet", "--record"
+    subprocess.run(command(*local, "here.mcap", "--max-time", "3"), cwd=folder, check=True)
+    assert folder.joinpath("late.mcap").read_bytes() == folder.joinpath("here.mcap").read_bytes()
+
+
+def test_robots_whose_hosts_had_not_come_join_after_the_run_is_resumed(folder: Path) -> None:
+    options = "--start", "now", "--speed", "1", "--max-time"
+    with served(folder, *options, "1", "--record", "early.mcap") as environment:
+        hosts = [join(folder, "left", environment.address, "roam.c")]
+        assert environment.finish()[0] == 0
+        outputs(hosts)
+    more = "--resume", "early.mcap", "--record", "rest.mcap"
+    with served(folder, *options, "3", *more) as environment:
+        at = environment.address
+        hosts = [join(folder, name, at, "roam.c") for name in ("right", "left")]
+        assert environment.finish()[0] == 0
+        outputs(hosts)
+    assert main(["replay", str(folder / "rest.mcap"), "--verify"]) == 0
+    delayed, joined = recorded_changes(Recording(folder / "rest.mcap"))
+    assert (delayed.text, delayed.position.timestep) == ("delay right", 0)
+    assert joined.text == "join right"
+    assert joined.position.timestep >= 20
 
 
 def test_the_environment_restarts_the_programs_of_a_lost_host_itself(folder: Path) -> None:

@@ -141,6 +141,19 @@ def test_a_host_that_is_lost_while_it_has_nothing_to_run_is_replaced(
     assert opened.roster.take(seat, lambda: False)
 
 
+def test_hosts_that_come_after_the_run_has_begun_have_the_same_program(opened: Open) -> None:
+    opened.visit("left")
+    wait_until_ready(opened, "left")
+    assert [seat.names for seat in opened.roster.begin()] == [("left",)]
+    with pytest.raises(RefusedError, match="the environment has program"):
+        opened.visit("right", host="two", program=replace(PROGRAM, checked=False))
+    assert opened.roster.newcomers() == []
+    opened.visit(host="two")
+    wait_until_ready(opened, "right")
+    assert [seat.names for seat in opened.roster.newcomers()] == [("right",)]
+    assert opened.roster.newcomers() == []
+
+
 def test_versions_tokens_and_fields_are_checked(opened: Open) -> None:
     hello = Hello(TOKEN, "one", (), "digest", devices=devices_digest())
     said = refusal(opened, replace(hello, version="0.0").content())

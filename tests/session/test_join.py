@@ -18,6 +18,7 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.session import Session
@@ -62,6 +63,19 @@ def test_a_robot_that_is_let_in_is_one_that_joins_at_that_time(roam: Executable)
     assert run_to(session, 3.0).state_hash() == at_its_time.state_hash()
     session.restore(before)
     assert run_to(session, 3.0).result().robots[1].outcome == "absent"
+
+
+def test_a_robot_that_is_delayed_is_one_that_joins_later(roam: Executable):
+    at_its_time = run_to(begun(yard('join="1s"'), roam), 1.0)
+    session = begun(yard('join="0s"'), roam)
+    assert edit_run(session, "delay guest") == "not in the world until 'join': guest"
+    assert session.result().robots[1].outcome == "absent"
+    run_to(session, 1.0)
+    edit_run(session, "join guest")
+    assert session.state_hash() == at_its_time.state_hash()
+    assert run_to(session, 3.0).state_hash() == run_to(at_its_time, 3.0).state_hash()
+    with pytest.raises(DebugError, match="before anything else happens"):
+        edit_run(session, "delay home")
 
 
 def test_a_robot_that_is_let_in_waits_while_its_place_is_occupied(roam: Executable):

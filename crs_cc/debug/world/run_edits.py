@@ -138,6 +138,16 @@ def _admit(session: Session, name: str) -> str:
     return f"{name} joins" if has_joined else f"{name} joins when its place is free"
 
 
+def _delay(session: Session, _programs: Sequence[Executable], words: Words) -> str:
+    if not words:
+        raise ValueError("expected: delay ROBOT [ROBOT ...]")
+    _require_between_timesteps(session)
+    robots = session.environment.world.robots
+    numbers = [robots.index(find_robot(session.environment, name)) for name in words]
+    session.state.delay_robots(numbers)
+    return f"not in the world until 'join': {', '.join(words)}"
+
+
 def _require_between_timesteps(session: Session) -> None:
     if session.state.rounds or session.state.halted is not None:
         raise ValueError("robots join between two timesteps: 'tick' goes to the end of this one")
@@ -162,6 +172,12 @@ RUN_EDITS: Final = {
     ),
     "network": RunEdit(*NETWORK_HELP, change_network),
     "wake": RunEdit("ROBOT", "Wake a robot's program, whatever it sleeps for.", "", _wake),
+    "delay": RunEdit(
+        "ROBOT [ROBOT ...]",
+        "Keep robots out of the world until 'join ROBOT', before anything else happens.",
+        "It is as if the world gave that as their time to join.",
+        _delay,
+    ),
     "join": RunEdit(
         _JOIN,
         "Add a robot of the kind of another: join two like robot0 to 1 2.",

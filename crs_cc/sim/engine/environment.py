@@ -24,6 +24,8 @@ array([0.02])
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 
@@ -430,6 +432,10 @@ class Environment:
     def admit_robot(self, number: int) -> None:
         """Let a robot join now that is to join later."""
         self._data.admit_robot(number)
+
+    def delay_robots(self, numbers: Sequence[int]) -> None:
+        """Start again without some robots, which join when they are admitted."""
+        self._data.delay_robots(numbers)
 
     def remove_robot(self, number: int) -> None:
         """Remove a robot, or make sure that it never joins."""

@@ -104,6 +104,10 @@ class WorldData:
         self._packed: Packed | None = None
         self.is_weary = True
         self._floor = Floor(world)
+        self._start(world)
+
+    def _start(self, world: WorldModel) -> None:
+        """Set up the state of a world before its first cycle."""
         self.state = EnvState.at_start(world)
         self._equip(world)
         self._begin(np.flatnonzero(self.state.presence.present))
@@ -192,6 +196,21 @@ class WorldData:
         robots[number] = replace(robots[number], join_s=self.time_s)
         self._equip(replace(self.world, robots=tuple(robots)))
         self.come_and_go()
+
+    def delay_robots(self, numbers: Sequence[int]) -> None:
+        """Start again without some robots, which join when they are admitted.
+
+        Raises:
+            ValueError: a robot does not exist, or something has happened already.
+        """
+        robots = list(self.world.robots)
+        for number in numbers:
+            if not 0 <= number < len(robots):
+                raise ValueError(f"no robot number {number}")
+            robots[number] = replace(robots[number], join_s=np.inf)
+        if self.state.sha256() != type(self)(self.world, self._seed).state.sha256():
+            raise ValueError("robots are delayed before anything else happens")
+        self._start(replace(self.world, robots=tuple(robots)))
 
     def dismiss_robot(self, number: int) -> None:
         """Make a robot leave at the end of the current cycle; may be called at any time in it.
