@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from crs_cc.debug.timeline.change import Change
+from crs_cc.debug.timeline.note import KIND, Note
 from crs_cc.debug.timeline.position import Position
 from crs_cc.recording import topics
 
@@ -63,4 +64,14 @@ def recorded_changes(recording: Recording) -> list[Change]:
         if data.get("kind") == "change":
             with recording.errors():
                 found.append(Change.of(data))
+    return found
+
+
+def recorded_notes(recording: Recording) -> list[Note]:
+    """Return the user's notes on a recorded run; raise RecordingError if they are not valid."""
+    found = []
+    for _, data in recording.data(topics.INPUT.topic):
+        if data.get("kind") == KIND:
+            with recording.errors():
+                found.append(Note.of(data))
     return found

@@ -59,6 +59,8 @@ def record_debugged(
     while again.session.timesteps < end and again.run.can_advance:
         changed.advance_to(again.session.timesteps + 1)
         recorder.sample()
+    for each in debugger.notes:
+        recorder.change(each.as_data())
     recorder.finish(again.session.result())
     if recorder.failed is not None:
         text = f"the recording ends at {recorder.written_s:.2f} s: {recorder.failed.strerror}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from crs_cc.cli.changed_run import ChangedRun, recorded_changes
+from crs_cc.cli.changed_run import ChangedRun, recorded_changes, recorded_notes
 from crs_cc.cli.messages import show
 from crs_cc.cli.rerun import RecordedInput
 from crs_cc.core.source import Diagnostic, Location
@@ -34,6 +34,7 @@ class RecordedRunCheck:
         self._path = recording.path
         self._input = RecordedInput(recording)
         self._changes = recorded_changes(recording)
+        self._notes = recorded_notes(recording)
         self._expected: dict[int, object] = {}
         for each in recording.hashes():
             self._expected[each.timesteps] = each.digest
@@ -41,8 +42,9 @@ class RecordedRunCheck:
         self._has_warned = False
 
     def begin(self, debugger: Debugger) -> None:
-        """Compare the run of this debugger, and make the changes that were made by hand."""
+        """Compare the run of this debugger, give it the notes, and make the changes by hand."""
         self._session = debugger.session
+        debugger.notes.extend(self._notes)
         if not self._changes:
             return
         changed = ChangedRun(debugger, self._changes)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import io
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -67,9 +68,16 @@ def record_at_end(
 ) -> None:
     """Record the run as it stands when the debugger ends, if requested."""
     if options.record is not None:
-        from crs_cc.cli.record_debugged import record_debugged
+        _record(debugger, loaded, options, waiting, options.record)
 
-        record_debugged(debugger, loaded, options, waiting)
+
+def _record(
+    debugger: Debugger, loaded: Loaded, options: DebugOptions, waiting: WaitingAfter, path: Path
+) -> None:
+    """Record the run as it stands; raise OSError if the recording cannot be written."""
+    from crs_cc.cli.record_debugged import record_debugged
+
+    record_debugged(debugger, loaded, replace(options, record=path), waiting)
 
 
 def given_input(
@@ -134,4 +142,5 @@ def _made(
     end_at(debugger, options.max_time_s)
     if recorded is not None:
         recorded.begin(debugger)
+    debugger.save = functools.partial(_record, debugger, loaded, options, waiting)
     return debugger

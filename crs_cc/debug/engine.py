@@ -13,6 +13,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 from typing import Final
 
 from crs_cc.debug.branch_comparison import Difference, differences, facts
@@ -36,6 +37,7 @@ from crs_cc.debug.stop_points import StopPoints
 from crs_cc.debug.timeline.change import Change, MemoryPatch
 from crs_cc.debug.timeline.console import ReplayConsole, WaitingAfter
 from crs_cc.debug.timeline.history import History
+from crs_cc.debug.timeline.note import Note
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.view import View
@@ -61,6 +63,8 @@ class Debugger:
         navigator: what moves the run to its next or previous stop.
         branches: the alternative histories of the run.
         stop: the last stop.
+        notes: the user's notes on instants of the run.
+        save: saves the run up to here as a recording; None if that is not possible.
     """
 
     def __init__(
@@ -99,6 +103,8 @@ class Debugger:
         )
         self.branches = Branches(self.run)
         self.stop = self.navigator.stop("start")
+        self.notes: list[Note] = []
+        self.save: Callable[[Path], None] | None = None
 
     @property
     def session(self) -> Session:
@@ -452,11 +458,7 @@ class Debugger:
         return self.goto(self.branches.checkpoint(number).position)
 
     def branch(self, name: str) -> Branch:
-        """Create a branch here and switch to it; the other one stays as it is.
-
-        Raises:
-            DebugError: a branch of that name exists.
-        """
+        """Create a branch here and switch to it; raise DebugError if one has that name."""
         return self.branches.add(name)
 
     def switch(self, name: str) -> Stop:

@@ -14,7 +14,6 @@ from crs_cc.debug.commands.stop_text import Selection, selection, stop_lines
 from crs_cc.debug.data.memory_inspection import FULL
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.past import Instant
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.timeline.position import Position
 from crs_cc.ir.types import CHAR, INT, LLONG, SHORT, PointerType
@@ -56,7 +55,6 @@ class CommandContext:
         listing: what `list` showed last; None since the last stop.
         examined: the address at which `x` continues, and in which format; None for none.
         instants: the instants of the last list, see `past`, each with its robot or -1.
-        notes: the user's notes.
         has_ended: whether the user has quit.
         depth: how many scripts are being read inside each other.
         settings: the values of the settings.
@@ -74,7 +72,6 @@ class CommandContext:
         self.listing: Listing | None = None
         self.examined: tuple[int, OutputFormat] | None = None
         self.instants: list[tuple[Position, int]] = []
-        self.notes: list[Instant] = []
         self.has_ended = False
         self.depth = 0
         self.settings = Settings()

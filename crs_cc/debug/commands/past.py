@@ -16,6 +16,7 @@ from crs_cc.debug.commands.arguments import require_argument, split_arguments
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.log_text import log_text
+from crs_cc.debug.commands.notes import NOTES
 from crs_cc.debug.commands.stop_text import when_text
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.past import Instant, Past, Range
@@ -118,20 +119,6 @@ def _events(context: CommandContext, text: str) -> Answer:
     yield from _listed(context, instants, [f"{each.kind}: {each.text}" for _, each in found])
 
 
-def _note(context: CommandContext, text: str) -> Answer:
-    view = context.debugger.view
-    said = require_argument(text, 'a note, such as "here it turns the wrong way"').strip('"')
-    context.notes.append(Instant(view.position, view.time_s, said, robot=view.robot))
-    yield from ()
-
-
-def _info_notes(context: CommandContext, _text: str) -> Answer:
-    notes = sorted(context.notes, key=lambda each: each.position)
-    if not notes:
-        yield "No notes."
-    yield from _listed(context, notes, [each.text for each in notes])
-
-
 def _event_row(event: WorldEvent) -> str:
     return f"{'':6} t = {event.time_s:8.3f} s  {event.kind}: {event.text}"
 
@@ -196,11 +183,6 @@ PAST: Final = Group(
             text=f"EVENT is that of catch; default is all of them but ticks. {_RANGE_TEXT}",
             completes="catch",
         ),
-        Command(
-            "note", "TEXT", "Keep a note on the current position.", _note,
-        ),
-        Command(
-            "info notes", "", "List the notes.", _info_notes, text='"goto @3" goes to the third.',
-        ),
+        *NOTES,
     ),
 )  # fmt: skip
