@@ -92,6 +92,7 @@ class DebugApp(App[int]):
         self._goto_s: float | None = None  # the target of the time line
         self._snapshot = ScreenData()
         self._leaving = False
+        self._sought = ""  # in the source
         self._asks = ""  # the robot whose program waits for input
 
     def show(self, *, headless: bool = False) -> None:
@@ -172,7 +173,11 @@ class DebugApp(App[int]):
             return
         self._tell(request, done)
         self.main.query_one("#prompt Label", Label).update(done.prompt)
+        if done.listed is not None:
+            self._file = done.snapshot.source.file
         self._show(done.snapshot, moved=done.moved)
+        if done.listed is not None:
+            self.main.query_one(SourcePane).go_to(sum(done.listed) // 2)
         self._go_on()
         self._pursue()
 
@@ -284,6 +289,19 @@ class DebugApp(App[int]):
         line = self.main.query_one(CommandLine)
         (self.main.query_one(SourcePane) if line.has_focus else line).focus()
 
+    def action_search(self) -> None:
+        """Ask for a text to search the source for."""
+        line = self.main.query_one(CommandLine)
+        line.value, line.cursor_position = "/", 1
+        line.focus()
+
+    def _search(self, text: str) -> None:
+        """Go to the next line of the source with a text; the last one if it is empty."""
+        self._sought = text or self._sought
+        if not self.main.query_one(SourcePane).search(self._sought):
+            self.main.query_one("#console", ConsoleLog).error(f"no line has '{self._sought}'")
+            self.main.query_one(Panes).pick("console")
+
     def action_simulate(self, key: str) -> None:
         """Simulate a key press."""
         self.simulate_key(key)
@@ -294,6 +312,8 @@ class DebugApp(App[int]):
         """Handle a command, or input for a program."""
         if self._asks:
             self._give(message.line)
+        elif message.line.startswith("/"):
+            self._search(message.line[1:])
         else:
             self.typed += [message.line] if message.line.strip() else []
             self._request(BackendRequest(message.line, is_typed=True))

@@ -42,6 +42,8 @@ class BackendReply:
         moved: whether the run has moved.
         leaves: whether the user has quit.
         prompt: the prompt for the next line.
+        listed: the first and last line that the command has listed, of the file shown; None if it
+            has listed nothing.
     """
 
     snapshot: ScreenData
@@ -50,6 +52,7 @@ class BackendReply:
     moved: bool = False
     leaves: bool = False
     prompt: str = PROMPT
+    listed: tuple[int, int] | None = None
 
 
 class Backend(Protocol):

@@ -44,6 +44,7 @@ class CommandLine(Input):
             placeholder=_HINT,
             suggester=_Completions(complete),
             compact=True,
+            select_on_focus=False,  # what is typed next is added
             **arguments,  # type: ignore[arg-type]
         )
         self._complete = complete

@@ -94,6 +94,7 @@ class Controller:
         self._is_interrupted = False
         debugger.forget_interrupt()
         before, looked_at = debugger.position, (debugger.view.robot, debugger.view.frame)
+        listing, listed = self.shell.context.listing, None
         answer, errors = Text(), list[str]()
         try:
             self._answer(request, before, answer, errors)
@@ -102,6 +103,9 @@ class Controller:
                 looked_at,
             ):
                 request = replace(request, file="")
+            found = self.shell.context.listing
+            if found is not None and found is not listing:
+                request, listed = replace(request, file=found.file), (found.first, found.last)
             self._snapshot = build_snapshot(self.shell, request)
         except DebugError as error:  # the source files have changed
             errors.append(str(error))
@@ -111,7 +115,9 @@ class Controller:
             self._works = False
         has_moved = debugger.position != before
         leaves, prompt = self.shell.has_ended, self.shell.prompt
-        return BackendReply(self._snapshot, answer, tuple(errors), has_moved, leaves, prompt)
+        return BackendReply(
+            self._snapshot, answer, tuple(errors), has_moved, leaves, prompt, listed
+        )
 
     def _answer(
         self, request: BackendRequest, before: Position, answer: Text, errors: list[str]

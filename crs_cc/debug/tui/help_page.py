@@ -20,6 +20,9 @@ Tab goes from pane to pane, the arrow keys move in it, Enter unfolds or picks.
 In the gutter of the source a click sets a breakpoint. The time line is dragged; its arrow keys go \
 by timesteps, with Shift from event to event.
 
+"/text" in the command line goes to the next line of the source with this text, "/" to the one \
+after it; "list" scrolls the source. Ctrl-R searches the commands typed before.
+
 "help" in the command line explains the commands. Escape closes this page.
 """
 

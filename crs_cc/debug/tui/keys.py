@@ -56,6 +56,7 @@ SHORTCUTS: Final = (
     Shortcut("shift+f12,f24", "F", command="reverse-finish", meaning="run back to the call"),
     Shortcut("", "h", action="here", meaning="run to this line"),
     Shortcut("", "o", action="file", meaning="next source file"),
+    Shortcut("", "slash", action="search", meaning="search the source"),
     Shortcut("", "t", command="tick", meaning="one timestep forward"),
     Shortcut("", "T", command="reverse-tick", meaning="one timestep back"),
     Shortcut("", "u", command="up", meaning="select the caller"),
@@ -68,7 +69,7 @@ SHORTCUTS: Final = (
 )
 """All shortcuts; Shift with a function key is sent as the key 12 further by many terminals."""
 
-_LETTERS: Final = {"question_mark": "?", "colon": ":"}
+_LETTERS: Final = {"question_mark": "?", "colon": ":", "slash": "/"}
 
 
 def help_rows() -> list[tuple[str, str, str]]:

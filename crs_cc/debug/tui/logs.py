@@ -15,6 +15,7 @@ from crs_cc.debug.tui.printable import printable
 from crs_cc.debug.tui.screen_data import OutputLine
 
 _MAX_LINES: Final = 2000
+_STALE: Final = -1
 _ERROR: Final = Style(color="red")
 _WHO: Final = Style(color="cyan")
 _ECHO: Final = Style(dim=True)
@@ -49,16 +50,25 @@ class ConsoleLog(RichLog):
 
     def _add(self, text: Text) -> None:
         self._texts.append(text)
-        self.write(text)
+        if self.size.width:
+            self.write(text)
+        else:  # it is hidden, and its width unknown
+            self._wrapped_at = _STALE
 
     def on_resize(self, event: events.Resize) -> None:
         """Rewrap the lines."""
-        width = event.size.width
-        if self._wrapped_at not in {0, width}:
+        self._rewrap(event.size.width)
+
+    def on_show(self) -> None:
+        """Wrap what was written while the pane was hidden."""
+        self._rewrap(self.size.width)
+
+    def _rewrap(self, width: int) -> None:
+        if width and self._wrapped_at != width:
             self.clear()
             for text in self._texts:
                 self.write(text)
-        self._wrapped_at = width
+            self._wrapped_at = width
 
 
 class OutputLog(RichLog):

@@ -148,6 +148,21 @@ class SourcePane(ScrollView, can_focus=True):
         if place.x < self._gutter - 1:
             self.post_message(self.Toggle(line))
 
+    def go_to(self, line: int) -> None:
+        """Move the cursor to a line, and scroll it into view."""
+        self._mark(min(max(1, line), max(1, len(self._coloured))))
+        self.call_after_refresh(self.reveal, self.cursor)
+
+    def search(self, text: str) -> bool:
+        """Go to the next line with a text, from the cursor on and then from the start."""
+        count, wanted = len(self._coloured), text.lower()
+        for step in range(1, count + 1):
+            number = (self.cursor - 1 + step) % count
+            if wanted in self._coloured[number].plain.lower():
+                self.go_to(number + 1)
+                return True
+        return False
+
     def action_move(self, lines: int) -> None:
         """Move the cursor."""
         self._mark(min(max(1, self.cursor + lines), max(1, len(self._coloured))))
