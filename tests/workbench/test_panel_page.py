@@ -60,6 +60,24 @@ def the_table_has_a_row_for_each_robot(page: Any, debugger: Debugger) -> None:
     page.keyboard.press("9")
 
 
+def lines_of_plots_are_seen_on_light_and_dark(page: Any) -> None:
+    """A contrast of 3 to 1 at least, WCAG 2.2, 1.4.11."""
+    lines = page.evaluate("import('crs/plot.js').then(({ LINES }) => LINES)")
+    for panel in ("#ffffff", "#1c2027"):
+        for colour in lines:
+            low, high = sorted((luminance(colour), luminance(panel)))
+            assert (high + 0.05) / (low + 0.05) >= 3.0, (colour, panel)
+
+
+def luminance(colour: str) -> float:
+    """Return the relative luminance of a colour, WCAG 2.2."""
+    parts = [int(colour[at : at + 2], 16) / 255 for at in (1, 3, 5)]
+    red, green, blue = (
+        each / 12.92 if each <= 0.04045 else ((each + 0.055) / 1.055) ** 2.4 for each in parts
+    )
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
 def sensors_have_their_past_though_the_run_stands(page: Any) -> None:
     page.evaluate("crs.instruments.now = null; crs.instruments.series.clear()")
     page.evaluate("crs.instruments.known.clear()")
@@ -253,6 +271,7 @@ def test_a_run_is_seen_changed_and_restored_by_the_panel(browser: Any, tmp_path:
         with page_in(browser, screen, 1280, 720) as page:
             wait(page, "document.body.dataset.time === '0.000'")
             the_table_has_a_row_for_each_robot(page, debugger)
+            lines_of_plots_are_seen_on_light_and_dark(page)
             sensors_have_their_past_though_the_run_stands(page)
             a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page, debugger)
             a_sonar_is_degraded_and_reads_otherwise(page, debugger)

@@ -2,7 +2,7 @@
 import { gridStep } from "crs/units.js";
 import { drawSeries, limitsOf } from "crs/series.js";
 
-export const LINES = ["#0b66b8", "#e8590c", "#2b8a3e", "#8250df", "#c2255c", "#0c8599", "#a07800", "#5c5f66"];
+export const LINES = ["#2f7fe0", "#e8590c", "#2b8a3e", "#9c5fe0", "#d6406f", "#0c8599", "#a07800", "#7d828c"];
 const LEFT = 62;
 const RIGHT = 8;
 const FOOT = 18;
