@@ -166,11 +166,16 @@ class Elsewhere:
             self._seats[seat.names] = seat
             self.fleet.add_link(self._link(seat))
             say(f"crs: {shown_names(seat.names)}: here now")
-        for names in self._seats:
-            for name in names:
-                if self._late.get(name, math.inf) <= now_s + ROUNDING_S:
-                    del self._late[name]
-                    self._make(f"join {name}", made)
+        ready = [
+            name
+            for names in self._seats
+            for name in names
+            if self._late.get(name, math.inf) <= now_s + ROUNDING_S
+        ]
+        if ready:
+            self._make(f"join {' '.join(ready)}", made)
+        for name in ready:
+            del self._late[name]
 
     def _make(self, text: str, made: Callable[[Change], None]) -> None:
         edit_run(self._session, text)

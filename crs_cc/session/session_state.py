@@ -153,15 +153,15 @@ class SessionState:
         self.update_presence()
         return number
 
-    def admit_robot(self, robot: int) -> None:
-        """Let a robot join now that is to join later, between two timesteps.
+    def admit_robots(self, robots: Sequence[int]) -> None:
+        """Let robots join now that are to join later, between two timesteps.
 
-        It is as if this had been its time to join: if its place is occupied, it waits.
+        It is as if this had been their time to join: whose place is occupied waits.
 
         Raises:
-            ValueError: the robot does not exist, has joined, or has left.
+            ValueError: a robot does not exist, has joined, or has left.
         """
-        self.environment.admit_robot(robot)
+        self.environment.admit_robots(robots)
         self.update_presence()
 
     def delay_robots(self, robots: Sequence[int]) -> None:

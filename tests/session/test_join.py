@@ -81,7 +81,7 @@ def test_a_robot_that_is_delayed_is_one_that_joins_later(roam: Executable):
 def test_a_robot_that_is_let_in_waits_while_its_place_is_occupied(roam: Executable):
     other = '<robot id="other" x="19m" y="2m" leave="1s"/>'
     session = begun(yard('join="100s"', other), roam)
-    assert edit_run(session, "join guest") == "guest joins when its place is free"
+    assert edit_run(session, "join guest") == "guest joins; not before there is room: guest"
     assert run_to(session, 0.95).result().robots[2].joined_s is None
     assert run_to(session, 2.0).result().robots[2].joined_s == 1.0
 
@@ -89,12 +89,12 @@ def test_a_robot_that_is_let_in_waits_while_its_place_is_occupied(roam: Executab
 def test_who_has_joined_or_left_is_not_let_in(roam: Executable):
     session = begun(yard('join="0s"'), roam)
     with pytest.raises(ValueError, match="'guest' has already joined"):
-        session.state.admit_robot(1)
+        session.state.admit_robots([1])
     session.remove_robot("guest")
     with pytest.raises(ValueError, match="'guest' has already left"):
-        session.state.admit_robot(1)
+        session.state.admit_robots([1])
     with pytest.raises(ValueError, match="no robot number 7"):
-        session.state.admit_robot(7)
+        session.state.admit_robots([7])
 
 
 def test_a_robot_joins_at_its_time(roam: Executable):

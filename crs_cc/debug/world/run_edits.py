@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 MAX_ROBOTS: Final = 10_000
 """Robots of a run to which more may be added by hand; chosen by us."""
 
-_JOIN: Final = "NAME [like ROBOT to X Y [HEADING] [running PROGRAM]]"
+_JOIN: Final = "NAME like ROBOT to X Y [HEADING] [running PROGRAM]"
 _SLEEP: Final = "ROBOT TIME"
 _NAME: Final = re.compile(r"[\w.-]{1,60}")
 
@@ -105,8 +105,8 @@ def _running(session: Session, name: str) -> int:
 
 
 def _join(session: Session, programs: Sequence[Executable], words: Words) -> str:
-    if len(words) == 1:
-        return _admit(session, words[0])
+    if words and words[1:2] != ["like"]:
+        return _admit(session, words)
     if len(words) < 6 or words[1] != "like" or words[3] != "to":
         raise ValueError(f"expected: join {_JOIN}")
     name, place = words[0], list(words[4:])
@@ -128,24 +128,33 @@ def _join(session: Session, programs: Sequence[Executable], words: Words) -> str
     return f"{name} joins at {pose_text(start.x_m, start.y_m, start.heading_rad)}"
 
 
-def _admit(session: Session, name: str) -> str:
-    """Let a robot of the world join that is to join later."""
+def _admit(session: Session, names: Words) -> str:
+    """Let robots of the world join that are to join later."""
     _require_between_timesteps(session)
-    environment = session.environment
-    number = environment.world.robots.index(find_robot(environment, name))
-    session.state.admit_robot(number)
-    has_joined = math.isfinite(environment.state.presence.joined_s[number])
-    return f"{name} joins" if has_joined else f"{name} joins when its place is free"
+    numbers = _numbers(session, names)
+    session.state.admit_robots(numbers)
+    joined_s = session.environment.state.presence.joined_s
+    joins = f"{', '.join(names)} join{'s' * (len(names) == 1)}"
+    joined_s = session.environment.state.presence.joined_s[numbers]
+    waits = [name for name, at_s in zip(names, joined_s, strict=True) if math.isinf(at_s)]
+    return f"{joins}; not before there is room: {', '.join(waits)}" if waits else joins
 
 
 def _delay(session: Session, _programs: Sequence[Executable], words: Words) -> str:
     if not words:
         raise ValueError("expected: delay ROBOT [ROBOT ...]")
     _require_between_timesteps(session)
-    robots = session.environment.world.robots
-    numbers = [robots.index(find_robot(session.environment, name)) for name in words]
-    session.state.delay_robots(numbers)
+    session.state.delay_robots(_numbers(session, words))
     return f"not in the world until 'join': {', '.join(words)}"
+
+
+def _numbers(session: Session, names: Words) -> list[int]:
+    """Return the numbers of robots."""
+    known = {robot.id: number for number, robot in enumerate(session.environment.world.robots)}
+    for name in names:
+        if name not in known:
+            raise ValueError(unknown("robot", name, tuple(known)))
+    return [known[name] for name in names]
 
 
 def _require_between_timesteps(session: Session) -> None:
@@ -179,10 +188,10 @@ RUN_EDITS: Final = {
         _delay,
     ),
     "join": RunEdit(
-        _JOIN,
+        f"{_JOIN}, or ROBOT [ROBOT ...]",
         "Add a robot of the kind of another: join two like robot0 to 1 2.",
-        "It runs the same program, or another one of the run, by its name. With a name alone, a "
-        "robot of the world joins now whose time to join is later, or when its place is free.",
+        "It runs the same program, or another one of the run, by its name. With names alone, "
+        "robots of the world join now whose time to join is later, or when their place is free.",
         _join,
     ),
 }

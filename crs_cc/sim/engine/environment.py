@@ -429,9 +429,9 @@ class Environment:
         """Add a robot, which joins now or at its time; return its number."""
         return self._data.add_robot(robot)
 
-    def admit_robot(self, number: int) -> None:
-        """Let a robot join now that is to join later."""
-        self._data.admit_robot(number)
+    def admit_robots(self, numbers: Sequence[int]) -> None:
+        """Let robots join now that are to join later."""
+        self._data.admit_robots(numbers)
 
     def delay_robots(self, numbers: Sequence[int]) -> None:
         """Start again without some robots, which join when they are admitted."""

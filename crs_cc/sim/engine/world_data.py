@@ -181,19 +181,20 @@ class WorldData:
         leave(self.state, np.array([number]), self.time_s, self.log)
         self.come_and_go()
 
-    def admit_robot(self, number: int) -> None:
-        """Let a robot join now that is to join later, or when its place is free, between cycles.
+    def admit_robots(self, numbers: Sequence[int]) -> None:
+        """Let robots join now that are to join later, or when their place is free, between cycles.
 
         Raises:
-            ValueError: the robot does not exist, has joined, or has left.
+            ValueError: a robot does not exist, has joined, or has left.
         """
-        if not 0 <= number < len(self.world.robots):
-            raise ValueError(f"no robot number {number}")
         robots, presence = list(self.world.robots), self.state.presence
-        for done, times_s in (("left", presence.left_s), ("joined", presence.joined_s)):
-            if np.isfinite(times_s[number]):
-                raise ValueError(f"robot {robots[number].id!r} has already {done}")
-        robots[number] = replace(robots[number], join_s=self.time_s)
+        for number in numbers:
+            if not 0 <= number < len(robots):
+                raise ValueError(f"no robot number {number}")
+            for done, times_s in (("left", presence.left_s), ("joined", presence.joined_s)):
+                if np.isfinite(times_s[number]):
+                    raise ValueError(f"robot {robots[number].id!r} has already {done}")
+            robots[number] = replace(robots[number], join_s=self.time_s)
         self._equip(replace(self.world, robots=tuple(robots)))
         self.come_and_go()
 
