@@ -132,8 +132,9 @@ def outcomes(
             more = (*RUN, "--record", record) if line is ENVIRONMENT[1] else ()
             process = started(folder, line, machine, port, *more)
             stack.callback(process.communicate)
-            stack.callback(process.kill)
             processes.append(process)
+        for process in processes:  # all before one is waited for, whose browser looks at another
+            stack.callback(process.kill)
         said = [process.communicate(timeout=MOST_S) for process in processes]
     rows = zip(lines, processes, said, strict=True)
     return [(line, process.returncode, *texts) for (_, line), process, texts in rows]
