@@ -78,9 +78,16 @@ class Past:
         return Range(BEGINNING, max(recorded, self._run.position))
 
     def part(self, from_s: float | None, to_s: float | None) -> Range:
-        """Return the recorded past between two times [s]; None for its start or its end."""
+        """Return the recorded past between two times [s]; None for its start or its end.
+
+        Raises:
+            DebugError: it ends before it begins.
+        """
         whole, timestep_s = self.whole(), self._view.session.environment.timestep_s
-        begin = Position(math.floor((from_s or 0.0) / timestep_s + _SLACK), 0)
+        first_s = from_s or 0.0
+        if to_s is not None and to_s < first_s:
+            raise DebugError(f"the range {first_s:g}..{to_s:g} ends before it begins")
+        begin = Position(math.floor(first_s / timestep_s + _SLACK), 0)
         end = whole.end if to_s is None else Position(math.ceil(to_s / timestep_s - _SLACK), 0)
         return Range(min(begin, whole.end), min(end, whole.end))
 

@@ -161,3 +161,8 @@ def test_an_event_is_where_a_catchpoint_stops(tmp_path: Path) -> None:
     while (stop := debugger.resume()).breakpoints:
         caught.append(stop.position)
     assert list(dict.fromkeys(one.position for one, _ in found)) == caught
+
+
+def test_a_range_that_ends_before_it_begins_is_refused(debugger: Debugger) -> None:
+    with pytest.raises(DebugError, match="ends before it begins"):
+        past(debugger).part(3.0, 1.0)
