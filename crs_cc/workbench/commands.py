@@ -1,6 +1,6 @@
 """The table of commands that pages can send; no other reaches the run.
 
-The debugger's own commands go through `console`, as far as `console.ALLOWED` has them.
+The debugger's own commands go through `console`, as far as `allowed.ALLOWED` has them.
 """
 
 from __future__ import annotations

@@ -8,6 +8,7 @@ from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
 from crs_cc.workbench import sources
+from crs_cc.workbench.allowed import check_command
 from crs_cc.workbench.branches import KnownBranches
 from crs_cc.workbench.control import begin, panel
 from crs_cc.workbench.robot_table import status
@@ -47,7 +48,7 @@ class DebuggedRun:
         self._changes = debugger.run.history.changes
         self.halt = Halt("start", "ready to run")
         self.timestep_s = debugger.session.environment.world.timestep_s
-        self._shell = Shell(debugger)
+        self._shell = Shell(debugger, check_command)
         self._known = set(debugger.names)
         self._watcher = watcher
         self._branches = KnownBranches(debugger, watcher)

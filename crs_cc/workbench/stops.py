@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Final
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.events import KINDS
-from crs_cc.workbench.console import check_allowed
+from crs_cc.workbench.allowed import check_allowed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -112,12 +112,29 @@ def test_the_token_for_viewing_steers_nothing(live: Screen) -> None:
         assert page.told["hello"]["role"] == "view"
 
 
-@pytest.mark.parametrize("line", ["source x", "save breakpoints x", "quit", "shell ls", "so x"])
+@pytest.mark.parametrize(
+    "line", ["source x", "save breakpoints x", "save run x.mcap", "quit", "shell ls", "so x"]
+)
 def test_the_console_has_no_command_that_touches_files_or_ends_the_run(
     live: Screen, line: str
 ) -> None:
     with page_of(live) as page:
         assert page.error("console", line=line).endswith("is not available in the browser")
+
+
+@pytest.mark.parametrize("line", ["source x", "save breakpoints x.dbg", "save run x.mcap"])
+def test_a_command_for_each_robot_touches_no_files_either(live: Screen, line: str) -> None:
+    with page_of(live) as page:
+        *_, (kind, text) = page.ask("console", line=f"robot apply all {line}")["value"]["lines"]
+        assert kind == "error"
+        assert text.endswith("is not available in the browser")
+
+
+@pytest.mark.parametrize("line", ["source /", "so /", "save breakpoints /", "save run /"])
+def test_completion_lists_no_files(live: Screen, line: str) -> None:
+    with page_of(live) as page:
+        assert page.ask("complete", line=line)["value"]["words"] == []
+        assert "save" in page.ask("complete", line="sa")["value"]["words"]
 
 
 def test_commands_at_a_breakpoint_touch_no_files_either(live: Screen) -> None:

@@ -6,7 +6,7 @@ comes: what programs print while a command runs goes its own way, so that both a
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.answer import Answer, Line, SourceLine
@@ -31,8 +31,16 @@ class Shell:
         failures: how many commands have failed.
     """
 
-    def __init__(self, debugger: Debugger) -> None:
+    def __init__(self, debugger: Debugger, check: Callable[[Command], None] | None = None) -> None:
+        """Store the debugger.
+
+        Args:
+            debugger: the debugger.
+            check: raises DebugError for commands that must not be executed, those that others
+                execute and those of breakpoints included.
+        """
         self.context = CommandContext(debugger, self.execute)
+        self._check = check
         self.failures = 0
         self._repeated = ""
 
@@ -83,6 +91,8 @@ class Shell:
     def _run(self, text: str, *, by_user: bool = False) -> Iterator[Line | SourceLine]:
         try:
             command, arguments = find(text)
+            if self._check is not None:
+                self._check(command)
             if by_user:
                 self._repeated = _repeated(command, text)
             if not command.syntax:
