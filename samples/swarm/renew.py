@@ -16,8 +16,10 @@ from functools import partial
 from pathlib import Path
 from typing import Final
 
+import tour_model
 from bridge_results import of_leader, of_short
 from foraging_results import with_trails
+from ways_results import over_shortest
 
 from crs_cc.sweeps.report.findings import medians
 from crs_cc.sweeps.report.page import drawn
@@ -31,12 +33,20 @@ RESULTS: Final = FOLDER / "results"
 FIGURES: Final = ROOT / "docs" / "images"
 RUNS: Final = ROOT / "build" / "swarm"
 
+_of_tours = partial(
+    over_shortest,
+    lengths_m=tour_model.lengths_m,
+    unmarked_m=partial(tour_model.lengths_m, marks=0.0),
+    shortest_m=tour_model.shortest_m(),
+)
+
 SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
     "aggregation": (partial(results, measure="largest_group"), "curve"),
     "bridge": (of_leader, "curve"),
     "detour": (of_short, "curve"),
     "foraging": (partial(results, measure="items_per_min"), "curve"),
     "heat": (partial(results, measure="goal.cool.at_s"), "survival"),
+    "tour": (_of_tours, "curve"),
     "trails": (with_trails, "curve"),
 }
 """Of each experiment: what its rows show, and the figure that shows it."""

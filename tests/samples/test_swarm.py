@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import csv
 import runpy
+from importlib import import_module
 from pathlib import Path
+from statistics import median
+from types import ModuleType
 from typing import Any
 
 import pytest
 
+from crs_cc import Session, load_world
 from crs_cc.sweeps.sweep import Sweep
 from tests.sweeps.trials import inline
 
@@ -75,6 +80,44 @@ def test_robots_that_follow_their_trail_agree_on_one_of_two_branches(tmp_path: P
 def test_robots_find_both_branches_if_one_is_twice_as_long(tmp_path: Path) -> None:
     (row,) = rows_of("detour", tmp_path, "define.RELEASE", [1], "60s")
     assert 0.0 < float(row["measures"]["north_by_minute"]) < 1.0
+
+
+@pytest.fixture
+def tour_model(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    monkeypatch.syspath_prepend(SWARM)
+    return import_module("tour_model")
+
+
+def test_robots_visit_each_station_once_and_return(tour_model: ModuleType) -> None:
+    session = Session(load_world(SWARM / "tour.xml", seed=2), seed=2)
+    session.run(80.0)
+    printed = "".join(robot.stdout for robot in session.robots.values())
+    tours = [line.split() for line in printed.splitlines() if line[:1].isdigit()]
+    assert len(tours) >= 4
+    for _, length, order in tours:
+        tour = tuple(map(int, order))
+        assert sorted(tour) == list(range(len(tour_model.STATIONS)))
+        assert float(length) == pytest.approx(tour_model.length_m(tour), abs=1e-3)
+
+
+def test_tours_are_within_a_tenth_of_the_shortest() -> None:
+    with (SWARM / "results" / "tour.csv").open(encoding="utf-8", newline="") as file:
+        last = [row for row in csv.DictReader(file) if row["minute"] == "8"]
+    medians = {row["colony"]: float(row["median"]) for row in last}
+    assert medians["robots"] <= 1.1
+    assert medians["without trails"] > 1.1
+
+
+def test_ants_without_bodies_find_the_shortest_tour_by_their_trails(
+    tour_model: ModuleType,
+) -> None:
+    shortest = tour_model.shortest_m()
+    with_trails, without = (
+        [tour_model.lengths_m(3, seed, marks)[-1] / shortest for seed in range(30)]
+        for marks in (tour_model.MARKS_M, 0.0)
+    )
+    assert median(with_trails) == pytest.approx(1.0)
+    assert median(without) > 1.2
 
 
 def test_ants_without_bodies_choose_the_short_branch_more_often() -> None:
