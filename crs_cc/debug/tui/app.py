@@ -93,6 +93,7 @@ class DebugApp(App[int]):
         self._snapshot = ScreenData()
         self._leaving = False
         self._sought = ""  # in the source
+        self._prompted = PROMPT
         self._asks = ""  # the robot whose program waits for input
 
     def show(self, *, headless: bool = False) -> None:
@@ -172,7 +173,7 @@ class DebugApp(App[int]):
             self.exit(0)
             return
         self._tell(request, done)
-        self.main.query_one("#prompt Label", Label).update(done.prompt)
+        self._prompt(done.prompt)
         if done.listed is not None:
             self._file = done.snapshot.source.file
         self._show(done.snapshot, moved=done.moved)
@@ -333,7 +334,13 @@ class DebugApp(App[int]):
     def _ask_for(self, robot: str) -> None:
         """Direct typed lines to a robot's program; to the debugger for an empty name."""
         self._asks = robot
-        self.main.query_one("#prompt Label", Label).update(_reads(robot) if robot else PROMPT)
+        self._prompt(_reads(robot) if robot else PROMPT)
+
+    def _prompt(self, text: str) -> None:
+        """Show a prompt; only another one, as that lays out the whole screen."""
+        if text != self._prompted:
+            self._prompted = text
+            self.main.query_one("#prompt Label", Label).update(text)
 
     def _give(self, line: str | None) -> None:
         self.main.query_one("#console", ConsoleLog).echo(line or "", _reads(self._asks))

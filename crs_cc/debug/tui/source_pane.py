@@ -72,6 +72,12 @@ class SourcePane(ScrollView, can_focus=True):
     def show(self, snapshot: SourceData) -> None:
         """Show a file; scroll to the current line if it has changed."""
         before, self._snapshot = self._snapshot, snapshot
+        altered = {before.line, self.cursor, snapshot.line}
+        altered |= {
+            line
+            for line in before.breakpoints.keys() | snapshot.breakpoints.keys()
+            if before.breakpoints.get(line) != snapshot.breakpoints.get(line)
+        }
         if (snapshot.file, snapshot.lines) != (before.file, before.lines):
             self._coloured = _colour(snapshot.file, tuple(snapshot.lines))
             width = max((each.cell_len for each in self._coloured), default=0)
@@ -79,10 +85,14 @@ class SourcePane(ScrollView, can_focus=True):
             self.cursor = 1
         if snapshot.line and (snapshot.file, snapshot.line) != (before.file, before.line):
             self.cursor = snapshot.line
-        self.border_title = snapshot.file or "no source"
+        if self.border_title != (snapshot.file or "no source"):  # it draws all of the pane
+            self.border_title = snapshot.file or "no source"
         if (snapshot.file, snapshot.line) != (before.file, before.line):
             self.call_after_refresh(self.reveal, self.cursor)
-        self.refresh()
+        if snapshot.file != before.file or snapshot.lines != before.lines:
+            self.refresh()
+        for line in altered | {self.cursor}:  # a line is a twentieth of what a terminal gets
+            self.refresh_lines(line - 1)
 
     def reveal(self, line: int) -> None:
         """Scroll a line into view, with some context."""
@@ -115,7 +125,7 @@ class SourcePane(ScrollView, can_focus=True):
         text = Strip(self._coloured[number - 1].render(self.app.console))
         text = text.crop(scroll_x, scroll_x + max(0, width - gutter.cell_length))
         line = Strip.join([gutter, text]).crop(0, width).extend_cell_length(width)
-        return line.apply_style(self._background(number))
+        return line.apply_style(self._background(number)).simplify()
 
     def _marks(self, number: int) -> list[Segment]:
         snapshot = self._snapshot

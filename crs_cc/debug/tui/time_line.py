@@ -87,9 +87,8 @@ class TimeLine(Widget, can_focus=True):
         """Render the marks, or the bar below them."""
         width = self.size.width
         segments = self._bar() if y == self.size.height - 1 else self._marks()
-        return (
-            Strip(segments).adjust_cell_length(width, self.rich_style).apply_style(self.rich_style)
-        )
+        strip = Strip(segments).adjust_cell_length(width, self.rich_style)
+        return strip.apply_style(self.rich_style).simplify()
 
     def _marks(self) -> list[Segment]:
         cells: dict[int, WorldEvent] = {}

@@ -49,8 +49,12 @@ class VariablesPane(Tree[ValueRow]):
             self._before = self._now
         elif rows == self._rows:
             return
+        is_same_tree = _shape(rows) == _shape(self._rows)
         self._rows = rows
         self._now = {each.key: each.text for each in _all(rows)}
+        if is_same_tree:
+            self._relabel()
+            return
         line, top = self.cursor_line, self.scroll_y
         cursor = self.cursor_node.data.key if self.cursor_node and self.cursor_node.data else ()
         with self.prevent(Tree.NodeExpanded, Tree.NodeCollapsed):
@@ -66,6 +70,13 @@ class VariablesPane(Tree[ValueRow]):
                 self._add(node, row.parts)
             else:
                 parent.add_leaf(self._label(row), row)
+
+    def _relabel(self) -> None:
+        """Show the values in the tree that is there; only those that have changed are drawn."""
+        for node, row in zip(_nodes(self.root), _all(self._rows), strict=True):
+            node.data, label = row, self._label(row)
+            if label != node.label:
+                node.set_label(label)
 
     def _label(self, row: ValueRow) -> Text:
         if len(row.key) == 1:  # a group
@@ -106,6 +117,11 @@ def _all(rows: Iterable[ValueRow]) -> Iterator[ValueRow]:
     for row in rows:
         yield row
         yield from _all(row.parts)
+
+
+def _shape(rows: Iterable[ValueRow]) -> list[tuple[Key, bool, bool]]:
+    """Return all of a tree but the values."""
+    return [(each.key, each.has_parts, bool(each.parts)) for each in _all(rows)]
 
 
 def _nodes(node: TreeNode[ValueRow]) -> Iterator[TreeNode[ValueRow]]:

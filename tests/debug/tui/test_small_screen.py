@@ -5,14 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from rich.console import RenderableType
+from textual._compositor import CompositorUpdate
 from textual.pilot import Pilot
+from textual.screen import Screen
 
 from crs_cc.debug.tui.app import DebugApp
 from crs_cc.debug.tui.controller import Controller
 from crs_cc.debug.tui.panes import Panes
 from crs_cc.debug.tui.program_streams import ProgramStreams
 from crs_cc.debug.tui.source_pane import SourcePane
-from tests.debug.debuggers import debugger_of
+from tests.debug.debuggers import ROOT, debugger_at, debugger_of
 from tests.debug.tui.screen import SMALL, drive, enter, settle, text_of
 
 SOURCE = (
@@ -79,5 +82,29 @@ def test_a_slash_searches_the_source(controller: Controller) -> None:
         await settle(pilot)
         assert "no line has 'nowhere'" in text_of(app)
         assert app.typed == []
+
+    drive(controller, session, SMALL)
+
+
+def test_a_step_sends_at_most_5_kb_to_the_terminal() -> None:
+    """It scrolls the source by a line; before, all panes were drawn, the source twice."""
+    streams, sent = ProgramStreams(), list[str]()
+    wander = ROOT / "samples" / "scout_c" / "wander.c"
+    controller = Controller(debugger_at([wander], "room.xml", output=streams.write), streams)
+
+    def display(screen: Screen[object], update: RenderableType | None) -> None:
+        assert isinstance(update, CompositorUpdate)
+        sent.append(update.render_segments(screen.app.console))
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        app._display = display  # type: ignore[method-assign]
+        await pilot.press("escape")
+        await settle(pilot)
+        for key in "snnnsN":
+            sent.clear()
+            await pilot.press(key)
+            await settle(pilot)
+            size = sum(len(each.encode()) for each in sent)
+            assert 200 < size <= 5120, (key, size)
 
     drive(controller, session, SMALL)
