@@ -1,8 +1,11 @@
 """Measures what recording a run costs: time, and bytes for a robot and frame.
 
 One robot runs samples/scout_c/wander.c in worlds/cluttered.xml; fleets run the program of
-bench/environment.py on a jittered grid, at 20 Hz. Each run is made without and with a recorder, in
-turns, and the fastest of each counts. The same frames are then written as JSON lines and as Parquet
+bench/environment.py on a jittered grid, at 20 Hz. Runs without and with a recorder go side by side,
+a second of each in turns, from before the first timestep to the results and the end of the file.
+The fastest of each second are compared, the medians, and the means; seconds that are saved hardly
+count in the first two. Of the bytes of a recording, those of where the robots are and of where they
+believe to be are also counted alone. The same frames are then written as JSON lines and as Parquet
 (if pyarrow is installed), and timed alone, as is the encoding of frames here.
 
     python bench/record.py [--seconds S] [--repeat N] [ROBOTS ...]
@@ -12,21 +15,23 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import tempfile
 import time
 from pathlib import Path
 
 import numpy as np
+import zstandard
 from environment import PROGRAM, SETUPS, world_text
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.recording.description import RunDescription
 from crs_cc.recording.frames import messages
 from crs_cc.recording.mcap_records import NS
-from crs_cc.recording.mcap_writer import McapWriter
+from crs_cc.recording.mcap_writer import LEVEL, SMALL_LEVEL, McapWriter
 from crs_cc.recording.recorder import Recorder, RecorderOptions
 from crs_cc.recording.recording import Recording
-from crs_cc.recording.topics import FRAME
+from crs_cc.recording.topics import FRAME, ODOMETRY
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
@@ -35,6 +40,7 @@ from crs_cc.sim.model.world import WorldModel
 
 ROOT = Path(__file__).parents[1]
 TIMESTEP = "50ms"
+KINDS = ["off", "none", "read"]  # what is recorded of sensors
 FEW = 100  # robots of which several runs fit into a second
 
 
@@ -51,48 +57,96 @@ def made(robots: int, folder: Path) -> tuple[WorldModel, Executable]:
     return load_world(folder / "world.xml"), program
 
 
-def run_s(
-    world: WorldModel, program: Executable, seconds: float, recorder: Recorder | None
-) -> float:
-    """Return the processor time of a run [s], its start left out."""
-    write = recorder.write if recorder else (lambda _robot, _stream, _content: None)
-    session = Session(
-        world, [program] * len(world.robots), output=write, observer=recorder, threads=1
-    )
-    start = time.process_time()
-    if recorder:
-        recorder.begin(session)
-    while session.time_s < seconds - 1e-9:
-        session.step()
-        if recorder:
-            recorder.sample()
-    used_s = time.process_time() - start
-    if recorder:
-        recorder.finish(session.result())
-    return used_s
+class Run:
+    """A run that is recorded or not.
+
+    Attributes:
+        used_s: the processor time of each of its parts [s]: its begin, its seconds, its end.
+    """
+
+    def __init__(self, world: WorldModel, program: Executable, recorder: Recorder | None) -> None:
+        write = recorder.write if recorder else (lambda _robot, _stream, _content: None)
+        programs = [program] * len(world.robots)
+        self.used_s: list[float] = []
+        self._session = Session(world, programs, output=write, observer=recorder, threads=1)
+        self._recorder = recorder
+
+    def begin(self) -> None:
+        start = time.process_time()
+        if self._recorder:
+            self._recorder.begin(self._session)
+        self.used_s.append(time.process_time() - start)
+
+    def advance(self, until_s: float) -> None:
+        """Advance the run to a time."""
+        start = time.process_time()
+        while self._session.time_s < until_s - 1e-9:
+            self._session.step()
+            if self._recorder:
+                self._recorder.sample()
+        self.used_s.append(time.process_time() - start)
+
+    def finish(self) -> None:
+        start = time.process_time()
+        result = self._session.result()
+        if self._recorder:
+            self._recorder.finish(result)
+        self.used_s.append(time.process_time() - start)
+
+
+def parts_s(world: WorldModel, program: Executable, seconds: float, folder: Path) -> np.ndarray:
+    """Return the processor time of the parts of a run of each kind [s], (kinds, parts)."""
+    runs = []
+    for name in KINDS:
+        recorder = None
+        if name != "off":
+            options = RecorderOptions(sensors=name)
+            path = folder / f"{name}.mcap"
+            recorder = Recorder(path, options, RunDescription().metadata(), {})
+        runs.append(Run(world, program, recorder))
+    for run in runs:
+        run.begin()
+    for second in range(1, math.ceil(seconds) + 1):
+        first = second % len(runs)
+        for run in runs[first:] + runs[:first]:
+            run.advance(min(second, seconds))
+    for run in runs:
+        run.finish()
+    return np.array([run.used_s for run in runs])
 
 
 def measure(robots: int, seconds: float, repeat: int, folder: Path) -> None:
     """Print what recording a run costs."""
     world, program = made(robots, folder)
     steps = round(seconds / world.timestep_s)
-    plain_s = {name: float("inf") for name in ("off", "none", "read")}
-    sizes = {}
-    for _ in range(repeat):
-        for name in ("off", "none", "read"):
-            path = folder / f"{name}.mcap"
-            recorder = None
-            if name != "off":
-                options = RecorderOptions(sensors=name)
-                recorder = Recorder(path, options, RunDescription().metadata(), {})
-            plain_s[name] = min(plain_s[name], run_s(world, program, seconds, recorder))
-            if recorder:
-                sizes[name] = path.stat().st_size
-    for name in ("none", "read"):
-        more = plain_s[name] / plain_s["off"] - 1.0
-        each = sizes[name] / robots / steps
-        print(f"{robots:7,}  sensors {name:5} {100 * more:+7.1f} % {each:9.2f} bytes/robot/frame")
+    used_s = np.array([parts_s(world, program, seconds, folder) for _ in range(repeat)])
+    for number, name in enumerate(KINDS[1:], 1):
+        more = [
+            100.0 * (kinds_s[number] / kinds_s[0] - 1.0)
+            for of in (np.min, np.median, np.mean)
+            for kinds_s in [of(used_s, axis=0).sum(axis=1)]
+        ]
+        whole = (folder / f"{name}.mcap").stat().st_size / robots / steps
+        print(f"{robots:7,}  sensors {name:5} fastest {more[0]:+5.1f} %, median {more[1]:+5.1f} %,"
+              f" mean {more[2]:+5.1f} %{whole:9.2f} bytes/robot/frame")  # fmt: skip
+    true, believed = (
+        frame_bytes(folder / "none.mcap", topic) / robots / steps
+        for topic in (FRAME.topic, ODOMETRY.topic)
+    )
+    print(f"{'':9}of these, frames alone: {true:.2f} where they are, {believed:.2f} where they"
+          f" believe to be, {true + believed:.2f} in all")  # fmt: skip
     write_alone(folder / "none.mcap", robots, folder)
+
+
+def frame_bytes(path: Path, topic: str) -> int:
+    """Return how many bytes the messages of a topic take when they are compressed alone."""
+    recording, size = Recording(path), 0
+    for chunk in recording.mcap.chunks:
+        found = [each.data for each in recording.mcap.messages(chunk) if each.topic == topic]
+        level = SMALL_LEVEL if len(recording.rosters[0].robots) < FEW else LEVEL
+        size += len(zstandard.compress(b"".join(found), level)) if found else 0
+    recording.close()
+    return size
 
 
 def write_alone(path: Path, robots: int, folder: Path) -> None:
@@ -161,7 +215,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
     parser.add_argument("robots", nargs="*", type=int, default=[1, 100, 10_000])
     parser.add_argument("--seconds", type=float, default=20.0, help="simulated time (default 20)")
-    parser.add_argument("--repeat", type=int, default=3, help="runs of each kind (default 3)")
+    parser.add_argument("--repeat", type=int, default=5, help="runs of each kind (default 3)")
     options = parser.parse_args()
     for robots in options.robots:
         seconds = options.seconds if robots <= FEW else min(options.seconds, 3.0)

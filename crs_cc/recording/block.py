@@ -6,12 +6,13 @@ saved; the whole block takes fewer bytes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Final
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 from crs_cc.recording import readings, topics
+from crs_cc.recording.content import as_fields
 from crs_cc.recording.entries import Entries
 from crs_cc.recording.frames import messages
 from crs_cc.recording.hashes import Hash, entry_of
@@ -25,13 +26,12 @@ if TYPE_CHECKING:
 Encoded = tuple[Channel, int, bytes]
 """A message: its channel, time [ns] and content."""
 
-Answers = tuple[int, "IndexArray", "FloatArray", "Int32Array"]
-"""Readings that were given together: the request's code, the robots, when each program continued
-[s], the vectors; none of the arrays is ever changed."""
+_RawFrame = tuple[bytes, bytes, bytes, bytes, "BoolArray"]
+"""Positions [m] of all bodies (rows, 2), their angles [rad], headings [rad] of the robots, the
+turrets' angles [rad] if there are any, and which robots are in the world."""
 
-_RawFrame = tuple["FloatArray", "FloatArray", "FloatArray", "BoolArray", "FloatArray | None"]
-"""Positions [m] of all bodies (rows, 2), headings [rad] of the robots, angles [rad] of all bodies,
-which robots are in the world, and the turrets' angles [rad] if there are any."""
+_RawAnswers = tuple[int, int, bytes, bytes, bytes]
+"""The request's code, how many robots were answered, and what `Block.add_answers` is given."""
 
 _Frames = tuple[list[int], "FloatArray"]
 """Times [ns], and the numbers of the frames of these times (frames, columns, rows)."""
@@ -39,6 +39,7 @@ _Frames = tuple[list[int], "FloatArray"]
 _ROW: Final = 12  # bytes of a body in a frame
 _READING: Final = 32  # bytes of a reading when encoded, roughly
 _HASH: Final = 64
+_PIECE: Final = 54  # bytes of a piece of output besides its text
 
 
 class Block:
@@ -49,21 +50,22 @@ class Block:
         frames: how many frames it has.
         rows: how many readings it has.
         seconds: how many whole seconds it has; the recorder counts them.
-        entries: what it has of everything in JSON but hashes.
+        entries_size: the bytes of everything in JSON but hashes, roughly.
     """
 
     def __init__(self, begin_s: float) -> None:
         """Create an empty one."""
         self.begin_s = begin_s
-        self.frames = self.rows = self.seconds = 0
-        self.entries = Entries()
+        self.frames = self.rows = self.seconds = self.entries_size = 0
+        self._entries = Entries()
         self._size = 0
         self._frames: list[_RawFrame] = []
-        self._times_ns: list[int] = []
-        self._believed: list[FloatArray] = []
-        self._believed_ns: list[int] = []
-        self._answers: list[Answers] = []
-        self._answered_ns: list[int] = []
+        self._times_s: list[float] = []
+        self._believed: list[bytes] = []
+        self._believed_s: list[float] = []
+        self._answers: list[_RawAnswers] = []
+        self._answered_s = 0.0  # when the first of them were
+        self._output: list[tuple[int, int, int, bytes]] = []  # time [ns], robot, stream, content
         self._hashes: list[tuple[int, Hash]] = []
         self._saved_frames: list[_Frames] = []
         self._saved_odometry: list[_Frames] = []
@@ -73,37 +75,64 @@ class Block:
     @property
     def size(self) -> int:
         """Return how many bytes it takes when encoded, roughly."""
-        return self._size + self.entries.size
+        return self._size + self.entries_size
 
-    def add_frame(self, time_ns: int, state: EnvState, *, has_turret: bool) -> None:
+    def add_frame(self, time_s: float, state: EnvState, *, has_turret: bool) -> None:
         """Copy a frame from a state."""
         bodies = state.bodies
-        self._times_ns.append(time_ns)
+        self._times_s.append(time_s)
         self._frames.append(
             (
-                bodies.position_m.copy(),
-                state.heading_rad.copy(),
-                bodies.angle_rad.copy(),
+                bodies.position_m.tobytes(),
+                bodies.angle_rad.tobytes(),
+                state.heading_rad.tobytes(),
+                state.drive.turret_rad.tobytes() if has_turret else b"",
                 state.presence.present,  # never changed in place
-                state.drive.turret_rad.copy() if has_turret else None,
             )
         )
         self.frames += 1
         self._size += _ROW * len(bodies.angle_rad)
 
-    def add_odometry(self, time_ns: int, state: EnvState) -> None:
+    def add_odometry(self, time_s: float, state: EnvState) -> None:
         """Copy what the robots believe from a state."""
         odometry = state.odometry
-        self._believed_ns.append(time_ns)
-        self._believed.append(np.array((odometry.x_m, odometry.y_m, odometry.heading_rad)))
+        self._believed_s.append(time_s)
+        for column in (odometry.x_m, odometry.y_m, odometry.heading_rad):
+            self._believed.append(column.tobytes())
         self._size += _ROW * len(odometry.x_m)
 
-    def add_answers(self, time_ns: int, answers: Answers) -> None:
-        """Add readings that were given in a timestep."""
-        self._answered_ns.append(time_ns)
-        self._answers.append(answers)
-        self.rows += len(answers[1])
-        self._size += _READING * len(answers[1])
+    def add_answers(
+        self,
+        time_s: float,
+        code: int,
+        robots: IndexArray,
+        clock_s: FloatArray,
+        states: Int32Array,
+    ) -> None:
+        """Add readings that were given together in a timestep.
+
+        Args:
+            time_s: its start.
+            code: the request's code.
+            robots: who was answered.
+            clock_s: when each program continued.
+            states: the vectors.
+        """
+        count = len(robots)
+        if not self._answers:
+            self._answered_s = time_s
+        self._answers.append((code, count, robots.tobytes(), clock_s.tobytes(), states.tobytes()))
+        self.rows += count
+        self._size += _READING * count
+
+    def add_output(self, time_ns: int, robot: int, stream: int, content: bytes) -> None:
+        """Add a piece of a program's output."""
+        self._output.append((time_ns, robot, stream, content))
+        self.entries_size += _PIECE + len(content)
+
+    def add_entry(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> None:
+        """Add an entry of anything in JSON but output and hashes."""
+        self.entries_size += self._entries.add(channel, time_ns, data)
 
     def add_hash(self, time_ns: int, found: Hash) -> None:
         """Add the hash of an instant, in the place of one that it has."""
@@ -125,7 +154,7 @@ class Block:
         yield from _frame_messages(topics.FRAME, self._saved_frames[frames:])
         yield from _frame_messages(topics.ODOMETRY, self._saved_odometry[odometry:])
         yield from _readings(ReadingEncoder(), self._saved_readings[found:])
-        yield from self.entries.unmarked()
+        yield from self._entries.unmarked()
         yield from _hash_messages(hashes)
 
     def messages(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
@@ -134,39 +163,45 @@ class Block:
         yield from _frame_messages(topics.FRAME, self._saved_frames)
         yield from _frame_messages(topics.ODOMETRY, self._saved_odometry)
         yield from _readings(encoder, self._saved_readings)
-        yield from self.entries.messages()
+        yield from self._entries.messages()
         yield from _hash_messages(self._hashes)
 
     def take(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
         """Yield the messages of readings and entries, and remove these; nothing must be saved."""
         self._gather()
         yield from _readings(encoder, self._saved_readings)
-        yield from self.entries.messages()
-        self._saved_readings, self.rows, self.entries = [], 0, Entries()
+        yield from self._entries.messages()
+        self._saved_readings, self._entries = [], Entries()
+        self.rows = self.entries_size = 0
 
     def _gather(self) -> tuple[int, int, int]:
         """Put what is new into arrays; return how many of each kind have been there before."""
         before = len(self._saved_frames), len(self._saved_odometry), len(self._saved_readings)
         if self._frames:
-            self._saved_frames.append((self._times_ns, _values(self._frames)))
-            self._times_ns, self._frames = [], []
+            self._saved_frames.append(([ns(each) for each in self._times_s], _values(self._frames)))
+            self._times_s, self._frames = [], []
         if self._believed:
-            self._saved_odometry.append((self._believed_ns, np.array(self._believed)))
-            self._believed_ns, self._believed = [], []
+            believed = np.frombuffer(b"".join(self._believed)).reshape(len(self._believed_s), 3, -1)
+            self._saved_odometry.append(([ns(each) for each in self._believed_s], believed))
+            self._believed_s, self._believed = [], []
         if self._answers:
-            self._saved_readings.append((self._answered_ns[0], _together(self._answers)))
-            self._answered_ns, self._answers = [], []
+            self._saved_readings.append((ns(self._answered_s), _together(self._answers)))
+            self._answers = []
+        for time_ns, robot, stream, content in self._output:
+            data = {"robot": robot, "stream": stream, **as_fields(content)}
+            self._entries.add(topics.OUTPUT, time_ns, data)
+        self._output = []
         return before
 
 
-def _together(answers: Sequence[Answers]) -> Readings:
+def _together(answers: Sequence[_RawAnswers]) -> Readings:
     """Return answers as rows."""
-    codes, robots, clock_s, states = zip(*answers, strict=True)
+    codes, counts, robots, clock_s, states = zip(*answers, strict=True)
     return Readings(
-        np.repeat(codes, [len(each) for each in robots]),
-        np.concatenate(robots),
-        np.concatenate(clock_s),
-        np.concatenate(states),
+        np.repeat(codes, counts),
+        np.frombuffer(b"".join(robots), np.intp),
+        np.frombuffer(b"".join(clock_s)),
+        np.frombuffer(b"".join(states), np.int32).reshape(-1, readings.STATE),
     )
 
 
@@ -207,10 +242,14 @@ def _hash_messages(found: Sequence[tuple[int, Hash]]) -> Iterator[Encoded]:
 
 def _values(frames: Sequence[_RawFrame]) -> FloatArray:
     """Return frames as an array (frames, columns, rows)."""
-    positions_m, headings_rad, angles_rad, present, turrets_rad = zip(*frames, strict=True)
-    robots, has_turret = len(headings_rad[0]), turrets_rad[0] is not None
-    block = np.zeros((len(frames), 3 + has_turret, len(angles_rad[0])))
-    block[:, :2] = np.array(positions_m).swapaxes(1, 2)
+    count = len(frames)
+    *columns, present = zip(*frames, strict=True)
+    positions_m, angles_rad, headings_rad, turrets_rad = (
+        np.frombuffer(b"".join(each)).reshape(count, -1) for each in columns
+    )
+    rows, robots, has_turret = angles_rad.shape[1], headings_rad.shape[1], turrets_rad.size > 0
+    block = np.zeros((count, 3 + has_turret, rows))
+    block[:, :2] = positions_m.reshape(count, rows, 2).swapaxes(1, 2)
     block[:, 2] = angles_rad
     block[:, 2, :robots] = headings_rad
     if has_turret:

@@ -21,12 +21,11 @@ def digest(session: Session) -> str:
     """Return the hash of a run between two timesteps."""
     state, world = session.state, session.environment.last_state
     odometry, bodies = world.odometry, world.bodies
-    found = hashlib.sha256(b"%d" % session.timesteps)
-    for array in (
+    arrays = (
         *(state.clock_s, state.fuel, state.alive, state.due_s, state.ended_s, state.called_s),
         *(bodies.position_m, bodies.angle_rad, bodies.velocity_mps, world.heading_rad),
         *(odometry.x_m, odometry.y_m, odometry.heading_rad),
         *(world.collisions, world.commands, world.distance_m),
-    ):
-        found.update(array.tobytes())
-    return found.hexdigest()[:DIGITS]
+    )
+    content = b"".join([b"%d" % session.timesteps, *(array.tobytes() for array in arrays)])
+    return hashlib.sha256(content).hexdigest()[:DIGITS]

@@ -6,7 +6,8 @@ would say if each entry were one.
 >>> from crs_cc.recording.topics import EVENT
 >>> gathered = Entries()
 >>> gathered.add(EVENT, 1_500_000_000, {"kind": "left", "robot": 3})
->>> gathered.add(EVENT, 1_200_000_000, {"kind": "joined", "robot": 4})
+44
+>>> size = gathered.add(EVENT, 1_200_000_000, {"kind": "joined", "robot": 4})
 >>> ((channel, time_ns, data),) = gathered.messages()
 >>> channel.topic, time_ns, data.decode()[:60]
 ('/crs/event', 1500000000, '{"entries":[{"time_us":1200000,"kind":"joined","robot":4},{"')
@@ -31,37 +32,36 @@ _Entry = tuple[int, bytes]  # its time [us] and its JSON
 
 
 class Entries:
-    """What waits to be written.
-
-    Attributes:
-        size: its bytes, roughly.
-    """
+    """What waits to be written."""
 
     def __init__(self) -> None:
         """Create one without entries."""
-        self.size = 0
         self._found: dict[Channel, list[_Entry]] = {}
         self._marked: dict[Channel, int] = {}
 
-    def add(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> None:
-        """Add an entry."""
+    def add(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> int:
+        """Add an entry; return how many bytes it takes."""
         time_us = round(time_ns / _US)
         content = _COMPACT.encode({"time_us": time_us, **data}).encode()
         self._found.setdefault(channel, []).append((time_us, content))
-        self.size += len(content) + 1
+        return len(content) + 1
 
     def messages(self) -> Iterator[tuple[Channel, int, bytes]]:
         """Yield a message of each channel, with its time."""
-        for channel, found in self._found.items():
+        for channel, found in self._by_channel():
             yield channel, *_message(found)
 
     def unmarked(self) -> Iterator[tuple[Channel, int, bytes]]:
         """Yield messages of what was added since the last time."""
-        for channel, found in self._found.items():
+        for channel, found in self._by_channel():
             begin = self._marked.get(channel, 0)
             if begin < len(found):
                 self._marked[channel] = len(found)
                 yield channel, *_message(found[begin:])
+
+    def _by_channel(self) -> list[tuple[Channel, list[_Entry]]]:
+        """Return what there is, in an order that does not depend on what was added first."""
+        return sorted(self._found.items(), key=lambda each: each[0].topic)
 
 
 def _message(found: list[_Entry]) -> tuple[int, bytes]:

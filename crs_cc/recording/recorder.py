@@ -11,6 +11,7 @@ When the disk is full, the recording ends and the run goes on.
 from __future__ import annotations
 
 import json
+import math
 import os
 import stat
 import time
@@ -50,7 +51,7 @@ BLOCK_S: Final = SPAN_NS / NS
 """A chunk holds at most so much simulated time: more would save little. What a second brings is
 saved before, so that a killed run loses no more."""
 
-SAVE_AFTER_S: Final = 0.1
+SAVE_AFTER_S: Final = 0.5
 """Real time between two savings at least: what is done in it is lost when a run is killed. A robot
 alone is simulated in less than a hundredth of the time; to save each of its seconds took 5 %."""
 
@@ -134,7 +135,7 @@ class Recorder:
         self._stride = max(1, round(self._options.every_s / session.environment.timestep_s))
         self._last = session.timesteps
         self._next_hash = session.timesteps + self._per_second
-        self._alive = session.state.alive.copy()
+        self._alive = session.state.alive.tobytes()
         self._hides_state = session.fleet.has_marks and not self._options.for_debugger
         if self._options.foxglove:
             from crs_cc.recording.foxglove.messages import FoxgloveView
@@ -158,21 +159,21 @@ class Recorder:
         self._note_movement()
         if self.failed is not None:
             return
-        time_ns = ns(step.time_s)
         for event in events_of(step):
             self._add_json(topics.EVENT, ns(event.pop("time_s")), event)
         if len(step.traffic):
-            self._add_json(topics.MESSAGE, time_ns, traffic_of(step.traffic, step.posted))
+            self._add_json(topics.MESSAGE, ns(step.time_s), traffic_of(step.traffic, step.posted))
         if self._options.sensors == "none":
             return
         for served in step.served:
             if served.states is not None:
-                answers = served.code, served.robots, served.clock_s, served.states
-                self._block.add_answers(time_ns, answers)
+                self._block.add_answers(
+                    step.time_s, served.code, served.robots, served.clock_s, served.states
+                )
             elif served.replies is not None:
                 reading = readings_of(served)
                 if reading is not None:
-                    self._add_json(topics.READING, time_ns, reading)
+                    self._add_json(topics.READING, ns(step.time_s), reading)
         if self._block.rows > MAX_ROWS:
             self._shorten()
 
@@ -181,9 +182,9 @@ class Recorder:
         if self.failed is not None:
             return
         self._output_crc = zlib.crc32(content, self._output_crc)
-        data = {"robot": robot, "stream": stream, **as_fields(content)}
         time_ns = self._nowns(robot)
-        self._add_json(topics.OUTPUT, time_ns, data)
+        self._block.add_output(time_ns, robot, stream, content)
+        self._limit_entries()
         if self._foxglove is not None:
             from crs_cc.recording.foxglove.messages import LOG, log_message
 
@@ -303,20 +304,20 @@ class Recorder:
     def _add_frame(self) -> None:
         environment, block = self._session.environment, self._block
         state, time_s = environment.last_state, environment.time_s
-        time_ns = ns(time_s)
         if self._frames % ODOMETRY_FRAMES == 0:
-            block.add_odometry(time_ns, state)
+            block.add_odometry(time_s, state)
         self._frames += 1
-        block.add_frame(time_ns, state, has_turret=self._has_turret)
+        block.add_frame(time_s, state, has_turret=self._has_turret)
         self._moved = False
         if self._foxglove is not None:
             names = self._robot_ids, self._object_names
+            time_ns = ns(time_s)
             channel, data = self._foxglove.frame(time_ns, block.last_frame(), *names)
             self._writer.add(channel, time_ns, data)
         if self._options.sensors == "all":
             robots = np.flatnonzero(state.presence.present)
-            clock_s = np.full(len(robots), time_s)
-            block.add_answers(time_ns, (0, robots, clock_s, environment.last_readings(robots)))
+            clock_s, states = np.full(len(robots), time_s), environment.last_readings(robots)
+            block.add_answers(time_s, 0, robots, clock_s, states)
 
     def _add_hash(self, state_hash: str = "") -> None:
         self._note_ends()
@@ -329,10 +330,10 @@ class Recorder:
         """Record which programs have ended since the last time."""
         session = self._session
         alive = session.state.alive
-        if len(alive) == len(self._alive) and np.array_equal(alive, self._alive):
+        if alive.tobytes() == self._alive:
             return
         before: BoolArray = np.zeros(len(alive), np.bool_)
-        before[: len(self._alive)] = self._alive
+        before[: len(self._alive)] = np.frombuffer(self._alive, np.bool_)
         for robot in np.flatnonzero(before & ~alive).tolist():
             result = session.state.robot_result(robot)
             text = f"program {result.outcome}"
@@ -342,7 +343,7 @@ class Recorder:
                 text = f"{result.error.location}: {result.error.text}"
             data = {"kind": result.outcome, "robot": robot, "text": text}
             self._add_json(topics.EVENT, ns(result.time_s), data)
-        self._alive = alive.copy()
+        self._alive = alive.tobytes()
 
     def _note_roster(self) -> None:
         """Record who and what is there from now on; a key frame follows."""
@@ -366,14 +367,17 @@ class Recorder:
     # -- messages --------------------------------------------------------------------------------
 
     def _add_json(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> None:
-        self._block.entries.add(channel, time_ns, data)
-        if self._block.entries.size > MAX_CHUNK:
+        self._block.add_entry(channel, time_ns, data)
+        self._limit_entries()
+
+    def _limit_entries(self) -> None:
+        if self._block.entries_size > MAX_CHUNK:
             self._shorten()
 
     def _nowns(self, robot: int) -> int:
         session = self._session
         clock_s = float(session.state.clock_s[robot])
-        return ns(clock_s if np.isfinite(clock_s) else session.time_s)
+        return ns(clock_s if math.isfinite(clock_s) else session.time_s)
 
     def _try(self, write: Callable[[], None]) -> None:
         if self.failed is None:
