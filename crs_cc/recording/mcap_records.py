@@ -95,6 +95,11 @@ class Message:
         return self.time_ns / NS
 
 
+def ns(time_s: float) -> int:
+    """Return a time as it is in a recording."""
+    return max(0, round(time_s * NS))
+
+
 def record(op: Op, content: bytes) -> bytes:
     """Return a record."""
     return PREFIX.pack(op, len(content)) + content

@@ -24,15 +24,15 @@ from typing import TYPE_CHECKING, Any, BinaryIO, Final, Literal
 import numpy as np
 
 from crs_cc.recording import topics
-from crs_cc.recording.block import Block, ns
+from crs_cc.recording.block import Block
 from crs_cc.recording.content import as_fields
 from crs_cc.recording.digest import digest
 from crs_cc.recording.entries import SPAN_NS
 from crs_cc.recording.hashes import STATE_DIGITS, Hash
-from crs_cc.recording.mcap_records import NS, Channel
+from crs_cc.recording.mcap_records import NS, Channel, ns
 from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
 from crs_cc.recording.readings import ReadingEncoder
-from crs_cc.recording.step_events import events_of, readings_of, traffic_of
+from crs_cc.recording.step_events import events_of, marks_of, readings_of, traffic_of
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import BoolArray
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from crs_cc.recording.foxglove.sensors import FoxgloveSensors
     from crs_cc.session.result import RunResult
     from crs_cc.session.session import Session
-    from crs_cc.sim.engine.step import Step
+    from crs_cc.sim.engine.step import Served, Step
 
 Sensors = Literal["none", "read", "all"]
 
@@ -159,23 +159,31 @@ class Recorder:
         self._note_movement()
         if self.failed is not None:
             return
-        for event in events_of(step):
-            self._add_json(topics.EVENT, ns(event.pop("time_s")), event)
+        if len(step.contacts.robot) or step.events:
+            for event in events_of(step):
+                self._add_json(topics.EVENT, ns(event.pop("time_s")), event)
         if len(step.traffic):
             self._add_json(topics.MESSAGE, ns(step.time_s), traffic_of(step.traffic, step.posted))
-        if self._options.sensors == "none":
-            return
+        reads = self._options.sensors != "none"
         for served in step.served:
-            if served.states is not None:
-                self._block.add_answers(
-                    step.time_s, served.code, served.robots, served.clock_s, served.states
+            states = served.states
+            if states is None:
+                self._note_served(step, served)
+            elif reads:
+                self._block.readings.add(
+                    step.time_s, served.code, served.robots, served.clock_s, states
                 )
-            elif served.replies is not None:
-                reading = readings_of(served)
-                if reading is not None:
-                    self._add_json(topics.READING, ns(step.time_s), reading)
-        if self._block.rows > MAX_ROWS:
+        if self._block.readings.rows > MAX_ROWS:
             self._shorten()
+
+    def _note_served(self, step: Step, served: Served) -> None:
+        """Record what became of requests that do not reply `State`."""
+        for event in marks_of(served):
+            self._add_json(topics.EVENT, ns(event.pop("time_s")), event)
+        if served.replies is not None and self._options.sensors != "none":
+            reading = readings_of(served)
+            if reading is not None:
+                self._add_json(topics.READING, ns(step.time_s), reading)
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
         """Record a piece of a program's output."""
@@ -305,19 +313,20 @@ class Recorder:
         environment, block = self._session.environment, self._block
         state, time_s = environment.last_state, environment.time_s
         if self._frames % ODOMETRY_FRAMES == 0:
-            block.add_odometry(time_s, state)
+            block.odometry.add(time_s, state)
         self._frames += 1
-        block.add_frame(time_s, state, has_turret=self._has_turret)
+        block.frames.add(time_s, state, has_turret=self._has_turret)
         self._moved = False
         if self._foxglove is not None:
             names = self._robot_ids, self._object_names
             time_ns = ns(time_s)
-            channel, data = self._foxglove.frame(time_ns, block.last_frame(), *names)
+            _, values = block.frames.since(len(block.frames) - 1)
+            channel, data = self._foxglove.frame(time_ns, values[0], *names)
             self._writer.add(channel, time_ns, data)
         if self._options.sensors == "all":
             robots = np.flatnonzero(state.presence.present)
             clock_s, states = np.full(len(robots), time_s), environment.last_readings(robots)
-            block.add_answers(time_s, 0, robots, clock_s, states)
+            block.readings.add(time_s, 0, robots, clock_s, states)
 
     def _add_hash(self, state_hash: str = "") -> None:
         self._note_ends()

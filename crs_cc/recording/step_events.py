@@ -22,18 +22,20 @@ _FATES = [fate.name.lower() for fate in Fate]
 
 
 def events_of(step: Step) -> Iterator[dict[str, Any]]:
-    """Yield the events of a timestep except messages, each with its `time_s`, `kind` and `text`."""
-    if len(step.contacts.robot):
-        yield from _collisions(step)
+    """Yield the contacts and other events of a timestep, each with `time_s`, `kind` and `text`."""
+    yield from _collisions(step)
     for event in step.events:
         yield {
             "time_s": event.time_s, "kind": event.kind, "robot": event.robot, "text": event.text
         }  # fmt: skip
-    for served in step.served:
-        if served.code == _DRAW:
-            yield from _marks(served)
-        elif served.code == _REFRESH:
-            yield from _erasures(served)
+
+
+def marks_of(served: Served) -> Iterator[dict[str, Any]]:
+    """Yield what programs drew or erased by a request, as such events."""
+    if served.code == _DRAW:
+        yield from _marks(served)
+    elif served.code == _REFRESH:
+        yield from _erasures(served)
 
 
 def _erasures(served: Served) -> Iterator[dict[str, Any]]:
