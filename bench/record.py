@@ -14,6 +14,8 @@ believe to be are also counted alone. The same frames are then written as JSON l
 from __future__ import annotations
 
 import argparse
+import gc
+import itertools
 import json
 import math
 import tempfile
@@ -41,6 +43,7 @@ from crs_cc.sim.model.world import WorldModel
 ROOT = Path(__file__).parents[1]
 TIMESTEP = "50ms"
 KINDS = ["off", "none", "read"]  # what is recorded of sensors
+ORDERS = list(itertools.permutations(range(len(KINDS))))
 FEW = 100  # robots of which several runs fit into a second
 
 
@@ -107,9 +110,8 @@ def parts_s(world: WorldModel, program: Executable, seconds: float, folder: Path
     for run in runs:
         run.begin()
     for second in range(1, math.ceil(seconds) + 1):
-        first = second % len(runs)
-        for run in runs[first:] + runs[:first]:
-            run.advance(min(second, seconds))
+        for number in ORDERS[second % len(ORDERS)]:
+            runs[number].advance(min(second, seconds))
     for run in runs:
         run.finish()
     return np.array([run.used_s for run in runs])
@@ -217,6 +219,7 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=20.0, help="simulated time (default 20)")
     parser.add_argument("--repeat", type=int, default=5, help="runs of each kind (default 3)")
     options = parser.parse_args()
+    gc.set_threshold(100_000)  # as `crs` does
     for robots in options.robots:
         seconds = options.seconds if robots <= FEW else min(options.seconds, 3.0)
         with tempfile.TemporaryDirectory() as folder:

@@ -6,6 +6,7 @@ to keep, and to find again, than to copy. Nothing is computed of them until it i
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -14,7 +15,8 @@ from crs_cc.recording.mcap_records import ns
 from crs_cc.recording.readings import STATE, Readings
 
 if TYPE_CHECKING:
-    from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+    from crs_cc.core.arrays import BoolArray, FloatArray
+    from crs_cc.sim.engine.step import Served
     from crs_cc.sim.state.env_state import EnvState
 
 Frames = tuple[list[int], "FloatArray"]
@@ -115,41 +117,37 @@ class GatheredReadings:
     def __init__(self) -> None:
         """Create one without readings."""
         self.rows = 0
-        self._times_s: list[float] = []
-        self._codes: list[int] = []
-        self._counts: list[int] = []
+        self._heads: list[tuple[float, int, int]] = []  # start of the timestep [s], code, rows
         self._robots, self._clock_s, self._states = bytearray(), bytearray(), bytearray()
 
     def __len__(self) -> int:
-        """Return the number of requests and times at which robots were answered together."""
-        return len(self._times_s)
+        """Return how often a request was answered, of some robots together."""
+        return len(self._heads)
 
-    def add(
-        self, time_s: float, code: int, robots: IndexArray, clock_s: FloatArray, states: Int32Array
-    ) -> None:
-        """Add the answers to a request.
+    def add(self, time_s: float, answers: Iterable[Served]) -> None:
+        """Add the answers of a timestep, of which those without vectors are left out.
 
         Args:
-            time_s: the start of the timestep.
-            code: the request's code.
-            robots: who was answered.
-            clock_s: when each program continued.
-            states: the vectors.
+            time_s: its start.
+            answers: the answers.
         """
-        count = len(robots)
-        self.rows += count
-        self._times_s.append(time_s)
-        self._codes.append(code)
-        self._counts.append(count)
-        self._robots += robots.tobytes()
-        self._clock_s += clock_s.tobytes()
-        self._states += states.tobytes()
+        for each in answers:
+            states = each.states
+            if states is not None:
+                count = len(states)
+                self.rows += count
+                self._heads.append((time_s, each.code, count))
+                self._robots += each.robots.tobytes()
+                self._clock_s += each.clock_s.tobytes()
+                self._states += states.tobytes()
 
     def since(self, number: int) -> tuple[int, Readings]:
         """Return the answers from a number on, at least one, and the time of the first [ns]."""
-        first = sum(self._counts[:number])
-        return ns(self._times_s[number]), Readings(
-            np.repeat(self._codes[number:], self._counts[number:]),
+        heads = self._heads[number:]
+        counts = [count for _, _, count in heads]
+        first = self.rows - sum(counts)
+        return ns(heads[0][0]), Readings(
+            np.repeat([code for _, code, _ in heads], counts),
             np.frombuffer(self._robots, np.intp)[first:].copy(),
             np.frombuffer(self._clock_s)[first:].copy(),
             np.frombuffer(self._states, np.int32).reshape(-1, STATE)[first:].copy(),

@@ -33,6 +33,7 @@ from crs_cc.recording.mcap_records import NS, Channel, ns
 from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
 from crs_cc.recording.readings import ReadingEncoder
 from crs_cc.recording.step_events import events_of, marks_of, readings_of, traffic_of
+from crs_cc.sim.engine.step import Served
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import BoolArray
@@ -40,7 +41,7 @@ if TYPE_CHECKING:
     from crs_cc.recording.foxglove.sensors import FoxgloveSensors
     from crs_cc.session.result import RunResult
     from crs_cc.session.session import Session
-    from crs_cc.sim.engine.step import Served, Step
+    from crs_cc.sim.engine.step import Step
 
 Sensors = Literal["none", "read", "all"]
 
@@ -131,8 +132,10 @@ class Recorder:
     def begin(self, session: Session) -> None:
         """Start with a session before its first timestep."""
         self._session = session
-        self._per_second = max(1, round(1.0 / session.environment.timestep_s))
-        self._stride = max(1, round(self._options.every_s / session.environment.timestep_s))
+        self._state = session.state
+        self._timestep_s = session.environment.timestep_s
+        self._per_second = max(1, round(1.0 / self._timestep_s))
+        self._stride = max(1, round(self._options.every_s / self._timestep_s))
         self._last = session.timesteps
         self._next_hash = session.timesteps + self._per_second
         self._alive = session.state.alive.tobytes()
@@ -156,7 +159,9 @@ class Recorder:
 
     def step(self, step: Step) -> None:
         """Record what happened in a timestep."""
-        self._note_movement()
+        if not self._moved:
+            self._last = self._state.timesteps - 1  # until then nothing moved
+            self._moved = True
         if self.failed is not None:
             return
         if len(step.contacts.robot) or step.events:
@@ -164,17 +169,13 @@ class Recorder:
                 self._add_json(topics.EVENT, ns(event.pop("time_s")), event)
         if len(step.traffic):
             self._add_json(topics.MESSAGE, ns(step.time_s), traffic_of(step.traffic, step.posted))
-        reads = self._options.sensors != "none"
         for served in step.served:
-            states = served.states
-            if states is None:
+            if served.states is None:
                 self._note_served(step, served)
-            elif reads:
-                self._block.readings.add(
-                    step.time_s, served.code, served.robots, served.clock_s, states
-                )
-        if self._block.readings.rows > MAX_ROWS:
-            self._shorten()
+        if self._options.sensors != "none":
+            self._block.readings.add(step.time_s, step.served)
+            if self._block.readings.rows > MAX_ROWS:
+                self._shorten()
 
     def _note_served(self, step: Step, served: Served) -> None:
         """Record what became of requests that do not reply `State`."""
@@ -216,34 +217,27 @@ class Recorder:
         if self.failed is None:
             self._add_json(topics.INPUT, ns(self._session.time_s), data)
 
-    def _note_movement(self) -> None:
-        if not self._moved:
-            self._last = self._session.timesteps - 1  # until then nothing moved
-        self._moved = True
-
     def seconds_left(self) -> float:
         """Return how much time may be simulated before the next call of `sample` [s]."""
         timesteps = self._session.timesteps
         left = self._next_hash - timesteps
         if self._moved:
             left = min(left, self._stride - timesteps % self._stride)
-        return max(1, left) * self._session.environment.timestep_s
+        return max(1, left) * self._timestep_s
 
     def sample(self) -> None:
         """Record what is there after one or more timesteps, of which only the last moved."""
-        session = self._session
-        timesteps = session.timesteps
+        timesteps = self._state.timesteps
         if self.failed is not None or timesteps == self._last:
             return
-        if session.environment.names is not self._names:
+        environment = self._session.environment
+        if environment.names is not self._names:
             self._note_roster()
         if self._moved and timesteps // self._stride != self._last // self._stride:
             self._add_frame()
         self._last = timesteps
         if self._foxglove_sensors is not None:
-            for channel, time_ns, data in self._foxglove_sensors.messages(
-                session.environment.last_state
-            ):
+            for channel, time_ns, data in self._foxglove_sensors.messages(environment.last_state):
                 self._writer.add(channel, time_ns, data)
         if timesteps >= self._next_hash:
             self._end_second()
@@ -271,7 +265,7 @@ class Recorder:
         session, block = self._session, self._block
         lasted_s = session.time_s - block.begin_s
         size = block.size + self._writer.pending
-        second_s = self._per_second * session.environment.timestep_s
+        second_s = self._per_second * self._timestep_s
         is_long = lasted_s + second_s > BLOCK_S + 1e-6
         if is_long or not self._can_save or size * (lasted_s + second_s) > MAX_CHUNK * lasted_s:
             self._complete()
@@ -311,7 +305,8 @@ class Recorder:
 
     def _add_frame(self) -> None:
         environment, block = self._session.environment, self._block
-        state, time_s = environment.last_state, environment.time_s
+        state = environment.last_state
+        time_s = state.cycle * self._timestep_s
         if self._frames % ODOMETRY_FRAMES == 0:
             block.odometry.add(time_s, state)
         self._frames += 1
@@ -324,9 +319,20 @@ class Recorder:
             channel, data = self._foxglove.frame(time_ns, values[0], *names)
             self._writer.add(channel, time_ns, data)
         if self._options.sensors == "all":
-            robots = np.flatnonzero(state.presence.present)
-            clock_s, states = np.full(len(robots), time_s), environment.last_readings(robots)
-            block.readings.add(time_s, 0, robots, clock_s, states)
+            block.readings.add(time_s, [self._unasked()])
+
+    def _unasked(self) -> Served:
+        """Return what all sensors of all robots tell now, as an answer to no request."""
+        environment = self._session.environment
+        robots = np.flatnonzero(environment.last_state.presence.present)
+        return Served(
+            code=0,
+            robots=robots,
+            clock_s=np.full(len(robots), environment.time_s),
+            arguments=np.zeros((len(robots), 0), np.int32),
+            results=np.ones(len(robots), np.int32),
+            states=environment.last_readings(robots),
+        )
 
     def _add_hash(self, state_hash: str = "") -> None:
         self._note_ends()
