@@ -1,0 +1,78 @@
+"""A recorded run that is killed, and what is made of its file."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from crs_cc.cli.main import main
+from crs_cc.recording import topics
+from crs_cc.recording.block import Block
+from crs_cc.recording.recorder import SAVE_AFTER_S
+from crs_cc.recording.recording import Recording
+
+PROGRAM = """\
+#include <Nclient.h>
+#include <stdio.h>
+
+int main(void)
+{
+    int n;
+    connect_robot(1);
+    for (n = 0;; n++) {
+        vm(50, n % 100 - 50, 0);
+        gs();
+        ws(1, 1, 1, 1);
+        printf("%d\\n", n);
+    }
+}
+"""
+
+
+def test_a_run_that_is_killed_is_recovered(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    program, path, mended = (tmp_path / name for name in ("drive.c", "run.mcap", "mended.mcap"))
+    program.write_text(PROGRAM)
+    command = [sys.executable, "-m", "crs_cc", "run", str(program), "--record", str(path)]
+    command += ["--quiet", "--max-time", "3600"]
+    run = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    end_s, sizes = time.monotonic() + 120.0, set[int]()
+    try:
+        while len(sizes) < 6:  # the start, and some savings
+            assert run.poll() is None, run.stderr and run.stderr.read()
+            assert time.monotonic() < end_s
+            time.sleep(SAVE_AFTER_S / 5)
+            sizes.add(path.stat().st_size if path.exists() else 0)
+    finally:
+        run.send_signal(signal.SIGKILL)
+        run.communicate()
+    assert run.returncode == -signal.SIGKILL
+    assert main(["replay", str(path), "--recover", str(mended)]) == 0
+    recording = Recording(mended)
+    times_s = [frame.time_s for frame in recording.frames()]
+    said = [entry["text"] for _, entry in recording.data(topics.OUTPUT.topic)]
+    recording.close()
+    assert times_s[0] == 0.0
+    assert times_s[-1] >= 1.0
+    assert said[1:] == [f"{n}\n" for n in range(len(said) - 1)]  # after the library's banner
+    assert len(said) > 1
+    capfd.readouterr()
+    assert main(["replay", str(mended), "--verify"]) == 0
+    assert "the same run" in capfd.readouterr().out
+
+
+def test_where_a_chunk_ends_does_not_depend_on_what_was_saved() -> None:
+    """What is printed is encoded when it is saved; its size must not change by that."""
+    block = Block(0.0)
+    for content in (b"\xff" * 1000, b'"\n' * 100, b"plain"):
+        block.add_output(5, 0, 1, content)
+    before = block.size
+    assert [channel for channel, _, _ in block.unsaved()] == [topics.OUTPUT]
+    assert block.size == before
+    assert not list(block.unsaved())
