@@ -206,13 +206,13 @@ def fuzz(folder: Path, seconds: float, seed: int, show: Callable[[str], None]) -
                 before = held(environment.pid)
         time.sleep(6.0)  # those who are met are given up
         after = held(environment.pid)
-        assert environment.poll() is None, log.read_text()
-        assert host.poll() is None
         assert before is not None
         said = log.read_text()
         losses = said.count("is lost")  # there may be some on a busy machine
         show(f"{count} connections, {losses} lost hosts; {fuzzer.answers}")
         show(f"KB and files held: {before}, then {after}")
+        assert environment.poll() is None, said
+        assert host.poll() is None, said
         for wrong in ("Traceback", "internal error"):
             assert wrong not in said, said
         assert after[0] - before[0] < MORE_KB
