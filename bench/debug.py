@@ -15,6 +15,7 @@ printed with these figures.
 from __future__ import annotations
 
 import argparse
+import resource
 import statistics
 import sys
 import tempfile
@@ -229,6 +230,13 @@ def backward(bench: Bench, table: Table, debugger: Debugger, minute_s: float) ->
     middle = bench.timesteps // 2 + 3
     seconds = timed(lambda: debugger.goto_timestep(middle))
     table.row("goto the middle", seconds, seconds / forward_s, "x the way forward")
+    simulated = f"{bench.minutes * bench.minute_s / 60:g} minutes"
+    goal(f"memory at most, {simulated}", f"{peak_mib():.0f} MiB", "300 MiB for an hour")
+
+
+def peak_mib() -> float:
+    """Return the most memory that the process has had so far [MiB]."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
 def goal(what: str, figure: str, most: str) -> None:
