@@ -183,8 +183,8 @@ RUN_EDITS: Final = {
     "wake": RunEdit("ROBOT", "Wake a robot's program, whatever it sleeps for.", "", _wake),
     "delay": RunEdit(
         "ROBOT [ROBOT ...]",
-        "Keep robots out of the world until 'join ROBOT', before anything else happens.",
-        "It is as if the world gave that as their time to join.",
+        "Keep robots out of the world until 'join ROBOT'.",
+        "Only before anything else happens. It is as if the world gave that as their time to join.",
         _delay,
     ),
     "join": RunEdit(
