@@ -36,13 +36,16 @@ class StoppedRun(Protocol):
     def names(self) -> tuple[str, ...]:
         """The robots' names, by number."""
 
-    def active_frame(self, robot: int) -> StackFrame | None:
-        """Return the selected frame of a program, or its innermost one."""
+    def active_frame(self, robot: int, frame: int | None = None) -> StackFrame | None:
+        """Return a frame of a program by number; None if it has none."""
+
+    def first_own_frame(self, robot: int) -> int:
+        """Return the number of the innermost frame of the user's own code."""
 
     def evaluator(self, robot: int) -> Evaluator:
         """Return the evaluator of a robot's program."""
 
-    def look_up(self, text: str, *, robot: int) -> Value:
+    def look_up(self, text: str, *, robot: int, frame: int) -> Value:
         """Evaluate a C expression without side effects; raise DebugError if it is invalid."""
 
 
@@ -66,7 +69,8 @@ class Surroundings:
         if not isinstance(name, RobotName):
             return self._run.session.environment.names
         robot = self._run.names.index(name.robot) if self.is_robot(name.robot) else -1
-        frame = self._run.active_frame(robot) if robot >= 0 else None
+        number = self._run.first_own_frame(robot) if robot >= 0 else 0
+        frame = self._run.active_frame(robot, number) if robot >= 0 else None
         return robot, None if frame is None else (frame.function, frame.location)
 
     def value(self, name: OutsideName) -> Value:
@@ -88,7 +92,8 @@ class Surroundings:
             raise DebugError(unknown("robot", name.robot, self._run.names))
         robot = self._run.names.index(name.robot)
         try:
-            return self._run.look_up(name.text, robot=robot)
+            frame = self._run.first_own_frame(robot)
+            return self._run.look_up(name.text, robot=robot, frame=frame)
         except DebugError as wrong:
             raise DebugError(f"{name.robot}: {wrong}") from None
 

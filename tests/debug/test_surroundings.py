@@ -80,6 +80,30 @@ def test_what_would_mean_something_else_here_is_refused(debugger: Debugger) -> N
     assert number(debugger, f"{other}::x") == 1.5
 
 
+def test_the_address_of_a_value_from_outside_is_refused(debugger: Debugger) -> None:
+    one, other = debugger.names[:2]
+    for text in (f"&{other}::i", f"&{other}::(i + 1)", f"&$world.{one}.x", f"{other}::i, &{one}.x"):
+        with pytest.raises(DebugError, match="not in the program's memory"):
+            debugger.evaluate(text)
+    assert debugger.evaluate(f"*&{other}::i").text == debugger.evaluate(f"{other}::i").text
+    assert debugger.evaluate("(int *)-1").text.startswith("0xffffffff")
+    with pytest.raises(DebugError, match="no object at 0xffffffff"):
+        debugger.evaluate("*(int *)-1")
+
+
+def test_a_value_of_the_selected_robot_is_found_at_another_depth(tmp_path: Path) -> None:
+    deep = "int down(int n)\n{\n    if (n == 0)\n        return 0;\n    return down(n - 1);\n}\n"
+    source = "int x = 4;\n" + deep + "int main(void)\n{\n    return down(5);\n}\n"
+    debugger = debugger_of(source, folder=tmp_path, world="pair.xml")
+    said: list[str] = []
+    debugger.stop_points.say = said.append
+    debugger.stop_points.add_breakpoint("4", robot=0, log="{robot0::x}")
+    debugger.start()
+    debugger.view.frame = 3
+    debugger.resume()
+    assert said == ["4"] * 6
+
+
 def test_names_of_the_program_come_first(tmp_path: Path) -> None:
     source = "struct { int x; } robot0 = { 7 };\nint main(void) { return robot0.x; }\n"
     debugger = debugger_of(source, folder=tmp_path)

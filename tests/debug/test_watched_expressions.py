@@ -144,3 +144,11 @@ def test_variables_of_two_calls(tmp_path: Path) -> None:
     assert "went out of scope: 'sum'" in texts(debugger)[-1]
     with pytest.raises(DebugError):
         debugger.stop_points.add_watchpoint("sum::s")
+
+
+@pytest.mark.parametrize("text", ["a + 1.5", "1e3", "-1"])
+def test_a_value_that_is_no_address_has_no_writes(text: str, tmp_path: Path) -> None:
+    debugger = debugger_of(LIST, folder=tmp_path)
+    debugger.start()
+    with pytest.raises(DebugError, match="not an object in memory"):
+        debugger.stop_points.add_watchpoint(text, "write", location=True)

@@ -22,8 +22,10 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.past import Instant, Past, Range
 from crs_cc.debug.world.events import WorldEvent, check_event_kind
 
-_RANGE: Final = re.compile(r"(?:^|\s)(?P<first>\d*\.?\d*)\.\.(?P<last>\d*\.?\d*)\s*$")
-_PLACE: Final = re.compile(r"\s+at\s+(?P<place>\S+)\s*$")
+_RANGE: Final = re.compile(
+    r"(?:^|\s)(?P<first>\d+(?:\.\d*)?|\.\d+|)\.\.(?P<last>\d+(?:\.\d*)?|\.\d+|)\s*$"
+)
+_PLACE: Final = re.compile(r"\sat\s+(?P<place>\S+)\s*$")
 _CSV: Final = re.compile(r"/csv\b\s*")
 
 MAX_ROWS: Final = 60

@@ -99,18 +99,19 @@ class Shell:
                 reject_arguments(arguments)
             yield from _as_lines(command.run(self.context, arguments))
         except DebugError as error:
-            yield self._fail(str(error))
+            yield from self._fail(str(error))
         except OSError:  # the system's: the reader may have closed the output
             raise
         except Exception as error:  # ours; what the user has done so far must not be lost
             wrong = " ".join(f"{type(error).__name__}: {error}".split())
-            yield self._fail(f"internal error: {wrong}; please report it")
+            yield from self._fail(f"internal error: {wrong}; please report it")
 
-    def _fail(self, text: str) -> Line:
-        """Count a failed command and drop those that were due after it."""
+    def _fail(self, text: str) -> Iterator[Line]:
+        """Count a failed command, drop those that were due after it, and answer with its errors."""
         self.failures += 1
         self.context.due.clear()
-        return Line(text, "error")
+        for each in dict.fromkeys(text.split("\n")):
+            yield Line(each, "error")
 
 
 def _repeated(command: Command, text: str) -> str:

@@ -28,7 +28,7 @@ from crs_cc.debug.data.expression_compiler import (
 )
 from crs_cc.debug.data.expression_memory import EvaluationError
 from crs_cc.debug.data.expression_scope import active_call, global_scope, lasting_scope
-from crs_cc.debug.data.interpret import SCRATCH, Interpreter
+from crs_cc.debug.data.interpret import SCRATCH, Interpreter, check_address
 from crs_cc.debug.data.memory import MemoryReads, SavedRegister, StoppedMemory
 from crs_cc.debug.data.memory_inspection import FULL, MemoryInspector
 from crs_cc.debug.data.notation import (
@@ -286,8 +286,9 @@ class Evaluator:
         if wanted is not None:
             value = self._slice(wanted, frame)
             return ObjectLocation(value.address or 0, value.type.size, value.type, depends_on)
-        address, compiled = unsigned(result or 0, 32), prepared.compiled
-        if not compiled.is_place or address >= SCRATCH:
+        compiled = prepared.compiled
+        address = unsigned(result or 0, 32) if compiled.is_place else SCRATCH
+        if address >= SCRATCH:
             raise DebugError(f"'{text}' is a value, not an object in memory")
         return ObjectLocation(address, compiled.type.size, compiled.type, depends_on)
 
@@ -433,10 +434,11 @@ class Evaluator:
         if isinstance(ctype, FunctionType):
             ctype = PointerType(ctype)
         if not compiled.is_place:
+            check_address(ctype, result)
             return Value(inspector, ctype, _bytes(ctype, result))
         address = unsigned(result, 32)
         if address >= SCRATCH:
-            return Value(inspector, ctype, self._interpreter.scratch(address, ctype.size))
+            return Value(inspector, ctype, self._interpreter.read_scratch(address, ctype.size))
         if not isinstance(ctype, ArrayType) or ctype.size:
             self._memory.read(address, 1, judged=False)
         return inspector.value(address, ctype)

@@ -21,6 +21,7 @@ from crs_cc.debug.timeline.change import STREAMS
 from crs_cc.ir import instruction as ir
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import Data, Function, Program
+from crs_cc.ir.types import CType, PointerType
 from crs_cc.ir.value_type import MEMORY_SIZE, MemoryType
 from crs_cc.requests import CODES, DATA_SIZE, MESSAGE
 
@@ -167,6 +168,10 @@ class Interpreter:
         """Return bytes of the scratch memory, fewer at its end."""
         return (self._lent if address in self._lent else self._scratch).peek(address, size)
 
+    def read_scratch(self, address: int, size: int) -> bytes:
+        """Return bytes of the scratch memory; raise EvaluationError if they are not there."""
+        return (self._lent if address in self._lent else self._scratch).read(address, size)
+
     def _kept(self, content: bytes) -> int:
         address = self._scratch.allocate(len(content))
         self._scratch.write(address, content)
@@ -199,7 +204,7 @@ class Interpreter:
         address = unsigned(address, 32)
         if address < SCRATCH:
             return self._memory.read(address, size, judged=judged)
-        return (self._lent if address in self._lent else self._scratch).read(address, size)
+        return self.read_scratch(address, size)
 
     def _write(self, address: int, content: bytes, states: bytes = b"") -> None:
         address = unsigned(address, 32)
@@ -426,6 +431,17 @@ class Interpreter:
             return compute(op, *operands)
         except ArithmeticError as wrong:
             raise EvaluationError(str(wrong)) from None
+
+
+def check_address(ctype: CType, result: float) -> None:
+    """Raise EvaluationError if a result is the address of what an expression has made for itself.
+
+    Addresses of texts will do: the texts are shown.
+    """
+    if not isinstance(ctype, PointerType) or ctype.target.size == 1:
+        return
+    if SCRATCH <= unsigned(int(result), 32) < SCRATCH + 2 * SCRATCH_BYTES:
+        raise EvaluationError("the address of a value that is not in the program's memory")
 
 
 def _truncated(op: str, value: float) -> int:

@@ -17,6 +17,7 @@ LINES = 200
 TEXT = """1 2 0 -1 1-3 3-1 $ $1 $x=3 main factorial shapes.c:45 45 999 calls &calls * ( ) (((( if
 robot 0 robot0 nobody / // /x /3xb /s /xx /999999999xg x=3 calls=3 \0 \x1b[2J é \udc80 ' " \\ { } ,
 a[1..2] word@3 tick stmt t= 12.3 1e999 nan inf 99999999999 error exit collision sonar.3 dead to ..
+robot0::calls &robot0::calls $world.robot0.x distance(robot0,robot0) @1 output event 0..1 /csv ..
 "%d" %s factorial(2) main(1,0) sizeof(int) (char*)0 *(int*)calls 1/0 # silent continue end
 """
 WORDS = TEXT.split()
@@ -36,6 +37,7 @@ def test_random_commands_do_no_harm(
         complete(shell.context, line)
         for answer in shell.execute(line):
             assert "\n" not in answer.text
+            assert "internal error" not in answer.text
         shell.context.has_ended = False
     list(shell.execute("end"))
     assert [each.text for each in shell.execute("echo alive")] == ["alive"]
@@ -43,6 +45,8 @@ def test_random_commands_do_no_harm(
 
 def test_a_long_line_is_handled_quickly() -> None:
     shell = Shell(debugger_at([PROGRAM]))
-    for line in ("x" * 100_000, "print " + "(" * 100_000, "break " + "9" * 100_000, "\0" * 1000):
+    blanks = f'log "%d",1{" " * 100_000}x'
+    numbers = [f"{each} {'9' * 100_000}" for each in ("break", "when", "history", "events")]
+    for line in ("x" * 100_000, "print " + "(" * 100_000, *numbers, blanks, "\0" * 1000):
         complete(shell.context, line)
         assert all(len(answer.text) < 300_000 for answer in shell.execute(line))
