@@ -22,7 +22,7 @@ from crs_cc.core.quantity import ANGLE, LENGTH, Kind
 POSED: Final = frozenset({"box", "cylinder", "object", "robot", "ramp", "plateau", "map"})
 """Elements with a position and a heading."""
 
-PLACED: Final = POSED | {"light", "sound", "place", "reach", "bring", "heightmap"}
+PLACED: Final = POSED | {"light", "sound", "source", "nest", "place", "reach", "bring", "heightmap"}
 """Elements with a position."""
 
 _ROUND: Final = frozenset({"cylinder"})

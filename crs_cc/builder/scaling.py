@@ -29,7 +29,7 @@ _SIZES: Final[Mapping[str, tuple[str, ...]]] = {
     "polygon": (),
     "light": (),
     "sound": (),
-    "cylinder": ("radius",),
+    **dict.fromkeys(("cylinder", "source", "nest"), ("radius",)),
     **dict.fromkeys(("box", "ramp", "plateau"), ("length", "width")),
     **dict.fromkeys(("reach", "bring", "place"), ("radius",)),
 }

@@ -58,12 +58,21 @@ def shapes(document: Document, world: WorldModel) -> dict[str, list[Shape]]:
         if name != robot.id:
             shape["part"] = robot.id[len(name) + 1 :]
         found.setdefault(name, []).append(shape)
-    for light in world.lights:
-        found[light.id] = [{"kind": "light", "x": light.x_m, "y": light.y_m, "radius": 0.1}]
-    for sound in world.sounds:
-        found[sound.id] = [{"kind": "sound", "x": sound.x_m, "y": sound.y_m, "radius": 0.1}]
+    found.update(_discs(world))
     found.update(_ranges(document, world))
     return found
+
+
+def _discs(world: WorldModel) -> Iterator[tuple[str, list[Shape]]]:
+    """Yield the lights and sounds, which have no size, and the sources and nests."""
+    for light in world.lights:
+        yield light.id, [{"kind": "light", "x": light.x_m, "y": light.y_m, "radius": 0.1}]
+    for sound in world.sounds:
+        yield sound.id, [{"kind": "sound", "x": sound.x_m, "y": sound.y_m, "radius": 0.1}]
+    for kind, discs in (("source", world.sources), ("nest", world.nests)):
+        for disc in discs:
+            place = {"x": disc.x_m, "y": disc.y_m, "radius": disc.radius_m}
+            yield disc.id, [{"kind": kind, **place}]
 
 
 def _heightmap(document: Document, world: WorldModel) -> Iterator[tuple[str, list[Shape]]]:

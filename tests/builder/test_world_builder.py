@@ -16,6 +16,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.builder.addresses import address, find, find_all
+from crs_cc.builder.shapes import shapes
 from crs_cc.builder.world_builder import WorldBuilder
 from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.known_robots import ROBOTS
@@ -151,6 +152,17 @@ def test_things_of_a_model_are_added_as_they_would_be_written() -> None:
     while builder.undo():
         pass
     assert builder.text == ROOM
+
+
+def test_sources_and_nests_are_shown_moved_and_scaled() -> None:
+    places = '<nest x="1m" y="1m"/><source x="3m" y="1m" radius="20cm"/>'
+    things = f'<area length="4m" width="3m"/>{places}<robot x="2m" y="2m"/>'
+    builder = WorldBuilder(text=f'<world version="1">{things}</world>')
+    builder.move(["nest0", "source0"], y=1)
+    builder.scale("source0", 2)
+    found = shapes(builder.document, builder.world())
+    assert found["nest0"] == [{"kind": "nest", "x": 1.0, "y": 2.0, "radius": 0.3}]
+    assert found["source0"] == [{"kind": "source", "x": 3.0, "y": 2.0, "radius": 0.4}]
 
 
 def test_arrays_rings_lines_and_groups() -> None:
@@ -428,6 +440,7 @@ def test_a_link_stays_a_link(tmp_path: Path) -> None:
 
 SAVER = """
 import sys
+from crs_cc.builder.shapes import shapes
 from crs_cc.builder.world_builder import WorldBuilder
 builder = WorldBuilder(sys.argv[1])
 print("go", flush=True)

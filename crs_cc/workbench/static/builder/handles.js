@@ -43,7 +43,7 @@ export function handles(model, view) {
   if (thing?.tag === "wall") {
     found.push({ kind: "end", place: shape.points[0], set: ([x, y]) => ({ x1: x, y1: y }) });
     found.push({ kind: "end", place: shape.points[1], set: ([x, y]) => ({ x2: x, y2: y }) });
-  } else if (thing?.tag === "cylinder") {
+  } else if (["cylinder", "source", "nest"].includes(thing?.tag ?? "")) {
     const place = [shape.x + shape.radius, shape.y];
     found.push({ kind: "size", place, set: (to) => ({ radius: Math.max(0.01, radiusTo([shape.x, shape.y], to)) }) });
   } else if (["box", "ramp", "plateau"].includes(thing?.tag ?? "")) {

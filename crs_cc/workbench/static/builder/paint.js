@@ -4,13 +4,13 @@ import { distance } from "./drawing.js";
 
 const KINDS = {
   wall: "#5b6472", solid: "#8d95a3", movable: "#d9b88a", ground: "#b9a98c", goal: "#1a7f37",
-  robot: "#0b66b8", light: "#e0a800", sound: "#8e44ad", range: "#0b66b8",
+  robot: "#0b66b8", light: "#e0a800", sound: "#8e44ad", source: "#b8860b", nest: "#3f51b5", range: "#0b66b8",
   body: "#c9d3df", wheel: "#333a44", sensor: "#0b66b8", beam: "#0b66b8",
 };
 const WARMTH = "#d1242f";
 const WARM = 5; // [px]
 const LEGIBLE = 8; // smaller robots have no room for their names [px]
-const ALPHA = { ground: 0.45, goal: 0.45, beam: 0.13, heights: 0.85 };
+const ALPHA = { ground: 0.45, goal: 0.45, source: 0.45, nest: 0.45, beam: 0.13, heights: 0.85 };
 
 /**
  * Draw a shape.
