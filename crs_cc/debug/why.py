@@ -50,8 +50,8 @@ MAX_DEPTH: Final = 12
 
 _LINES: Final = 20
 _SENDS: Final = re.compile(r"\bcrs_(?:send|broadcast|multicast)\s*\(")
-_ASSIGNS: Final = re.compile(r"[\w.\[\]>*-]+\s*(?:[-+*/%&|^]|<<|>>)?=\s*$")
-"""The head of an assignment before its value: some of them are located at the value."""
+_HEAD: Final = re.compile(r"(?:(?:->|[\w.\[\]*-])+\s*(?:[-+*/%&|^]|<<|>>)?=\s*)?(?:!\s*)*$")
+"""What belongs to an expression before its location: an assignment's target, negations."""
 _COMMENT: Final = re.compile(
     r'("(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\')|/\*.*?\*/|//[^\n]*', re.DOTALL
 )
@@ -302,10 +302,10 @@ class Why:
             yield Cause(f"{field.name}: {each}", position=place.position, robot=robot)
 
     def _is_at(self, place: _Place, name: str, wanted: MemoryObject) -> bool:
-        """Return whether an operand is at the address of an object."""
+        """Return whether an operand is an object, or one that holds it."""
         with contextlib.suppress(DebugError):
             found = self._view.evaluator(place.robot).place(name, place.frame)
-            return found.address == wanted.address
+            return found.address <= wanted.address < found.address + max(found.size, 1)
         return False
 
     def _message(self, place: _Place, text: str, depth: int) -> tuple[Cause, ...]:
@@ -363,8 +363,8 @@ class Why:
         """Return the source of what was done at a location."""
         lines = self._view.source(location.file)[location.line - 1 :][:_LINES]
         before = lines[0][: location.column - 1] if lines else ""
-        assigns = _ASSIGNS.search(before)
-        start = location.column - 1 if assigns is None else assigns.start()
+        head = _HEAD.search(before)
+        start = location.column - 1 if head is None else head.start()
         text = _COMMENT.sub(lambda found: found[1] or " ", "\n".join(lines)[start:])
         shown = cut(text)
         with contextlib.suppress(DebugError, CompileError):

@@ -219,3 +219,32 @@ def test_a_reading_names_the_degradation_that_bent_it(tmp_path: Path) -> None:
     *_, measured, bent = shape(explained(debugger, "front"))
     assert measured.endswith("from nothing that was there")
     assert bent == "STATE_SONAR_0: bent by the degradation stuck: sonar 0, stuck"
+
+
+MEMBERS = """\
+#include <stdio.h>
+#include <string.h>
+struct pair { int first, second; } from = {1, 2}, to;
+int number;
+int main(void)
+{
+    memcpy(&to, &from, sizeof to);
+    from.second = 3;
+    memcpy(&to, &from, sizeof to);
+    if (!sscanf("7", "%d", &number))
+        return 1;
+    return to.second + number; /* line 12 */
+}
+"""
+
+
+def test_a_copied_member_is_not_explained_by_what_the_copy_replaced(tmp_path: Path) -> None:
+    """All but the first member had the target, as it was before, among their causes."""
+    debugger = debugger_of(MEMBERS, folder=tmp_path)
+    debugger.stop_points.add_breakpoint("12")
+    debugger.resume()
+    for member in "first", "second":
+        causes = explained(debugger, f"to.{member}").causes
+        assert [each.text for each in causes] == ["from = {first = 1, second = 3}"]
+    # the statement was shown without its negation
+    assert explained(debugger, "number").how == '!sscanf("7", "%d", &number)'
