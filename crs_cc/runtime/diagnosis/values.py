@@ -47,7 +47,11 @@ LONGEST: Final = 60
 LONGEST_TEXT: Final = 40
 
 _ESCAPES: Final = {7: "\\a", 8: "\\b", 9: "\\t", 10: "\\n", 11: "\\v", 12: "\\f", 13: "\\r"}
-
+_ESCAPES_IN_TEXT: Final = (
+    _ESCAPES
+    | {34: '\\"', 92: "\\\\", 127: "\\177"}
+    | {0xDC00 + code: f"\\{code:o}" for code in range(128, 256)}  # bytes that are not UTF-8
+)
 
 _FEWEST_FLAGS: Final = 2
 _KNOWN: Final = bytes([ByteState.WITH_VALUE])
@@ -228,8 +232,7 @@ class Values:
         if not end and len(content) <= longest:
             return None  # not terminated
         shown = characters[:longest]
-        escapes = _ESCAPES | {34: '\\"', 92: "\\\\", 127: "\\177"}
-        text = shown.decode("utf-8", "replace").translate(escapes)
+        text = shown.decode("utf-8", "surrogateescape").translate(_ESCAPES_IN_TEXT)
         return f'"{text}"' + ("..." if len(characters) > longest else "")
 
 

@@ -25,7 +25,7 @@ struct part {
 };
 struct part part;
 int order[4] = {1, 2, 3, 4}, grid[2][3] = {{1, 2, 3}, {4, 5, 6}}, many[40];
-char text[8] = "a\n\"b\"", unended[4] = {'a', 'b', 'c', 'd'};
+char text[8] = "a\n\"b\"", packed[6] = "\357\374\303\244", unended[4] = {'a', 'b', 'c', 'd'};
 const char *words[] = {"one", 0};
 static int twice(int n) { return 2 * n; }
 int (*op)(int) = twice, (*ops[2])(int) = {twice, 0};
@@ -85,6 +85,7 @@ def evaluator(tmp_path_factory: pytest.TempPathFactory) -> Evaluator:
         ("many", "{0 <repeats 39 times>, 1}"),
         ("half", "{?, 5, ?}"),
         ("text", '"a\\n\\"b\\""'),
+        ("packed", '"\\357\\374\u00e4"'),
         ("inside", '"\\"b\\""'),
         ("unended", "{97 'a', 98 'b', 99 'c', 100 'd'}"),
         ("words", '{"one", null}'),
