@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.world_values import OBJECT_VALUES, ROBOT_VALUES, WORLD_VALUES
@@ -141,3 +142,21 @@ def test_a_condition_on_the_world_holds_backward_as_forward(debugger: Debugger) 
     while (stop := debugger.resume(backward=True)).breakpoints:
         back.append(stop.position)
     assert back == forward[::-1]
+
+
+def test_of_two_objects_the_unknown_one_is_named(debugger: Debugger) -> None:
+    """The known one was said to be undeclared."""
+    with pytest.raises(DebugError, match="unknown robot or object 'nowhere'"):
+        number(debugger, f"distance({debugger.names[0]}, nowhere)")
+
+
+def test_a_stop_after_the_end_of_the_selected_program_says_when(tmp_path: Path) -> None:
+    """It said only that the condition is true, and that it is for the ended program only."""
+    ends = '#include "Nclient.h"\nint main(void) { return 0; }\n'
+    debugger = debugger_of(ends, DRIVES, folder=tmp_path, world="pair.xml")
+    shell = Shell(debugger)
+    commands = "break if $world.timestep == 8", "info breakpoints", "continue"
+    _, listed, stopped = ("\n".join(each.text for each in shell.execute(one)) for one in commands)
+    assert f"evaluated in {debugger.names[0]}'s program" in listed
+    assert "only" not in listed
+    assert "$world.timestep == 8 is true\nt = " in stopped

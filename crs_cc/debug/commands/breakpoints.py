@@ -24,6 +24,7 @@ from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.commands.past import log_past
 from crs_cc.debug.commands.stack import functions
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.watch import WatchedWorld
 from crs_cc.debug.world.events import KINDS
 
 if TYPE_CHECKING:
@@ -240,7 +241,12 @@ def _state(one: Breakpoint) -> str:
 
 def _of_robot(context: CommandContext, one: Breakpoint) -> str:
     names = context.debugger.names
-    return f", {names[one.robot]} only" if one.robot is not None and len(names) > 1 else ""
+    if one.robot is None or len(names) == 1:
+        return ""
+    name = names[one.robot]
+    if one.watch is not None and isinstance(one.watch.watched, WatchedWorld):
+        return f", evaluated in {name}'s program"
+    return f", {name} only"
 
 
 _PLACES: Final = (

@@ -88,6 +88,8 @@ def stop_lines(
     if now.frame is None or stop.reason == "end":
         if not text:
             yield Line(when_text(debugger), "place")
+        elif stop.breakpoints:  # it has no location to say when
+            yield Line(f"t = {stop.time_s:.3f} s", "place")
         return
     is_same = before is not None and _call(before) == _call(now)
     if hit or text or stop.reason not in _QUIET or not is_same:

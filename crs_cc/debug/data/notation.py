@@ -222,7 +222,7 @@ def with_world(text: str, is_object: Callable[[str], bool], is_in_c: Callable[[s
 
     def replaced(match: re.Match[str]) -> str:
         names = [match[each] for each in ("thing", "one", "other") if match[each] is not None]
-        is_of_world = names and all(is_object(each.strip("'")) for each in names)
+        is_of_world = any(is_object(each.strip("'")) for each in names)
         return f"$world.{match[0]}" if is_of_world and not any(map(is_in_c, names)) else match[0]
 
     return _BARE.sub(replaced, text)
