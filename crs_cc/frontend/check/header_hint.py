@@ -14,11 +14,14 @@ _USUAL: Final = (
 )  # fmt: skip
 """The preferred headers for names that several of them define, such as `NULL` and `size_t`."""
 
+_BEFORE: Final = r"^[^\s#/](?:[^#\n/(]|\([^()\n]*\))*(?:[ *]|\(\*)"
+"""What stands before a name that a header declares; members are indented, parameters in `(`."""
+
 
 def header_hint(name: str, folders: Sequence[Path]) -> str:
     """Return a hint at the header that declares a name; "" if there is none."""
     pattern = re.compile(
-        rf"^#define {re.escape(name)}\b|^[^#\n/]*[ *]{re.escape(name)}(?:[([]|;$)", re.MULTILINE
+        rf"^#define {re.escape(name)}\b|{_BEFORE}{re.escape(name)}(?:[([]|;$)", re.MULTILINE
     )
     for folder in folders:
         for header, text in _headers(folder):
