@@ -1,28 +1,47 @@
-"""The results of foraging with trails, in the words of docs/swarms.md."""
+"""The results of foraging with trails and with faults, in the words of docs/swarms.md."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
+from crs_cc.sweeps.experiment import Value
 from crs_cc.sweeps.report.results import Results, results
 from crs_cc.sweeps.rows import Row
 
 _MEASURE: Final = "items_per_min"
+_SOUND: Final = "ideal"
+"""The setup of robots without a fault: the definition itself."""
 
 
 def with_trails(rows: Sequence[Row]) -> Results:
     """Return the items per minute, by the number of robots, with and without trails."""
-    found = results(rows, _MEASURE)
-    groups = tuple(
-        replace(
-            group,
-            parameters={
-                "robots": group.parameters["world.ant.count"],
-                "trails": ("no", "yes")[int(group.parameters["define.TRAILS"])],
-            },
-        )
-        for group in found.groups
+    return _renamed(
+        rows,
+        lambda given: {
+            "robots": given["world.ant.count"],
+            "trails": ("no", "yes")[int(given["define.TRAILS"])],
+        },
     )
-    return replace(found, varied=("robots", "trails"), groups=groups)
+
+
+def with_faults(rows: Sequence[Row]) -> Results:
+    """Return the items per minute, by the number of faulty robots and their fault."""
+
+    def named(given: Mapping[str, Value]) -> dict[str, Value]:
+        fault = given["world.faulty.setup"]
+        if fault == _SOUND:
+            return {"faulty": 0, "fault": "none"}
+        return {"faulty": given["world.faulty.count"], "fault": fault}
+
+    return _renamed(rows, named)
+
+
+def _renamed(
+    rows: Sequence[Row], named: Callable[[Mapping[str, Value]], dict[str, Value]]
+) -> Results:
+    """Return the items per minute, with parameters by which the page names them."""
+    found = results(rows, _MEASURE)
+    groups = tuple(replace(group, parameters=named(group.parameters)) for group in found.groups)
+    return replace(found, varied=tuple(groups[0].parameters), groups=groups)

@@ -18,7 +18,7 @@ from typing import Final
 
 import tour_model
 from bridge_results import of_leader, of_short
-from foraging_results import with_trails
+from foraging_results import with_faults, with_trails
 from ways_results import over_shortest
 
 from crs_cc.sweeps.report.findings import medians
@@ -44,6 +44,7 @@ SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
     "aggregation": (partial(results, measure="largest_group"), "curve"),
     "bridge": (of_leader, "curve"),
     "detour": (of_short, "curve"),
+    "faults": (with_faults, "values"),
     "foraging": (partial(results, measure="items_per_min"), "curve"),
     "heat": (partial(results, measure="goal.cool.at_s"), "survival"),
     "tour": (_of_tours, "curve"),

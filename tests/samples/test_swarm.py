@@ -32,6 +32,11 @@ def rows_of(
     at = kept.index("[parameters]")
     kept[at:at] = [f"{key} = {changes[key]}" for key in ("seeds", "duration")]
     text = "\n".join([*kept, f"{parameter} = {changes[parameter]}"])
+    return rows_of_text(name, text, folder, most)
+
+
+def rows_of_text(name: str, text: str, folder: Path, most: float) -> list[dict[str, Any]]:
+    """Run an experiment with another text; return the rows, with at most so many collisions."""
     sweep = Sweep(SWARM / f"{name}.toml", folder / name, text)
     sweep.run(1, pool=inline)
     rows = [sweep.rows[number] for number in sorted(sweep.rows)]
@@ -61,6 +66,22 @@ def test_trails_lead_foragers_to_the_source(tmp_path: Path) -> None:
         for row in rows_of("trails", tmp_path, "world.ant.count", [5], "90s")
     )
     assert 0 < without < with_trails
+
+
+def test_faults_cost_foragers_items_or_collisions(tmp_path: Path) -> None:
+    text = """
+        world = "faults.xml"
+        measures = "trails.py"
+        seeds = [2]
+        duration = "60s"
+        parameters = { world.faulty.setup = ["ideal", "blind", "weak"] }
+        cases = [{ world.sound.count = 2, world.faulty.count = 4 }]
+    """
+    sound, blind, weak = (
+        row["measures"] for row in rows_of_text("faults", text, tmp_path, most=10.0)
+    )
+    assert weak["items_brought"] < sound["items_brought"]
+    assert sound["collisions"] == 0 < blind["collisions"]
 
 
 def test_robots_gather_if_they_stay_where_others_are(tmp_path: Path) -> None:
