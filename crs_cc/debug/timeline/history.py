@@ -28,7 +28,7 @@ from crs_cc.debug.timeline.console import ConsolePosition
 from crs_cc.debug.timeline.position import Position
 from crs_cc.session.result import SessionSnapshot
 
-MAX_BYTES: Final = 256 * 2**20
+MAX_BYTES: Final = 72 * 2**20
 """Memory for snapshots by default [bytes]; chosen by us."""
 
 INTERVAL: Final = 5

@@ -36,7 +36,7 @@ def test_replay_without_the_world_finds_the_same() -> None:
 
 def test_the_oldest_rounds_are_dropped_at_the_memory_limit() -> None:
     fleet = Fleet([counting_program()] * 2)
-    input_log = InputLog(most_bytes=3000)
+    input_log = InputLog(most_bytes=800)
     for timestep in range(4):
         input_log.note(Position(timestep, 0), np.array([10, 0]), fleet)
         input_log.end(timestep, 1)
