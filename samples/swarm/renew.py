@@ -14,8 +14,10 @@ import sys
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
+from types import ModuleType
 from typing import Final
 
+import maze_model
 import tour_model
 from bridge_results import of_leader, of_short
 from foraging_results import with_faults, with_trails
@@ -33,12 +35,16 @@ RESULTS: Final = FOLDER / "results"
 FIGURES: Final = ROOT / "docs" / "images"
 RUNS: Final = ROOT / "build" / "swarm"
 
-_of_tours = partial(
-    over_shortest,
-    lengths_m=tour_model.lengths_m,
-    unmarked_m=partial(tour_model.lengths_m, marks=0.0),
-    shortest_m=tour_model.shortest_m(),
-)
+
+def _beside(model: ModuleType) -> Callable[[Sequence[Row]], Results]:
+    """Return what shows the ways of robots beside those of a model's ants without bodies."""
+    return partial(
+        over_shortest,
+        lengths_m=model.lengths_m,
+        unmarked_m=partial(model.lengths_m, marks=0.0),
+        shortest_m=model.shortest_m(),
+    )
+
 
 SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
     "aggregation": (partial(results, measure="largest_group"), "curve"),
@@ -47,7 +53,8 @@ SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
     "faults": (with_faults, "values"),
     "foraging": (partial(results, measure="items_per_min"), "curve"),
     "heat": (partial(results, measure="goal.cool.at_s"), "survival"),
-    "tour": (_of_tours, "curve"),
+    "maze": (_beside(maze_model), "curve"),
+    "tour": (_beside(tour_model), "curve"),
     "trails": (with_trails, "curve"),
 }
 """Of each experiment: what its rows show, and the figure that shows it."""

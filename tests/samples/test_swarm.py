@@ -121,9 +121,38 @@ def test_robots_visit_each_station_once_and_return(tour_model: ModuleType) -> No
         assert float(length) == pytest.approx(tour_model.length_m(tour), abs=1e-3)
 
 
-def test_tours_are_within_a_tenth_of_the_shortest() -> None:
-    with (SWARM / "results" / "tour.csv").open(encoding="utf-8", newline="") as file:
-        last = [row for row in csv.DictReader(file) if row["minute"] == "8"]
+@pytest.fixture
+def maze_model(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    monkeypatch.syspath_prepend(SWARM)
+    return import_module("maze_model")
+
+
+def test_robots_find_ways_through_the_maze(maze_model: ModuleType) -> None:
+    assert all(f'"{line}"' in (SWARM / "maze.c").read_text() for line in maze_model.MAZE)
+    session = Session(load_world(SWARM / "maze.xml", seed=4), seed=4)
+    session.run(90.0)
+    printed = "".join(robot.stdout for robot in session.robots.values())
+    lengths = [float(line.split()[1]) for line in printed.splitlines() if line[:1].isdigit()]
+    assert lengths
+    assert min(lengths) >= maze_model.shortest_m() - 0.05
+    assert session.field("trail").max() > 0.0
+
+
+def test_ants_without_bodies_find_the_shortest_way_by_their_trails(
+    maze_model: ModuleType,
+) -> None:
+    with_trails, without = (
+        [maze_model.lengths_m(3, seed, marks)[-1] for seed in range(30)]
+        for marks in (maze_model.MARKS, 0.0)
+    )
+    assert median(with_trails) == pytest.approx(maze_model.shortest_m())
+    assert median(without) > 1.5 * maze_model.shortest_m()
+
+
+@pytest.mark.parametrize(("name", "minute"), [("tour", "8"), ("maze", "6")])
+def test_ways_are_within_a_tenth_of_the_shortest(name: str, minute: str) -> None:
+    with (SWARM / "results" / f"{name}.csv").open(encoding="utf-8", newline="") as file:
+        last = [row for row in csv.DictReader(file) if row["minute"] == minute]
     medians = {row["colony"]: float(row["median"]) for row in last}
     assert medians["robots"] <= 1.1
     assert medians["without trails"] > 1.1
