@@ -14,7 +14,7 @@ from crs_cc.runtime import executable
 from tests import quick, times
 
 TESTS = Path(__file__).resolve().parent
-collect_ignore = ["without_unix"]  # modules for Python's start, not to be imported here
+collect_ignore = ["without_unix", "debug/gdb_sessions.py"]  # modules for Python's start, and gdb's
 JUDGED = ["c/valid", "fuzz"]
 """Folders whose `.out` files hold what gcc said."""
 

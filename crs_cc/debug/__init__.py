@@ -11,7 +11,11 @@ Read `engine` first: the operations of the debugger, without a user interface. I
 - `locations`: where breakpoints are, as the user writes it; `breakpoints`: which of them are hit;
   `stop`: why a run has stopped.
 - `watch`: accesses to watched bytes, detected inside the sandbox; `watchpoints`: the expressions
-  that users watch.
+  that users watch; `world_watch`: those that use the world or several programs; `surroundings`:
+  how expressions use these.
+- `past`: questions about the recorded past; `last_write`: who wrote an object before; `why`: a tree
+  of where a value came from, through `message_cause` to other robots; `returned_value`: what a call
+  has returned; `skips`: functions that steps do not enter.
 - `branches`: alternative histories; `branch_comparison`: the differences between two of them.
 - `data/`: C expressions, and values by their types.
 - `world/`: displays of the world, its events, and changes to it and to the run; `uploads`: programs

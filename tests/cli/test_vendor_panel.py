@@ -71,6 +71,7 @@ def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
             assert right.state_call(7)
         assert "robots are not added" in page.error("edit", text="join new like left to 1 1")
         page.ask("pause")
+        page.take_until(lambda: not page.told["state"]["playing"])
         paused_s = page.told["state"]["t"]
         assert "value" in page.ask("edit", text="move left to 3 1")
         assert page.told["state"]["t"] == paused_s
