@@ -82,5 +82,5 @@ def _open(options: DebugOptions, output: Output, tell: Callable[[str], None]) ->
         tell(f"... and {left_out} more warnings; crs check shows them all")
     read, waiting = given_input(options)
     debugger = make_debugger(loaded, options, output, read or no_input, waiting=waiting)
-    end_at(debugger, options.max_time_s)
+    end_at(debugger, options.max_time_s or loaded.world.duration_s)
     return debugger

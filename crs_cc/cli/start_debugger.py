@@ -139,8 +139,9 @@ def _made(
 ) -> Debugger:
     """Return a debugger of a new run, or of a recorded one, whose changes it knows."""
     debugger = make_debugger(loaded, options, output, read, observer=recorded, waiting=waiting)
-    end_at(debugger, options.max_time_s)
-    if recorded is not None:
+    if recorded is None:
+        end_at(debugger, options.max_time_s or loaded.world.duration_s)
+    else:  # it may have run longer than its world says
         recorded.begin(debugger)
     debugger.save = functools.partial(_record, debugger, loaded, options, waiting)
     return debugger

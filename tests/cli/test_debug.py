@@ -65,3 +65,17 @@ def test_an_invalid_command_line_is_rejected(
     assert main(["debug", "-x", "none.dbg", program]) == 2
     assert main(["debug", "none.c"]) == 121
     assert "Traceback" not in capfd.readouterr().err
+
+
+@pytest.mark.parametrize(("words", "end_s"), [([], "0.5"), (["--max-time", "0.2"], "0.2")])
+def test_a_run_ends_when_its_world_or_max_time_says(
+    tmp_path: Path, words: list[str], end_s: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    path, world = tmp_path / "wait.c", tmp_path / "world.xml"
+    path.write_text("int main(void) { for (;;) ; }\n")
+    world.write_text(
+        '<world version="1" duration="0.5s"><area length="4m" width="4m"/>'
+        '<robot x="2m" y="2m"/></world>'
+    )
+    main(["debug", "--batch", "-ex", "continue", *words, str(path), str(world)])
+    assert capfd.readouterr().out.endswith(f"the run ends at {end_s} s\n")
