@@ -71,9 +71,19 @@ def test_a_run_measures_the_processor_time_of_each_test(
         def test_waits(): time.sleep(0.6)
         def test_works(): subprocess.run([sys.executable, "-c", BUSY])
         def test_skipped(): pytest.skip("today")
-        """
+        """,
+        test_b="""
+        import time, pytest
+        @pytest.fixture(scope="module")
+        def made():
+            end_s = time.process_time() + 0.3
+            while time.process_time() < end_s: pass
+        def test_makes(made): pass
+        def test_uses(made): pass
+        """,
     )
     pytester.inline_run("-p", "no:cacheprovider", plugins=[times.Recorder(table)])
     rows = times.read(table)
-    assert rows.keys() == {"test_a.py::test_works", "test_a.py::test_skipped"}
+    shared = {"test_b.py::test_makes", "test_b.py::test_uses"}
+    assert rows.keys() == {"test_a.py::test_works", "test_a.py::test_skipped", *shared}
     assert rows["test_a.py::test_skipped"] == 3.0

@@ -97,28 +97,46 @@ def _now_s() -> float:
     return time.process_time() + children.ru_utime + children.ru_stime
 
 
+def shared_fixtures(item: pytest.Item) -> str:
+    """Return the fixtures that a test shares with others of its file, which the first one makes."""
+    known = item._fixtureinfo.name2fixturedefs if isinstance(item, pytest.Function) else {}
+    names = sorted(name for name, made in known.items() if made[-1].scope != "function")
+    return f"{item.nodeid.partition('::')[0]}::{','.join(names)}" if names else item.nodeid
+
+
 class Recorder:
-    """A pytest plugin that measures all tests and renews the table when the run is over."""
+    """A pytest plugin that measures all tests and renews the table when the run is over.
+
+    What tests share counts for each of them: a quick run that takes one of them has to make it.
+    """
 
     def __init__(self, table: Path = TABLE) -> None:
         self._table = table
         self._since_s = 0.0
         self._measured_s: dict[str, float] = defaultdict(float)
+        self._shares: dict[str, str] = {}
+        self._setup_s: dict[str, float] = defaultdict(float)
         self._left_out: set[str] = set()
 
     def pytest_runtest_logstart(self) -> None:
         self._since_s = _now_s()
 
     @pytest.hookimpl(wrapper=True)
-    def pytest_runtest_makereport(self) -> Iterable[object]:
+    def pytest_runtest_makereport(self, item: pytest.Item) -> Iterable[object]:
         report = yield
         now_s = _now_s()
         report.processor_s = now_s - self._since_s  # type: ignore[attr-defined]
+        report.shares = shared_fixtures(item)  # type: ignore[attr-defined]
         self._since_s = now_s
         return report
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        self._measured_s[report.nodeid] += getattr(report, "processor_s", 0.0)
+        processor_s = getattr(report, "processor_s", 0.0)
+        if report.when == "setup":
+            shares = self._shares[report.nodeid] = getattr(report, "shares", "")
+            self._setup_s[shares] = max(self._setup_s[shares], processor_s)
+        else:
+            self._measured_s[report.nodeid] += processor_s
         if not report.passed:
             self._left_out.add(report.nodeid)
 
@@ -126,7 +144,11 @@ class Recorder:
         if "PYTEST_XDIST_WORKER" in os.environ:
             return
         old, bad = read(self._table), {function_of(test) for test in self._left_out}
-        good = {test: s for test, s in self._measured_s.items() if function_of(test) not in bad}
+        whole_s = {
+            test: s + self._setup_s[self._shares.get(test, "")]
+            for test, s in self._measured_s.items()
+        }
+        good = {test: s for test, s in whole_s.items() if function_of(test) not in bad}
         kept = {test: s for test, s in old.items() if function_of(test) in bad}
         root = session.config.rootpath
         rows = renewed(old, good) | kept

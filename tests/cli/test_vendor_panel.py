@@ -7,6 +7,7 @@ import signal
 import subprocess
 import time
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -63,12 +64,13 @@ def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
     tmp_path: Path, line: Sequence[str], speed: str
 ) -> None:
     """Even where time stands still until clients ask for something."""
-    with served(tmp_path, line, speed) as run, page_of(run) as page:
+    threads = ThreadPoolExecutor(2)  # one waits for the other otherwise, for half a second
+    with threads, served(tmp_path, line, speed) as run, page_of(run) as page:
         left, right = clients(run)
         for text in CHANGES:
             assert "value" in page.ask("edit", text=text), page.told["answer"]
-            assert left.state_call(15)
-            assert right.state_call(7)
+            asked = [threads.submit(left.state_call, 15), threads.submit(right.state_call, 7)]
+            assert all(each.result() for each in asked)
         assert "robots are not added" in page.error("edit", text="join new like left to 1 1")
         page.ask("pause")
         page.take_until(lambda: not page.told["state"]["playing"])
