@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PIL import Image
 
 from crs_cc.cli.debug_options import DebugOptions
 from crs_cc.cli.inputs import Inputs
@@ -163,6 +164,22 @@ def a_video_and_a_page_are_saved(browser: Any, page: Any, folder: Path) -> None:
     alone.close()
 
 
+def a_picture_is_saved_and_a_link_leads_here(browser: Any, page: Any, folder: Path) -> None:
+    page.keyboard.press("Escape")
+    with page.expect_download() as saved:
+        page.keyboard.press("s")
+    saved.value.save_as(folder / "view.png")
+    with Image.open(folder / "view.png") as picture:
+        assert len(picture.convert("RGB").getcolors(1 << 24)) > 50
+    page.keyboard.press("k")
+    other = browser.new_page()
+    other.goto(page.url)
+    here = page.evaluate("[crs.model.scene.time, crs.views.cameras()]")
+    wait(other, f"Math.abs(crs.model.scene?.time - {here[0]}) < 0.01")
+    wait(other, f"crs.views.cameras() === '{here[1]}'")
+    other.close()
+
+
 def a_span_is_repeated(page: Any) -> None:
     box = page.locator(".track").bounding_box()
     scale = box["width"] / page.evaluate("crs.timeline.end")
@@ -191,4 +208,5 @@ def test_the_view_shows_devices_and_saves_what_it_shows(
         lamps_light_the_night(page)
         views_are_kept_and_shown_again(page)
         a_video_and_a_page_are_saved(browser, page, tmp_path)
+        a_picture_is_saved_and_a_link_leads_here(browser, page, tmp_path)
         a_span_is_repeated(page)
