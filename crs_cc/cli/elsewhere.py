@@ -104,7 +104,7 @@ class Elsewhere:
 
     @property
     def shows_output(self) -> bool:
-        """Whether hosts show what programs print, or it was shown before the run was resumed."""
+        """Return whether hosts show what programs print, or did before the run was resumed."""
         return self._hosts is None or self._session.time_s < self.repeats_until_s
 
     def read(self, robot: int, wanted: int) -> bytes:

@@ -83,7 +83,7 @@ class RunView:
 
     @property
     def is_wanted(self) -> bool:
-        """Whether pages wait for the end of the timestep, at which they are heard."""
+        """Return whether commands of pages wait for the end of the timestep."""
         return self._player.has_jobs
 
     @property

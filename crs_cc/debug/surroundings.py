@@ -50,7 +50,7 @@ class StoppedRun(Protocol):
 
 
 class Surroundings:
-    """What the expressions of a robot's program can use besides that program."""
+    """The world and the other robots, for the expressions of one robot's program."""
 
     def __init__(self, run: StoppedRun, robot: int) -> None:
         self._run = run

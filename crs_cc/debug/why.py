@@ -100,7 +100,7 @@ class _Calling:
 
 @dataclass(frozen=True, slots=True)
 class _Source:
-    """What was done somewhere: as it is written, in a line, and with macros expanded."""
+    """The text of a statement: as it is written, in one line, and with macros expanded."""
 
     shown: str
     text: str

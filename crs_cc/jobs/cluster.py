@@ -104,7 +104,7 @@ class Cluster:
 
     @property
     def location(self) -> Location:
-        """What messages are about."""
+        """Return the place that error messages name."""
         return Location(self._address)
 
     @property
@@ -118,7 +118,7 @@ class Cluster:
 
     @property
     def threads(self) -> int:
-        """How many threads its workers have together, at least 1."""
+        """Return the number of threads of all workers, at least 1."""
         found: int = max(1, sum(self._client.nthreads().values()))
         return found
 

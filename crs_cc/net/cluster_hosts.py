@@ -36,7 +36,7 @@ _YEARS_S: Final = 1e9
 
 @dataclass(frozen=True, slots=True)
 class Entrance:
-    """How hosts get to the environment.
+    """The address and the token by which hosts reach the environment.
 
     Attributes:
         host: its host or address, as workers reach it.

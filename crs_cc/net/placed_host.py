@@ -30,7 +30,7 @@ _FAST: Final = 1  # zlib's level
 
 @dataclass(frozen=True, slots=True)
 class Placement:
-    """What a host has to run, and for whom.
+    """The programs that a host runs, and the environment that it runs them for.
 
     Attributes:
         host: the environment's host or address.
