@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Self
@@ -76,7 +77,7 @@ class RobotConstants:
 
     def last_instant_s(self, cycle: int) -> float:
         """Return the last time in a cycle [s]: its end belongs to the next one."""
-        return float(np.nextafter((cycle + 1) * self.timestep_s, 0.0))
+        return math.nextafter((cycle + 1) * self.timestep_s, 0.0)
 
 
 def _kinds(models: Sequence[RobotModel], drives: Drives, battery: IndexArray) -> RobotKinds:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records, all_of
+from crs_cc.requests import CODES, REQUESTS
 from crs_cc.requests.request import ALL_SENSORS, LASER
 from crs_cc.sim.devices import pos_data
 from crs_cc.sim.devices.clock import BoardClock
@@ -28,6 +29,7 @@ from crs_cc.sim.devices.vendor_state import (
     correct_speeds,
 )
 from crs_cc.sim.devices.vendor_state import LASER as LASER_MODE
+from crs_cc.sim.kernels.tables import REPLY
 from crs_cc.sim.model import registry
 from crs_cc.sim.state import mask
 from crs_cc.sim.state.rows import ALL, Rows, simplest, take
@@ -48,7 +50,14 @@ if TYPE_CHECKING:
 _GROUPS: Final = {"infrared": mask.INFRARED, "compass": mask.COMPASS, "laser": mask.LASER}
 """The bits of masks that select a device of the registry."""
 
-_REAL_TIME: Final = 10
+_PLACES: Final = {
+    name: place for name, (_, place) in REQUESTS[CODES["GS"]].result_positions.items()
+}
+_LASER_COUNT: Final = _PLACES["laser_count"]
+_BATTERIES: Final = slice(_PLACES["computer_battery"], _PLACES["motor_battery"] + 1)
+_BOARD_MS: Final = _PLACES["board_ms"]
+"""Places in messages, the same in all replies with `State`."""
+_STATE_BYTES: Final = REPLY["state"].itemsize
 
 
 class SensorBoard:
@@ -79,6 +88,12 @@ class SensorBoard:
         if any(model.device("laser") is not None for model in models):
             self._lasers = installed["laser"].device
 
+    @property
+    def measures_for_replies(self) -> bool:
+        """Whether `State` in replies depends on more than the rows of robots that kernels know."""
+        has_instruments = bool(self._instruments) or self._lasers is not None
+        return has_instruments or self.batteries.are_in_status
+
     def reply(self, context: RequestContext, good: BoolArray) -> Int32Array:
         """Write `State` into replies, with batteries, clock, laser readings and positions.
 
@@ -94,21 +109,43 @@ class SensorBoard:
         if request.sensors == ALL_SENSORS:
             self._measure(context, good)
         replies = _replies(state, constants, rows, at_s)
-        states, charge = replies["state"], replies["charge"]
-        status = self.batteries.status(rows, charge)
+        status = self.batteries.status(rows, replies["charge"])
         if status is not None:
-            states[:, MOTOR_STATUS] |= status
+            replies["state"][:, MOTOR_STATUS] |= status
         laser_count: Int32Array | int = 0
         if self._lasers is not None and request.sensors & LASER:
             masked = _is_requested(context, mask.LASER)
             laser_count = self._lasers.reply(context, masked)
         pos_data.keep(state, constants, self._clock, rows, request.sensors)
-        bytes_ = self.batteries.voltage_bytes(state, constants, rows, at_s, charge)
+        self.write(state, constants, (rows, at_s), replies, context.messages)
         context["laser_count"] = laser_count
-        context["computer_battery"], context["motor_battery"] = bytes_[:, 0], bytes_[:, 1]
-        context["board_ms"] = replies["board_ms"]
-        context.put_data(states)
-        return states
+        return np.asarray(replies["state"])
+
+    def write(
+        self,
+        state: EnvState,
+        constants: RobotConstants,
+        replied: tuple[IndexArray, FloatArray],
+        replies: Records,
+        messages: Records,
+    ) -> None:
+        """Write `State`, batteries and clock into messages.
+
+        Args:
+            state: has the memory of degradations.
+            constants: the robots' constants.
+            replied: the robots, k of them, and the time of each reply.
+            replies: what kernels know of the robots, of dtype `REPLY`.
+            messages: the messages, changed in place.
+        """
+        rows, at_s = replied
+        charge, integers = replies["charge"], messages["i"]
+        integers[:, _LASER_COUNT] = 0
+        integers[:, _BATTERIES] = self.batteries.voltage_bytes(state, constants, rows, at_s, charge)
+        messages["f"][:, _BOARD_MS] = replies["board_ms"]
+        content = replies.view(np.uint8).reshape(-1, REPLY.itemsize)
+        messages["data"][:, :_STATE_BYTES] = content[:, :_STATE_BYTES]
+        messages["size"] = _STATE_BYTES
 
     def _measure(self, context: RequestContext, good: BoolArray) -> None:
         """Measure with the instruments that the programs' masks select."""

@@ -10,6 +10,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Re
 from crs_cc.requests import CODES, MESSAGE, REQUESTS, Request
 from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.devices.waits import when
+from crs_cc.sim.engine.simple_requests import serve_simply
 from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.world_data import WorldData
 
@@ -36,10 +37,15 @@ class Dispatcher:
         if code not in data.handlers or not len(rows):
             messages["result"] = 0
             return np.array(clock_s, dtype=np.float64)
+        arguments = messages["i"].copy()
+        simply = serve_simply(data, code, rows, messages, clock_s)
+        if simply is not None:
+            goes_on_s, states = simply
+            self._note(code, (rows, goes_on_s), messages, arguments=arguments, states=states)
+            return goes_on_s.copy()
         request, drives = REQUESTS[code], state.drive
         now_s = np.fmin(np.fmax(clock_s, drives.clock_s[rows]), data.end_s)
         data.advance_to(rows, now_s, renews=True)
-        arguments = messages["i"].copy()
         state.commands[rows] += 1
         context = self._context(request, rows, messages, now_s)
         good = self._handle(context)
@@ -159,14 +165,27 @@ class Dispatcher:
         states = None
         if request.replies_state:
             states = self._data.devices.sensor_board.reply(context, good)
+        replied = context.rows, context.at_s
+        self._note(request.code, replied, messages, arguments=arguments, states=states)
+
+    def _note(
+        self,
+        code: int,
+        replied: tuple[IndexArray, FloatArray],
+        messages: Records,
+        *,
+        arguments: Int32Array,
+        states: Int32Array | None,
+    ) -> None:
+        """Record replies for traces."""
         self.served.append(
             Served(
-                code=request.code,
-                robots=context.rows,
-                clock_s=context.at_s,
+                code=code,
+                robots=replied[0],
+                clock_s=replied[1],
                 arguments=arguments,
                 results=messages["result"].copy(),
                 states=states,
-                replies=messages.copy() if request.traced else None,
+                replies=messages.copy() if REQUESTS[code].traced else None,
             )
         )

@@ -46,7 +46,7 @@ from crs_cc.sim.engine.quiet_time import catch_up, quiet_until
 from crs_cc.sim.engine.step import NO_SLICES, Slices, Step, slices_of
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
 from crs_cc.sim.geometry.scene import Outlines
-from crs_cc.sim.kernels.program import ADVANCED, HELD_UP
+from crs_cc.sim.kernels.tables import ADVANCED, HELD_UP
 from crs_cc.sim.model.registry import device, devices
 from crs_cc.sim.model.world import Pose, Robot, Solid, WorldModel
 from crs_cc.sim.state.bodies import NO_CONTACTS, Contacts

@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray
-from crs_cc.requests import CODES
+from crs_cc.core.arrays import BoolArray, IndexArray
+from crs_cc.requests import CODES, REQUESTS
 from crs_cc.sim.comms import messenger
 from crs_cc.sim.devices import (
     drive,
@@ -143,6 +143,25 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
     for installed in devices.installed.values():
         handlers |= installed.handlers
     return {CODES[name]: handler for name, handler in handlers.items()}
+
+
+def simple_commands(devices: DeviceBoard, numbers: Mapping[str, IndexArray]) -> dict[int, int]:
+    """Return the requests that kernels can answer, with the command that they run, 0 for none.
+
+    Args:
+        devices: the robots' devices.
+        numbers: the number of each robot's device, -1 for none, by the devices' names.
+    """
+    if devices.sensor_board.measures_for_replies:
+        return {}
+    handlers = handlers_of(devices)
+    reads = [code for code, handler in handlers.items() if handler is acknowledge]
+    simple = dict.fromkeys((code for code in reads if REQUESTS[code].replies_state), 0)
+    for name, device in (("GET_SN", "sonar"), ("GET_BP", "bumper")):
+        if (numbers[device] >= 0).all():
+            simple[CODES[name]] = 0
+    simple[CODES["VM"]] = CODES["VM"]
+    return simple
 
 
 def waits_of(devices: DeviceBoard) -> Mapping[int, Wait]:

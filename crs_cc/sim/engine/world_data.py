@@ -36,13 +36,13 @@ from crs_cc.sim.devices.serial_link import SerialLine
 from crs_cc.sim.engine.device_board import DeviceBoard
 from crs_cc.sim.engine.goal_floor import Floor
 from crs_cc.sim.engine.goals import GoalJudge
-from crs_cc.sim.engine.handlers import handlers_of, waits_of
+from crs_cc.sim.engine.handlers import handlers_of, simple_commands, waits_of
 from crs_cc.sim.engine.roster import Timetable, complaint, in_the_way, leave
 from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.teleport import carry_object, carry_robot
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import ShapeTable
-from crs_cc.sim.kernels.program import ADVANCED
+from crs_cc.sim.kernels.tables import ADVANCED
 from crs_cc.sim.model.world import Pose, Robot, WorldModel
 from crs_cc.sim.physics.simulation import Physics
 from crs_cc.sim.state.add_row import grown
@@ -76,6 +76,7 @@ class WorldData:
         devices: the robots' devices.
         handlers: the handler of each request, by code.
         waits: the waits of requests, by code.
+        simple: the requests that kernels can answer, see `simple_commands`.
         bumpers: the switches of the robots' bumpers.
         rolling: random errors of the wheels.
         line: the serial lines between hosts and robots.
@@ -351,6 +352,7 @@ class WorldData:
         self.devices = DeviceBoard(world, self._seed, self.log)
         self.handlers = handlers_of(self.devices)
         self.waits = waits_of(self.devices)
+        self.simple = simple_commands(self.devices, self.constants.numbers)
         self.axes = tuple(robot.model.drive.axis_names for robot in world.robots)
         self.line = SerialLine(world)
         self._timetable = Timetable(world)

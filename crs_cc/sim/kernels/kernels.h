@@ -51,6 +51,20 @@ void __crs_reports(int count, const long long *rows, const struct tables *tables
 void __crs_replies(int count, const long long *rows, const double *times,
                    const struct tables *tables, struct reply *out);
 
+/* What requests of one kind have in common. */
+struct service {
+    double end, last;                   /* of the cycle; the time up to which sensors matter [s] */
+    double command, cycle;              /* the command that sets speeds, 0 for none; now */
+};
+
+#define INTEGERS 8                      /* of a message */
+
+/* Answer requests that need nothing but the rows of robots, see requests.c: advance robots to the times
+   of theirs, which are brought into the cycle, and run `vm` with the integers of messages. If any of
+   them cannot, none is advanced: then return why. `joined` is overwritten. */
+int __crs_serve(int count, const long long *rows, const struct service *service, double *clocks,
+                double *joined, const int *values, const struct tables *tables, struct reply *out);
+
 /* What the clock of a sensor board shows [ms], see `devices/clock`. */
 double __crs_board_ms(double time, double tick);
 

@@ -9,7 +9,7 @@
 
 /* Other numbers are those of elementwise functions. */
 enum { SETUP = 99, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
-    CHARGES, FINISH, SCAN };
+    CHARGES, FINISH, SCAN, SERVE };
 
 static int arguments[10];
 static double memory[MEMORY];
@@ -51,6 +51,10 @@ static void run_on_robots(int *n)
         break;
     case REPLIES:
         __crs_replies(count, rows, numbers, &tables, (struct reply *)out);
+        break;
+    case SERVE:
+        n[0] = __crs_serve(count, rows, (struct service *)numbers, numbers + 4, numbers + 4 + count,
+                           (int *)(numbers + 4 + 2 * count), &tables, (struct reply *)out);
         break;
     case CHARGES:
         __crs_charges(count, rows, numbers, &tables, out);

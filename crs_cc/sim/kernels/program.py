@@ -22,7 +22,16 @@ from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray, Int32Array,
 from crs_cc.core.errors import WorldError
 from crs_cc.core.host_system import keep_freed_memory
 from crs_cc.core.source import Location
-from crs_cc.requests import NUM_STATE
+from crs_cc.sim.kernels.tables import (
+    BATTERY_SIZE,
+    BODIES,
+    BODY_SIZE,
+    KIND_SIZE,
+    KINDS,
+    REPLY,
+    ROBOT_SIZE,
+    ROBOTS,
+)
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
@@ -54,38 +63,15 @@ _CHARGES: Final = 110
 _FINISH: Final = 111
 _SCAN: Final = struct.Struct("<10i")
 _SCAN_NUMBER: Final = 112
+_SERVE: Final = 113
 ROBOTS_AT_ONCE: Final = 2048
 """Robots whose columns or rows are copied for a kernel at once."""
-
-ADVANCED: Final = 0
-SENSOR_DUE: Final = 1
-TIMEOUT_DUE: Final = 2
-HELD_UP: Final = 3
-"""What `Kernels.advance` returns, as in `kernels.h`."""
-
-ROBOTS: Final = 11000
-BODIES: Final = 15000
-KINDS: Final = 2048
-"""Rows of the tables of instances that hold the rows of a world."""
-ROBOT_SIZE: Final = 104
-BODY_SIZE: Final = 6
-BATTERY_SIZE: Final = 4
-KIND_SIZE: Final = 40
-"""Numbers in the rows of tables, see `robot.h`."""
-KIND: Final = 91
-BATTERY: Final = 92
-"""Places in a row of a robot: the row of its constants, and that of its battery, -1 for none."""
-
-REPLY: Final = np.dtype(
-    [("state", "<i4", NUM_STATE), ("_", "<i4"), ("charge", "<f8", 2), ("board_ms", "<f8")]
-)
-"""What the reply to a request tells of a robot, see `report.c`."""
 
 _NUMBER: Final = 8  # bytes
 _SELECTION: Final = struct.Struct("<3i")
 _PLACES: Final = struct.Struct("<2i")
 _LAST: Final = struct.Struct("<d")
-_CYCLE: Final = struct.Struct("<4d")
+_FOUR: Final = struct.Struct("<4d")
 _RESULT: Final = struct.Struct("<i")
 
 _AT_ONCE: Final = 2 * BLOCK, ROBOTS_AT_ONCE, ROBOTS_AT_ONCE, ROBOTS_AT_ONCE
@@ -366,6 +352,35 @@ class Kernels:
         self._select(_REPLIES, len(for_s), rows, for_s.tobytes())
         return self._replies[: len(for_s)].copy()
 
+    def serve(
+        self,
+        rows: IndexArray | None,
+        service: tuple[float, float, int, int],
+        clock_s: FloatArray,
+        joined_s: FloatArray,
+        values: Int32Array,
+    ) -> tuple[int, FloatArray, Records]:
+        """Answer requests that need nothing but the rows of robots, see `requests.c`.
+
+        Args:
+            rows: their rows in `robots`, None for the first ones.
+            service: the end of the cycle, and the time up to which sensors matter [s]; the code of
+                a command that sets speeds, or 0; the cycle.
+            clock_s: when the requests arrive, (k,).
+            joined_s: when the robots have joined, (k,).
+            values: the integers of the messages, (k, 8).
+
+        Returns:
+            `ADVANCED`, or what comes before; the times of the replies, (k,), and what they tell, of
+            dtype `REPLY`.
+        """
+        count = len(clock_s)
+        numbers = clock_s.tobytes() + joined_s.tobytes() + values.tobytes()
+        self._select(_SERVE, count, rows, _FOUR.pack(*service) + numbers)
+        found: int = _RESULT.unpack_from(self._memory, self._place)[0]
+        first = 4 + (0 if rows is None else count)
+        return found, self._arena[first : first + count].copy(), self._replies[:count].copy()
+
     def charges(self, rows: IndexArray | None, for_s: FloatArray) -> FloatArray:
         """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).
 
@@ -419,7 +434,7 @@ class Kernels:
             next cycle.
         """
         before = b"" if before_m is None else before_m.tobytes()
-        self._select(_FINISH, count, None, _CYCLE.pack(*cycle) + joined_s.tobytes() + before)
+        self._select(_FINISH, count, None, _FOUR.pack(*cycle) + joined_s.tobytes() + before)
         found = self._second
         empty = found[2 : 2 + found[0]].tolist() if found[0] else []
         return _RESULT.unpack_from(self._memory, self._place)[0], empty, bool(found[1])

@@ -30,7 +30,7 @@ struct robot {
     double heading, mount, base, distance;
     long long command, command_cycle, requests;
     int pressed;                                            /* its bumpers */
-    unsigned char limp[AXES], hindered, slipping;
+    unsigned char limp[AXES], hindered, slipping, connected;
     double kind;                                            /* the row of its constants, */
     double battery;                                         /* and of its battery, -1 for none */
     double padding[11];         /* a row is an odd number of cache lines, or columns share few */

@@ -24,19 +24,19 @@ from typing import Any, Final, NamedTuple, TypeAlias
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
-from crs_cc.sim.kernels.program import (
+from crs_cc.sim.kernels.program import ROBOTS_AT_ONCE, Kernels, kernels
+from crs_cc.sim.kernels.tables import (
     ADVANCED,
     BATTERY,
     BATTERY_SIZE,
     BODIES,
     BODY_SIZE,
+    HELD_UP,
     KIND,
     KINDS,
+    REPLY,
     ROBOT_SIZE,
     ROBOTS,
-    ROBOTS_AT_ONCE,
-    Kernels,
-    kernels,
 )
 from crs_cc.sim.state.motion_profile import Axes
 from crs_cc.sim.state.robot_kinds import RobotKinds
@@ -60,9 +60,11 @@ _ROBOT: Final = (
     ("devices.bumper", ["pressed"]),
     ("drive", ["limp", "hindered"]),
     ("bodies", ["slipping"]),
+    ("", ["connected"]),
 )
 _BODY: Final = (("bodies", ["position_m", "velocity_mps", "angle_rad", "spin_radps"]),)
 _BATTERY: Final = (("devices.motor_battery", ["moved_j", "speed_mps"]),)
+_NO_REPLIES: Final = np.zeros(0), np.zeros(0, REPLY)
 _TABLES: Final = (_ROBOT, ROBOT_SIZE), (_BODY, BODY_SIZE), (_BATTERY, BATTERY_SIZE)
 
 
@@ -179,6 +181,26 @@ class RobotRows:
             return home.replies(_selected(rows), for_s)
         lent = self._lent(rows, len(for_s), kinds)
         return np.concatenate([each.own.replies(None, for_s[each.part]) for each in lent])
+
+    def serve(
+        self,
+        rows: Rows,
+        service: tuple[float, float, int, int],
+        asked: tuple[FloatArray, FloatArray, Int32Array],
+        kinds: RobotKinds,
+    ) -> tuple[int, FloatArray, Records]:
+        """Answer requests that need nothing but these rows, see `Kernels.serve`.
+
+        Args:
+            rows: the robots, k of them.
+            service: what the requests have in common.
+            asked: when they arrive, when the robots have joined, and the integers of the messages.
+            kinds: the robots' constants.
+        """
+        home = self._at_home(kinds)
+        if home is None:
+            return HELD_UP, *_NO_REPLIES
+        return home.serve(_selected(rows), service, *asked)
 
     def charges(self, rows: Rows, for_s: FloatArray, kinds: RobotKinds) -> FloatArray:
         """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).

@@ -13,7 +13,8 @@ from crs_cc.sim.devices.battery.state import motors_of
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.devices.sonar.state import sonar_state
-from crs_cc.sim.kernels.program import ADVANCED, HELD_UP, REPLY, Kernels
+from crs_cc.sim.kernels.program import Kernels
+from crs_cc.sim.kernels.tables import ADVANCED, HELD_UP, REPLY
 from crs_cc.sim.state import robot_rows
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.rows import ALL

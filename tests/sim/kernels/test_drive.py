@@ -14,7 +14,8 @@ from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.kernels import program
-from crs_cc.sim.kernels.program import ADVANCED, Kernels
+from crs_cc.sim.kernels.program import Kernels
+from crs_cc.sim.kernels.tables import ADVANCED
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state import motion_profile, robot_rows
 from crs_cc.sim.state.env_state import EnvState

@@ -56,6 +56,7 @@ class Batteries:
 
     Attributes:
         last: whether no motor battery is ever empty.
+        are_in_status: whether any robot reports its charge in the status of its motors.
     """
 
     def __init__(self, world: WorldModel) -> None:
@@ -67,7 +68,7 @@ class Batteries:
         self.last = not any(motors)
         reports = [each is not None and each.is_in_status for each in motors]
         self._in_status = np.array(reports, dtype=np.bool_)[self._kind]
-        self._are_in_status = bool(self._in_status.any())
+        self.are_in_status = bool(self._in_status.any())
 
     def empty(
         self, state: EnvState, constants: RobotConstants, rows: IndexArray, at_s: FloatArray
@@ -131,7 +132,7 @@ class Batteries:
 
     def status(self, rows: IndexArray, charge: FloatArray) -> Int32Array | None:
         """Return bits 2 and 3 of the motors' status, None if no robot reports its charge there."""
-        if not self._are_in_status:
+        if not self.are_in_status:
             return None
         level = np.minimum((charge[:, 1] * _LEVELS).astype(np.int32), _LEVELS - 1)
         return np.asarray(np.where(self._in_status[rows], level << 2, 0))

@@ -20,7 +20,6 @@ MOTORS: Final = 12.85 / 5
 _FACTORS: Final = COMPUTERS, MOTORS
 _STEPS: Final = 1_000  # of charge, in the tables
 _SIZE: Final = _STEPS + 1
-_BOTH: Final = np.array([0, _SIZE])
 
 START, POWER, CAPACITY, LEAST = 0, 2, 4, 6
 """Places in a row of `supply_table`: of numbers for computers and motors; of the least charge."""
@@ -66,6 +65,7 @@ class Voltages:
         self._curves_v = list(zip(curves_v[::2], curves_v[1::2], strict=True))
         tables = [_bytes(curve_v, _FACTORS[place % 2]) for place, curve_v in enumerate(curves_v)]
         self._bytes = np.array(tables, np.int32).ravel()
+        self._first = np.arange(2 * len(models)).reshape(-1, 2) * _SIZE  # in that table
         self.full_bytes: Int32Array | None = None
         if all(np.isinf(each.capacity_j) for each in every):
             start = np.array([each.charge for each in every]).reshape(-1, 2)
@@ -74,7 +74,7 @@ class Voltages:
     def bytes(self, kinds: IndexArray, charge: FloatArray) -> Int32Array:
         """Return the bytes that are sent for states of charge."""
         steps = (charge * _STEPS + 0.5).astype(np.intp)
-        places = steps + _BOTH + kinds[:, None] * (2 * _SIZE)
+        places = steps + self._first.take(kinds, axis=0)
         return np.asarray(self._bytes.take(places))
 
     def volts(self, kinds: IndexArray, charge: FloatArray) -> FloatArray:

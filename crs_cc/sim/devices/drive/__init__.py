@@ -37,7 +37,7 @@ from crs_cc.requests import CODES
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.drive.constants import weighted
-from crs_cc.sim.kernels.program import ADVANCED, HELD_UP
+from crs_cc.sim.kernels.tables import ADVANCED, HELD_UP
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state import motion_profile
 from crs_cc.sim.state.rows import simplest, take
@@ -86,7 +86,7 @@ def advance(
         _stop(state, constants, stopped, ~state.drive.limp[stopped])
         state.drive.deadline_s[stopped] = np.inf
         _note_command(state, stopped, CODES["CONF_TM"])
-    if not _are_simple(state, constants):
+    if not moves_as_commanded(state, constants):
         _turn(state, constants, rows, to_s)
         return
     robots = np.arange(len(state.drive.clock_s))[rows]
@@ -119,12 +119,12 @@ def advance_freely(
     Returns:
         `ADVANCED`, or what happens to one of them; then some of the others may be advanced.
     """
-    if not _are_simple(state, constants):
+    if not moves_as_commanded(state, constants):
         return HELD_UP
     return state.rows.advance(rows, to_s, last_s, constants.kinds, renews=renews)
 
 
-def _are_simple(state: EnvState, constants: RobotConstants) -> bool:
+def moves_as_commanded(state: EnvState, constants: RobotConstants) -> bool:
     """Return whether robots that nothing holds up move as their axes are commanded."""
     return constants.inclines is None and not constants.degradations.concern_motions(state)
 

@@ -1,0 +1,33 @@
+"""The tables of robots that kernels share with Python, see `robot.h`, and what kernels return."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from crs_cc.requests import NUM_STATE
+
+ADVANCED: Final = 0
+SENSOR_DUE: Final = 1
+TIMEOUT_DUE: Final = 2
+HELD_UP: Final = 3
+"""What `Kernels.advance` returns, as in `kernels.h`."""
+
+ROBOTS: Final = 11000
+BODIES: Final = 15000
+KINDS: Final = 2048
+"""Rows of the tables of instances that hold the rows of a world."""
+ROBOT_SIZE: Final = 104
+BODY_SIZE: Final = 6
+BATTERY_SIZE: Final = 4
+KIND_SIZE: Final = 40
+"""Numbers in the rows of tables, see `robot.h`."""
+KIND: Final = 91
+BATTERY: Final = 92
+"""Places in a row of a robot: the row of its constants, and that of its battery, -1 for none."""
+
+REPLY: Final = np.dtype(
+    [("state", "<i4", NUM_STATE), ("_", "<i4"), ("charge", "<f8", 2), ("board_ms", "<f8")]
+)
+"""What the reply to a request tells of a robot, see `report.c`."""
