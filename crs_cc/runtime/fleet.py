@@ -232,11 +232,12 @@ class Fleet:
 
     def messages(self, robots: IndexArray) -> Records:
         """Return copies of the messages that robots posted, of dtype `MESSAGE`."""
-        return self._messages[robots].view(MESSAGE)
+        # Quicker than views, which look at the fields.
+        return np.ndarray(len(robots), MESSAGE, self._messages[robots])
 
     def reply(self, robots: IndexArray, messages: Records) -> None:
         """Overwrite posted messages with replies."""
-        self._messages[robots] = messages.view(_BYTES)
+        self._messages[robots] = np.ndarray(len(robots), _BYTES, messages)
 
     def run_round(self) -> int | None:
         """Resume every robot whose slot has `run` set.

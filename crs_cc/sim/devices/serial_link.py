@@ -66,10 +66,9 @@ class SerialLine:
         """
         robot = np.asarray(robots)
         place = self._first[robot] + np.minimum(np.asarray(codes).astype(np.uint32), _CODES)
-        bits = self._bits[place]
-        if any_of(np.asarray(self._sends_data[place])):
-            data = np.clip(sizes, 0, DATA_SIZE) * _BITS_PER_BYTE
-            bits = bits + np.where(self._sends_data[place], data, 0)
+        bits, sends_data = self._bits[place], self._sends_data[place]
+        if any_of(np.asarray(sends_data)):
+            bits = bits + np.where(sends_data, np.clip(sizes, 0, DATA_SIZE) * _BITS_PER_BYTE, 0)
         return np.asarray(self._network_s[place] + bits / state.baud[robot])
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -49,8 +49,7 @@ _ANSWERS: Final = {
 _TEXT: Final = 40  # maximum length of a text that is shown
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Served:
+class Served(NamedTuple):
     """Requests of one kind that were answered together; arrays have a row for each robot.
 
     Attributes:
@@ -116,8 +115,7 @@ NO_SLICES: Final = Slices(
 """The slices of no robots."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Step:
+class Step(NamedTuple):
     """One cycle that has ended.
 
     Attributes:

@@ -147,7 +147,7 @@ class Kernels:
         )
         results = memory[1:].reshape(-1)
         self._second, self._charges = results.view(np.int32), results.view(np.float64)
-        self._replies = results[: robots * REPLY.itemsize].view(REPLY)
+        self._replies = memory[1:].reshape(-1).data
         self.room = len(self._arena)
 
     def apply(self, function: int, count: int) -> None:
@@ -350,7 +350,7 @@ class Kernels:
             for_s: the time for which each has been in the world, (k,).
         """
         self._select(_REPLIES, len(for_s), rows, for_s.tobytes())
-        return self._replies[: len(for_s)].copy()
+        return self._told(len(for_s))
 
     def serve(
         self,
@@ -379,7 +379,7 @@ class Kernels:
         self._select(_SERVE, count, rows, _FOUR.pack(*service) + numbers)
         found: int = _RESULT.unpack_from(self._memory, self._place)[0]
         first = 4 + (0 if rows is None else count)
-        return found, self._arena[first : first + count].copy(), self._replies[:count].copy()
+        return found, self._arena[first : first + count].copy(), self._told(count)
 
     def charges(self, rows: IndexArray | None, for_s: FloatArray) -> FloatArray:
         """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).
@@ -438,6 +438,10 @@ class Kernels:
         found = self._second
         empty = found[2 : 2 + found[0]].tolist() if found[0] else []
         return _RESULT.unpack_from(self._memory, self._place)[0], empty, bool(found[1])
+
+    def _told(self, count: int) -> Records:
+        """Return copies of the first replies in the arena, of dtype `REPLY`."""
+        return np.ndarray(count, REPLY, bytearray(self._replies[: count * REPLY.itemsize]))
 
     def _select(
         self,
