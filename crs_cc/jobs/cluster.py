@@ -70,10 +70,12 @@ class Cluster:
             raise self._error("the Dask scheduler has no workers", hint) from None
 
     def _connected(self, address: str) -> Any:
+        self._address = address
+        if not _is_address(address):
+            raise self._error("not the address of a Dask scheduler", "write it as dask://HOST:PORT")
         import distributed
 
         connect: Any = distributed.Client  # without types
-        self._address = address
         logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # we tell of errors
         try:
             return connect(_with_scheme(address), timeout=_CONNECT_S, set_as_default=False)
@@ -252,6 +254,18 @@ def _require_same(sources: str) -> None:
 def _sources() -> str:
     """Return a hash of what may change a result."""
     return version(WORLDS)
+
+
+def _is_address(address: str) -> bool:
+    """Return whether a text names a scheduler's host and port.
+
+    >>> [_is_address(each) for each in ("dask://hall:8786", "[::1]:8786", "hall", "tcp://hall:x")]
+    [True, True, False, False]
+    """
+    scheme, _, rest = address.rpartition("://")
+    host, _, port = rest.rpartition(":")
+    is_port = port.isascii() and port.isdecimal() and len(port) <= 5 and 0 < int(port) < 1 << 16
+    return scheme in ("", "dask", "tcp", "tls") and bool(host) and is_port
 
 
 def _with_scheme(address: str) -> str:

@@ -16,6 +16,8 @@ from crs_cc.jobs.cluster import Cluster, ClusterError
 from crs_cc.sweeps.sweep import Progress, Sweep
 from tests.sweeps.trials import MANY, swept, write
 
+NO_ADDRESS = "error: not the address of a Dask scheduler"
+
 if TYPE_CHECKING:
     from distributed import LocalCluster
 
@@ -84,7 +86,10 @@ def test_a_cluster_with_another_version_runs_nothing(
     ("address", "text"),
     [
         ("tcp://127.0.0.1:9", "tcp://127.0.0.1:9: error: no Dask scheduler: "),
-        ("nowhere://127.0.0.1", "nowhere://127.0.0.1: error: no Dask scheduler: unknown address"),
+        ("nowhere://127.0.0.1", f"nowhere://127.0.0.1: {NO_ADDRESS}"),
+        ("dask://127.0.0.1:x", f"dask://127.0.0.1:x: {NO_ADDRESS}"),
+        ("dask://:8786", f"dask://:8786: {NO_ADDRESS}"),
+        ("tcp://hall:65536", f"tcp://hall:65536: {NO_ADDRESS}"),
     ],
 )
 def test_an_address_without_a_scheduler_is_one_clear_error(
