@@ -19,6 +19,7 @@ Examples:
   crs replay run.mcap --plot path.svg --csv out  a picture, and tables
   crs replay run.mcap --html run.html            a page that plays it in a browser
   crs replay run.mcap --verify                   run it again and compare
+  crs replay run.mcap --compare other.mcap       where two runs begin to differ
   crs replay broken.mcap --recover mended.mcap   write what can be read
   crs debug run.mcap --at 12.5s                  debug the recorded run
 """
@@ -26,7 +27,7 @@ Examples:
 
 @click.command(
     epilog=_EXAMPLES,
-    short_help="Show, export, verify or mend a recording.",
+    short_help="Show, export, verify, compare or mend recordings.",
     options_metavar="[OPTIONS]",
 )
 @click.argument("path", type=click.Path(path_type=Path), metavar="RUN.mcap")
@@ -52,6 +53,14 @@ Examples:
     is_flag=True,
     help="Run the recorded run again and compare its hashes; exit with 125 if they differ.",
 )
+@click.option(
+    "--compare",
+    "other",
+    type=click.Path(path_type=Path),
+    metavar="OTHER.mcap",
+    help="Run both recorded runs again up to the first timestep in which robots or global "
+    "variables differ, and show how; exit with 125 if they differ.",
+)
 @written_file(
     "--recover",
     "Write what can be read of a damaged recording to FILE.mcap.",
@@ -59,7 +68,7 @@ Examples:
     metavar="FILE.mcap",
 )
 def replay(path: Path, **options: Any) -> int:
-    """Show what a recording holds, or export, verify or mend it.
+    """Show what a recording holds; or export, verify, compare or mend it.
 
     Recordings are made by crs run --record. Without options, the run is summarised.
     """

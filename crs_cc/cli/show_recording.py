@@ -14,7 +14,7 @@ import click
 from crs_cc.cli.inputs import is_animation
 from crs_cc.cli.instants import recorded_instant
 from crs_cc.cli.messages import printable, show
-from crs_cc.core.errors import RecordingError
+from crs_cc.core.errors import RecordingError, ReplayMismatch
 from crs_cc.core.source import Diagnostic, Location
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
@@ -24,6 +24,7 @@ from crs_cc.recording.recording import Recording
 
 if TYPE_CHECKING:
     from crs_cc.cli.columnar import Form
+    from crs_cc.cli.compare_recordings import Comparison
     from crs_cc.recording.recording import Roster
 
 Export = Callable[[Recording, Path], None]
@@ -34,7 +35,13 @@ _SONARS: Final = slice(17, 33)  # of State, see the vendor's manual
 
 
 def show_recording(
-    path: Path, *, at_s: float | None, verify: bool, mended: Path | None, **targets: Path | None
+    path: Path,
+    *,
+    at_s: float | None,
+    verify: bool,
+    other: Path | None,
+    mended: Path | None,
+    **targets: Path | None,
 ) -> int:
     """Do what is asked for with a recording; without anything, summarise it.
 
@@ -42,6 +49,7 @@ def show_recording(
         path: the recording.
         at_s: the time to show the state at [s].
         verify: whether to run it again.
+        other: a recording to compare it with.
         mended: the file for what can be read.
         targets: files and folders to export to, by the names in `_EXPORTS`.
 
@@ -65,6 +73,8 @@ def show_recording(
             _EXPORTS[name](recording, target)
         if verify:
             _verify(recording)
+        if other is not None:
+            return _compare(recording, other)
         if not (verify or wanted) and at_s is None:
             _print(summary(recording))
     finally:
@@ -135,6 +145,35 @@ def _verify(recording: Recording) -> None:
         f"{recording.path}: the same run: {found.hashes} hashes agree, {found.states} of them of"
         f" all state, up to {found.simulated_s:.2f} s"
     )
+
+
+def _compare(recording: Recording, path: Path) -> int:
+    from crs_cc.cli.compare_recordings import compare
+
+    other = _opened(path)
+    try:
+        found = compare(recording, other)
+    finally:
+        other.close()
+    _print(comparison(found, (recording.path, path)))
+    return ReplayMismatch.exit_status if found.found else 0
+
+
+def comparison(found: Comparison, paths: tuple[Path, Path]) -> Iterator[str]:
+    """Yield the lines that tell how two runs compare."""
+    if not found.found:
+        yield f"{paths[0]}, {paths[1]}: no difference up to {found.time_s:.2f} s"
+        for path, end_s in zip(paths, found.ends_s, strict=True):
+            if end_s > min(found.ends_s):
+                yield f"  {path} goes on to {end_s:.2f} s"
+        return
+    yield f"the first difference is at {found.time_s:.3f} s (timestep {found.timestep}):"
+    yield f"  {paths[0]} | {paths[1]}"
+    for each in found.found[:_SHOWN]:
+        yield f"  {each.robot} {each.name}: {each.here or 'nothing'} | {each.there or 'nothing'}"
+    if len(found.found) > _SHOWN:
+        yield f"  ... and {len(found.found) - _SHOWN} more"
+    yield f"look further with: crs debug {paths[0]} --at {found.before_s:g}s"
 
 
 def _recover(recording: Recording, target: Path) -> None:
