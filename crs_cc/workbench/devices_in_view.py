@@ -1,7 +1,8 @@
-"""What the view draws of devices: arms, grippers, what is carried, degraded and hot, readings."""
+"""What the view draws of devices and fields: arms, what is carried, degraded or hot, readings."""
 
 from __future__ import annotations
 
+import base64
 import math
 from itertools import islice
 from typing import TYPE_CHECKING, Any, Final
@@ -24,10 +25,15 @@ if TYPE_CHECKING:
 
 MAX_DEGRADED: Final = 500
 MAX_HEATED: Final = 500
+MAX_FIELDS: Final = 4
+_SQUARES: Final = 96
+"""Squares along the longer side of the area that fields are drawn with."""
+_FULL: Final = 255
 
 
 def devices_in_view(environment: Environment, rows: Sequence[int], selected: int) -> dict[str, Any]:
     """Return what is drawn of some robots' devices, and what the selected one's have measured."""
+    fields = environment.world.fields
     return {
         "fingers": dict(_fingers(environment, rows)),
         "joints": dict(_joints(environment, rows)),
@@ -37,6 +43,7 @@ def devices_in_view(environment: Environment, rows: Sequence[int], selected: int
         "laser": _laser(environment, selected),
         "camera": _camera(environment, selected),
         "infrared": _readings(environment, "infrared", selected),
+        "fields": [_field(environment, each.name) for each in fields[:MAX_FIELDS]],
         "heat": next(iter(_readings(environment, "heat", selected)), None),
     }
 
@@ -95,6 +102,24 @@ def _heats(environment: Environment) -> Iterator[tuple[str, float]]:
     for thing, heat in zip(environment.objects, left, strict=False):  # the ground has none
         if heat != thing.heat:
             yield thing.id, heat
+
+
+def _field(environment: Environment, name: str) -> dict[str, Any]:
+    """Return a field as shares of its largest amount, a byte for each square."""
+    amounts, cell_m = environment.field_sketch(name, _SQUARES)
+    most, area = float(amounts.max()), environment.world.area
+    shares = np.ceil(amounts * (_FULL / most if most > 0.0 else 0.0)).astype(np.uint8)
+    rows, columns = shares.shape
+    return {
+        "name": name,
+        "x": area.x_min_m,
+        "y": area.y_min_m,
+        "cell": cell_m,
+        "rows": rows,
+        "columns": columns,
+        "most": float(f"{most:.6g}"),
+        "data": base64.b64encode(shares.tobytes()).decode(),
+    }
 
 
 def _camera(environment: Environment, robot: int) -> list[tuple[str, float | None]]:

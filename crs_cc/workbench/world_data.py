@@ -54,6 +54,7 @@ def world_data(world: WorldModel, names: Sequence[str]) -> dict[str, Any]:
             {"id": each.id, "x": each.x_m, "y": each.y_m, "brightness": each.brightness}
             for each in world.lights
         ],
+        "fields": [each.name for each in world.fields],
         "places": [
             {"id": each.id, "x": each.x_m, "y": each.y_m, "radius": each.radius_m, "colour": colour}
             for places, colour in ((world.sources, SOURCE_PAINT), (world.nests, NEST_PAINT))

@@ -281,3 +281,20 @@ def test_fields_are_read_and_changed_from_python(world):
         session.field("smell")
     with pytest.raises(ValueError, match="invalid evaporation time 0 "):
         session.set_evaporation("trail", 0)
+
+
+@pytest.mark.parametrize("most", [1, 7, 60, 1000])
+def test_a_sketch_has_the_largest_amount_of_each_square(world, most: int):
+    robots = '<robot x="2m" y="2m"/><robot x="5.7m" y="3.7m"/><robot x="2.6m" y="2.1m"/>'
+    driver = Driver.of(world(robots=robots))
+    for robot, amount in enumerate((3.0, 2.0, 5.0)):
+        post(driver, "DEPOSIT", amount, robot=robot)
+    driver.run(2)
+    whole = driver.environment.field("trail")
+    sketch, side_m = driver.environment.field_sketch("trail", most)
+    cells = round(side_m / 0.1)
+    assert cells == -(-60 // most)
+    assert sketch.shape == (-(-40 // cells), -(-60 // cells))
+    for row, column in np.ndindex(sketch.shape):
+        square = whole[row * cells : (row + 1) * cells, column * cells : (column + 1) * cells]
+        assert sketch[row, column] == square.max()

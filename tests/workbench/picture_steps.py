@@ -57,6 +57,14 @@ def four_views(page: Any) -> None:
     page.click("#tab-events")
 
 
+def trails(page: Any) -> None:
+    """Show what ants have left on their ways, beside a map of it."""
+    go_to(page, 24.0)
+    wait(page, "crs.look.fields[0]?.most > 0")
+    page.evaluate("crs.views.setCount(2)")
+    page.evaluate("crs.views.all[1].camera.setMode('top')")
+
+
 def infrared(page: Any) -> None:
     """Look at heat as colour."""
     go_to(page, 6.0)

@@ -88,6 +88,9 @@ PICTURES: Final = {
     "workbench-heat": Picture(
         partial(run_of, SAMPLES / "wander.c", WORLDS / "gallery.xml"), steps.infrared
     ),
+    "workbench-field": Picture(
+        partial(run_of, SAMPLES / "ants" / "ants.c", SAMPLES / "ants" / "ants.xml"), steps.trails
+    ),
     "workbench-debugger": Picture(
         partial(run_of, PICTURED / "fault.c", WORLDS / "room.xml"), steps.at_an_error, 860
     ),

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import base64
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from crs_cc.api.session import Session
 from crs_cc.debug.world.edits import edit
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import load_world
@@ -16,6 +18,7 @@ from tests.device.robot import scout_with
 
 INFRARED = '<infrared step="1in" half-angle="5deg"/>'
 CAMERA = '<camera columns="4" field-of-view="360deg" direction="45deg" background="#010203"/>'
+ROOT = Path(__file__).parents[2]
 RADIUS_M = 8 * 0.0254
 
 
@@ -64,3 +67,20 @@ def test_the_heat_of_what_was_cooled_or_heated_is_told(environment: Environment)
     edit(environment, "heat cylinder0 0")
     edit(environment, "heat robot0 2.5")
     assert devices_in_view(environment, range(1), 0)["heats"] == {"cylinder0": 0.0, "robot0": 2.5}
+
+
+def test_a_field_is_told_as_shares_of_its_largest_amount() -> None:
+    ants = ROOT / "samples" / "scout_c" / "ants"
+    session = Session(ants / "ants.xml")
+    session.run(10.0)
+    environment = session.inner.environment
+    (found,) = devices_in_view(environment, range(1), 0)["fields"]
+    shares = np.frombuffer(base64.b64decode(found["data"]), np.uint8)
+    shares = shares.reshape(found["rows"], found["columns"])
+    amounts = environment.field("trail")
+    assert found["most"] == pytest.approx(amounts.max(), rel=1e-5)
+    row, column = np.unravel_index(amounts.argmax(), amounts.shape)
+    squares = round(found["cell"] / 0.02)
+    assert shares[row // squares, column // squares] == 255
+    assert np.array_equal(shares > 0, environment.field_sketch("trail", 96)[0] > 0.0)
+    assert 0 < np.count_nonzero(shares) < shares.size / 10

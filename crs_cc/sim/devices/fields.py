@@ -145,6 +145,32 @@ class Fields:
         blocks[row // SIDE, column // SIDE] = amounts.reshape(-1, SIDE, SIDE)
         return blocks.swapaxes(1, 2).reshape(up * SIDE, across * SIDE)[:rows, :columns]
 
+    def sketch(self, state: EnvState, field: int, most: int) -> tuple[FloatArray, float]:
+        """Return a coarse picture of a field: the largest amounts in squares of cells.
+
+        Only what is stored is looked at, however large the area is.
+
+        Args:
+            state: has the fields.
+            field: the field.
+            most: maximum number of squares along a side of the area.
+
+        Returns:
+            the amounts, (rows, columns), and the side of a square [m].
+        """
+        fields, grid = state.fields, self._grid
+        rows, columns = int(grid.rows[field]), int(grid.columns[field])
+        cells = -(-max(rows, columns) // most)
+        found = np.zeros((-(-rows // cells), -(-columns // cells)))
+        slots = field_tiles.of(fields, grid, field)
+        amounts = fields.amount[slots].reshape(-1, SIDE, SIDE)
+        tile, up, across = amounts.nonzero()
+        row, column = grid.place(field, fields.tile[slots])
+        place = (row[tile] + up) // cells, (column[tile] + across) // cells
+        np.maximum.at(found, place, amounts[tile, up, across])
+        unit = float(self._units(fields, state.cycle)[field])
+        return found * unit, cells * float(grid.cell_m[field])
+
     def _add(self, state: EnvState) -> None:
         """Add the deposits of the cycle."""
         fields = state.fields

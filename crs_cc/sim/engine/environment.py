@@ -366,6 +366,11 @@ class Environment:
         fields = self._data.devices.fields
         return fields.picture(self.state, fields.number(name))
 
+    def field_sketch(self, name: str, most: int) -> tuple[FloatArray, float]:
+        """Return a coarse picture of a pheromone field, see `Fields.sketch`."""
+        fields = self._running.devices.fields
+        return fields.sketch(self._running.state, fields.number(name), most)
+
     def device_rows(self, number: int) -> list[tuple[str, str]]:
         """Return name and state of each device of a robot, for inspectors."""
         numbers = self._data.constants.numbers

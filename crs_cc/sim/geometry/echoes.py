@@ -54,7 +54,8 @@ from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import blocks
 from crs_cc.sim.geometry.outline_query import Prospect
 from crs_cc.sim.geometry.pings import Pings, Points
-from crs_cc.sim.kernels.program import PING_SIZE, kernels, pairs
+from crs_cc.sim.kernels.program import kernels, pairs
+from crs_cc.sim.kernels.tables import PING_SIZE
 
 _NO_VOICES: Final = np.zeros((0, 4))
 _MANY: Final = 1 << 10  # more shapes of a ping than this may be equal ones

@@ -34,7 +34,8 @@ from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import parts
 from crs_cc.sim.geometry.outline_query import Prospect
 from crs_cc.sim.kernels import exact
-from crs_cc.sim.kernels.program import RAY_BINS, kernels
+from crs_cc.sim.kernels.program import kernels
+from crs_cc.sim.kernels.tables import RAY_BINS
 
 NO_THING: Final = -1
 """The object of a beam that hits nothing."""

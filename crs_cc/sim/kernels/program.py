@@ -80,11 +80,6 @@ _WORLD: Final = 145_000, ROBOTS, BODIES, KINDS
 
 _Column: TypeAlias = Any  # contiguous arrays of float64, or bool at the end
 
-PING_SIZE: Final = 13
-"""Numbers in a row of pings, see `echoes.c`."""
-RAY_BINS: Final = 256
-"""Bins of directions in a turn, as in `kernels.h`."""
-
 
 class Shapes(NamedTuple):
     """All shapes of a small world, for `Kernels.scan`.

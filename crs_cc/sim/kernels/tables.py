@@ -1,4 +1,4 @@
-"""The tables of robots that kernels share with Python, see `robot.h`, and what kernels return."""
+"""What kernels and Python agree on: the tables of robots, see `robot.h`, of pings, and results."""
 
 from __future__ import annotations
 
@@ -31,3 +31,8 @@ REPLY: Final = np.dtype(
     [("state", "<i4", NUM_STATE), ("_", "<i4"), ("charge", "<f8", 2), ("board_ms", "<f8")]
 )
 """What the reply to a request tells of a robot, see `report.c`."""
+
+PING_SIZE: Final = 13
+"""Numbers in a row of pings, see `echoes.c`."""
+RAY_BINS: Final = 256
+"""Bins of directions in a turn, as in `kernels.h`."""

@@ -3,7 +3,7 @@ import { button, el } from "crs/dom.js";
 import { NOTHING, change, changeOrSay, entry, field, sayAtFields, setOptions, typed } from "crs/change.js";
 import { Driving } from "crs/driving.js";
 
-/** Forms that are opened by a button: what they ask for, and the change that they make. */
+/** Forms that are opened by a button: what they ask for, the change that they make, and for which runs. */
 const FORMS = [
   { id: "move", title: "Move", fields: [["x", "m", "x"], ["y", "m", "y"], ["heading", "°", "heading"]], fill: (pose) => pose,
     text: (robot, [x, y, heading]) => `move ${robot} to ${x} ${y} ${heading}` },
@@ -11,6 +11,8 @@ const FORMS = [
   { id: "sleep", title: "Sleep", fields: [["time", "s", "time"]], fill: () => ["5"], text: (robot, [time]) => `sleep ${robot} ${time}` },
   { id: "heat", title: "Heat", fields: [["heat", "", "heat"]], fill: () => ["10"], text: (robot, [heat]) => `heat ${robot} ${heat}` },
   { id: "recharge", title: "Recharge", fields: [["charge", "%", "charge"]], fill: () => ["100"], text: (robot, [charge]) => `charge ${robot} ${charge}` },
+  { id: "evaporate", title: "Evaporation", fields: [["field", "", "field"], ["time", "s", "time"]], only: (run) => run.world.fields?.length,
+    fill: (_pose, run) => [run.world.fields[0], "60"], text: (_robot, [field, time]) => `evaporate ${field} ${time === "never" ? time : `${time}s`}` },
 ];
 
 /** @param {any} model @param {any} page @returns {HTMLElement} */
@@ -37,7 +39,7 @@ export function actions(model, page) {
     made.setAttribute("aria-expanded", "false");
     return made;
   };
-  const simple = FORMS.map((form) => opener({ id: form.id, title: form.title, make: () => simpleForm(model, form) }));
+  const simple = FORMS.filter(({ only }) => !only || only(model.run)).map((form) => opener({ id: form.id, title: form.title, make: () => simpleForm(model, form) }));
   const mayAdd = model.run.can.includes("debug"); // programs are compiled where they are debugged
   const add = mayAdd ? [opener({ id: "add", title: "Add a robot", make: () => addForm(model) })] : [];
   const bar = el("div.actions", {}, drive,
@@ -59,7 +61,7 @@ function poseOf(model) {
 }
 
 function simpleForm(model, form) {
-  const values = form.fill(poseOf(model).map(String));
+  const values = form.fill(poseOf(model).map(String), model.run);
   const fields = form.fields.map(([label, unit], at) => field(label, entry({ value: values[at] }), unit));
   return formOf(fields, form.title, async () => {
     const wrong = await change(model, form.text(model.selected.id, fields.map((each) => typed(each.input) || NOTHING)));

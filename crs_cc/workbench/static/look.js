@@ -75,6 +75,11 @@ export class Look {
     return this.model.status.devices;
   }
 
+  /** The pheromone fields that are shown, as they were told last. @returns {import("./field_map.js").FieldMap[]} */
+  get fields() {
+    return this.show.fields && !this.isInfrared ? (this.devices?.fields ?? []) : [];
+  }
+
   /** The events of the last seconds, up to the time that is shown. */
   recent(seconds) {
     const { events } = this.model.run;

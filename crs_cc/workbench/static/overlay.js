@@ -2,6 +2,7 @@
  * What is drawn over a view, flat or not: trails, sonar cones, labels, contacts, the scale.
  * Each part is a row of `PARTS`; `show` has their switches.
  */
+import { fieldScale } from "crs/field_map.js";
 import { heatColour, mostHeat } from "crs/heat.js";
 import { degraded, laser, ranges } from "crs/overlay_devices.js";
 import { movable } from "crs/overlay_things.js";
@@ -20,6 +21,7 @@ export const PARTS = [
   { name: "trails", title: "Trails", on: true, draw: trails },
   { name: "paths", title: "Whole paths, and believed ones", on: true, only: (run) => run.paths, draw: paths },
   { name: "marks", title: "What programs draw", on: true, only: (run) => run.marks, draw: marks },
+  { name: "fields", title: "Pheromone fields", on: true, only: (run) => run.world.fields?.length, draw: fieldScale },
   { name: "movable", title: "What can be pushed", on: true, only: (run) => run.world.shapes.some((shape) => shape.movable), draw: movable },
   { name: "sonar", title: "Sonar echoes", on: true, draw: sonar },
   { name: "laser", title: "Laser", on: true, device: "laser", draw: laser },

@@ -1,4 +1,5 @@
 /** The world from above, on a canvas: where there is no WebGL, or for those who prefer a map. */
+import { FieldPictures } from "crs/field_map.js";
 import { cornersOf } from "crs/scene.js";
 import { gridStep } from "crs/units.js";
 
@@ -9,6 +10,7 @@ export class View2D {
   constructor(scene, canvas) {
     this.scene = scene;
     this.canvas = canvas;
+    this.pictures = new FieldPictures();
     this.isFlat = true;
     this.isSoft = false;
     this.project = (x, y) => [x, y, 1];
@@ -48,6 +50,7 @@ export class View2D {
     pen.fillRect(x, y, length, depth);
     this.patches(pen);
     this.places(pen);
+    this.fields(pen, look);
     if (!look.show.grid) return;
     const [spanX, spanY] = [width / this.scale / 2, height / this.scale / 2];
     const [left, right] = [Math.max(x, camera.x - spanX), Math.min(x + length, camera.x + spanX)];
@@ -89,6 +92,13 @@ export class View2D {
       pen.fill();
     }
     pen.globalAlpha = 1;
+  }
+
+  fields(pen, look) {
+    pen.imageSmoothingEnabled = false;
+    look.fields.forEach((field, number) => {
+      pen.drawImage(this.pictures.of(field, number), field.x, field.y, field.columns * field.cell, field.rows * field.cell);
+    });
   }
 
   shape(pen, shape, look) {

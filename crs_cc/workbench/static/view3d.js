@@ -1,5 +1,6 @@
 /** The world in three dimensions, by three.js. z points up. */
 import * as THREE from "three";
+import { FieldCarpets } from "crs/field_carpets.js";
 import { heatPicture, hotThings, mostHeat } from "crs/heat.js";
 import { Limbs } from "crs/limbs.js";
 import { robotShape } from "crs/robot_shape.js";
@@ -32,6 +33,7 @@ export class View3D {
     /** @type {Map<any, any>} by kind of robot */
     this.groups = new Map();
     this.limbs = new Limbs(this.world);
+    this.fields = new FieldCarpets(this.world);
     this.lamps = new THREE.Group();
     this.world.add(this.lamps);
     this.matrix = new THREE.Matrix4();
@@ -76,6 +78,7 @@ export class View3D {
       mesh.rotation.z = shape.angle;
       this.markHeat(shape, mesh, look);
     }
+    this.fields.show(look.fields);
     this.limbs.place(this.scene.bodies.length > NEAR_ROBOTS ? [] : this.scene.bodies, look.devices);
     const lens = this.aim(camera, body, width, height);
     this.placeRobots(look, camera, width, height);
