@@ -97,7 +97,10 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
             {"t": each.time_ns / NS, "robots": each.robots, "objects": each.objects}
             for each in recording.rosters
         ],
-        "world": world_data(world, recording.rosters[-1].robots),
+        "world": {
+            **world_data(world, recording.rosters[-1].robots),
+            "fields": [],  # their amounts are not recorded
+        },
         "paths": _paths(recording, world),
         "marks": marks or None,
         "events": events,
