@@ -32,6 +32,13 @@ SANITIZERS = ["-O1", "-fno-omit-frame-pointer", "-fsanitize=address,undefined"]
 PAIRS = ["-fsanitize=pointer-compare,pointer-subtract"]
 CLANG = next(filter(shutil.which, ["clang", "clang-14"]), "")
 MEMORY = ["-O1", "-fno-omit-frame-pointer", "-fsanitize=memory"]
+NEEDED = {
+    "gcc, ASan and UBSan": ["gcc", *SANITIZERS],
+    "clang, ASan and UBSan": [CLANG, *SANITIZERS],
+    "clang, MSan": [CLANG, *MEMORY],
+    "valgrind": ["gcc" if shutil.which("valgrind") else ""],
+}
+"""The compiler and the options of each other way; the libraries of sanitizers may be missing."""
 REPORT = r"(?:ERROR|WARNING): \w+Sanitizer|runtime error: "
 ASAN = "detect_stack_use_after_return=1:detect_invalid_pointer_pairs=2:strict_string_checks=1"
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": ASAN, "UBSAN_OPTIONS": "print_stacktrace=1"}
@@ -101,6 +108,15 @@ def _native(
     return Found("crash") if done.returncode < 0 else Found()
 
 
+def _links(tool: str, flags: list[str]) -> bool:
+    """Return whether a compiler is there, with what programs with these options need."""
+    if not shutil.which(tool):
+        return False
+    command = [tool, *flags, "-xc", "-", "-o", os.devnull]
+    program = b"int main(void) { return 0; }"
+    return subprocess.run(command, input=program, check=False, capture_output=True).returncode == 0
+
+
 def matches(case: Planted, found: Found) -> bool:
     """Return whether the planted error was found, and not something else by our own checks."""
     if case.severity == "warning":
@@ -119,11 +135,13 @@ def main() -> None:
     if not options.only_crs:
         ways["crs --trap-overflow"] = crs_trapping
         ways["gcc, ASan and UBSan"] = sanitized
-        if CLANG:
-            ways["clang, ASan and UBSan"] = sanitized_by_clang
-            ways["clang, MSan"] = memory_sanitized
-        if shutil.which("valgrind"):
-            ways["valgrind"] = valgrind
+        ways["clang, ASan and UBSan"] = sanitized_by_clang
+        ways["clang, MSan"] = memory_sanitized
+        ways["valgrind"] = valgrind
+        missing = [name for name, (tool, *flags) in NEEDED.items() if not _links(tool, flags)]
+        for name in missing:
+            print(f"not installed, or not whole: {name}")
+            del ways[name]
     for names in options.names:
         cases = list(planted(names))
         print(f"{names}: {len(cases)} programs")
