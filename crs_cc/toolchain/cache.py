@@ -19,7 +19,7 @@ from typing import TypeVar
 
 from crs_cc.core import host_system
 from crs_cc.toolchain.cache_size import TEMPORARY, StoreQuota
-from crs_cc.toolchain.fingerprint import COMPILER, fingerprint, stamp
+from crs_cc.toolchain.fingerprint import COMPILER, PACKAGE, fingerprint, stamp
 
 _DIGEST_SIZE = hashlib.sha256().digest_size
 _Entry = TypeVar("_Entry")
@@ -49,8 +49,11 @@ def version(folders: tuple[str, ...] = COMPILER) -> str:
 
 
 def key(*parts: str | bytes | Iterable[str]) -> str:
-    """Return the name of the entry for these inputs of the compiler."""
-    digest = hashlib.sha256(version().encode())
+    """Return the name of the entry for these inputs of the compiler.
+
+    Installations with the same sources have entries of their own: programs name their headers.
+    """
+    digest = hashlib.sha256(os.fsencode(PACKAGE) + b"\0" + version().encode())
     for part in parts:
         rows = [part] if isinstance(part, str | bytes) else list(part)
         digest.update(f"{len(rows)}:".encode())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
 from crs_cc.session import trace as trace_module
@@ -92,5 +91,5 @@ def test_an_event_is_one_line_whatever_its_text() -> None:
     rows: list[str] = []
     step = Environment(empty_world(), seed=1).step()
     events = (Event(0.04, "message", "sent \n\x1b[2J", -1), Event(0.01, "light", "on", 0))
-    Trace(rows.append, ["scout"]).step(replace(step, events=events))
+    Trace(rows.append, ["scout"]).step(step._replace(events=events))
     assert rows[1:] == ["0.010 scout  light: on", "0.040 -      message: sent \\n\\x1b[2J"]

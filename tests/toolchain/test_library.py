@@ -57,3 +57,11 @@ def test_a_name_defined_twice_in_the_library_is_an_internal_error(
         (tmp_path / unit).write_text("int twice;\n" if unit == "a.c" else "int twice = 2;\n")
     with pytest.raises(InternalError, match=r"'twice' in a\.c and b\.c"):
         index_of_sources(())
+
+
+def test_headers_of_another_installation_are_not_taken_for_the_users(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    here = cache.key("library", "system/errno.c")
+    monkeypatch.setattr(cache, "PACKAGE", Path("/another/crs_cc"))
+    assert cache.key("library", "system/errno.c") != here
