@@ -8,7 +8,7 @@ reach these bytes, so the variables that an expression names are passed as `Save
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 import numpy as np
@@ -206,6 +206,7 @@ class StoppedMemory:
             self._change(found.address, found.widened(whole.tobytes()), b"")
             if found.flag is not None:
                 self._change(found.flag, b"\1\0\0\0", b"")
+            self._saved[found.address] = replace(found, is_unset=False)
             return
         known = self.states(address, size)
         if not self.trusting and (len(known) < size or ByteState.INACCESSIBLE in known):

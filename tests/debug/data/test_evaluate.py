@@ -305,6 +305,8 @@ int main(void)
     evaluator = Stopping(tmp_path, source).run().evaluator()
     assert evaluator.evaluate("x").value.text == "5"
     assert evaluator.evaluate("y").value.text == "uninitialised"
+    assert evaluator.evaluate("y = 5").value.text == "5"
+    assert evaluator.evaluate("(y = 6) + y").value.text == "12"
     assert [each.name for each in evaluator.variables()] == ["a"]
 
 
