@@ -146,6 +146,20 @@ def a_button_goes_ten_seconds_back(page: Any) -> None:
     wait(page, "Math.abs(crs.model.state.t - 0.5) < 1e-6 && !crs.model.state.busy")
 
 
+def what_was_printed_leads_to_its_instant(page: Any) -> None:
+    page.evaluate("crs.timeline.seek(3.5)")
+    wait(page, "Math.abs(crs.model.state.t - 3.5) < 1e-6 && !crs.model.state.busy")
+    page.click("#tab-output")
+    piece = page.locator("#output span", has_text="step 20").first
+    time_s = float(piece.get_attribute("data-time"))
+    assert time_s > 0.1
+    piece.click()
+    wait(page, f"Math.abs(crs.model.state.t - {time_s}) < 0.0501 && !crs.model.state.busy")
+    page.click("#tab-code")
+    page.evaluate("crs.timeline.seek(0.5)")
+    wait(page, "Math.abs(crs.model.state.t - 0.5) < 1e-6 && !crs.model.state.busy")
+
+
 def overlays_are_of_all_robots_or_of_the_selected_one(page: Any) -> None:
     named = "crs.views.active.overlay.chosen().map((body) => body.id).join()"
     assert page.evaluate(named) == "ada,bob"
@@ -256,6 +270,7 @@ def test_a_run_is_watched_moved_stepped_and_left(browser: Any, page: Any, screen
     the_time_line_goes_back_to_any_instant(page, screen)
     trails_need_no_block_of_frames_while_the_run_is_watched(page)
     a_button_goes_ten_seconds_back(page)
+    what_was_printed_leads_to_its_instant(page)
     overlays_are_of_all_robots_or_of_the_selected_one(page)
     a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page)
     a_robot_is_selected_in_the_view_and_commands_change_the_run(page)

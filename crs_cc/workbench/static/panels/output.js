@@ -1,4 +1,4 @@
-/** What the programs have printed, up to the time that is shown. */
+/** What the programs have printed, up to the time that is shown; a click goes to when it was printed. */
 import { el, fill } from "crs/dom.js";
 
 const MOST = 1500; // pieces
@@ -9,9 +9,13 @@ export const output = {
   title: "Output",
   side: "right",
   recorded: true,
-  make(root, model) {
+  make(root, model, _look, page) {
     const only = el("input", { type: "checkbox", onchange: () => draw(true) });
-    const text = el("pre#output.output", { tabIndex: 0, "aria-label": "what the programs print" });
+    const go = ({ target }) => {
+      const { time } = target.dataset;
+      if (time !== undefined && getSelection()?.isCollapsed !== false) page.timeline.seek(Number(time)); // not while text is selected
+    };
+    const text = el("pre#output.output", { tabIndex: 0, "aria-label": "what the programs print", onclick: go });
     text.id = "output";
     root.append(el("label.only", {}, only, "selected robot only"), text);
     let key = "";
@@ -30,10 +34,12 @@ export const output = {
       const name = (robot) => (typeof robot === "number" ? names[robot] : robot);
       const chosen = only.checked ? all.slice(0, count).filter((each) => name(each[1]) === model.selected.id) : all.slice(0, count);
       let line = true;
-      fill(text, ...chosen.slice(-MOST).map(([, robot, stream, content]) => {
+      fill(text, ...chosen.slice(-MOST).map(([at, robot, stream, content]) => {
         const shown = several && line ? `[${name(robot)}] ${content}` : content;
         line = content.endsWith("\n");
-        return stream === 2 ? el("span.err", {}, shown) : shown;
+        const piece = el(stream === 2 ? "span.err" : "span", { title: `${at.toFixed(3)} s: go there` }, shown);
+        piece.dataset.time = String(at);
+        return piece;
       }));
       text.scrollTop = text.scrollHeight;
     };
