@@ -11,6 +11,7 @@ from crs_cc.workbench import sources
 from crs_cc.workbench.allowed import check_command
 from crs_cc.workbench.branches import KnownBranches
 from crs_cc.workbench.control import begin, panel
+from crs_cc.workbench.recorded_content import MAX_NOTES
 from crs_cc.workbench.robot_table import status
 from crs_cc.workbench.run import Halt
 from crs_cc.workbench.world_data import world_data
@@ -101,7 +102,11 @@ class DebuggedRun:
     def panel(self) -> dict[str, Any] | None:
         """Return what has been changed, what is degraded, and which links are shut."""
         shown = panel(self._debugger.session.environment, self.changes())
-        return shown | {"branches": self._branches.listing()}
+        notes = [
+            {"t": each.time_s, "robot": each.robot, "text": each.text}
+            for each in self._debugger.notes[-MAX_NOTES:]
+        ]
+        return shown | {"branches": self._branches.listing(), "notes": notes}
 
     def session(self) -> Session:
         """Return the run."""

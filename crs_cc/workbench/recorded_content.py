@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from crs_cc.debug.timeline.note import KIND, Note
 from crs_cc.plot.x11_colours import HEX
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
@@ -20,8 +22,10 @@ if TYPE_CHECKING:
     from crs_cc.recording.recording import Frame, Recording
 
 MAX_EVENTS: Final = 20_000
+MAX_NOTES: Final = 500
 MAX_MARKS: Final = 5_000
 MAX_OUTPUT: Final = 4 * 2**20
+_MAX_NOTE: Final = 400  # characters
 _MAX_CONTENT: Final = 60  # bytes of a message that an event shows
 
 _ARROWS: Final = {"sent": "sent", "delivered": "arrived", "corrupted": "corrupted"}
@@ -74,7 +78,7 @@ def _seconds(recording: Recording, stride: int) -> Iterator[list[Frame]]:
 
 
 def events_in(recording: Recording) -> tuple[list[list[Any]], int]:
-    """Return the first events, and how many are left out."""
+    """Return the first events and the user's notes, and how many events are left out."""
     found: list[list[Any]] = []
     lost = 0
     for time_ns, data in recording.data(topics.EVENT.topic):
@@ -97,7 +101,17 @@ def events_in(recording: Recording) -> tuple[list[list[Any]], int]:
             rows = list(_messages(data, recording.roster_at(time_ns).robots, contents))
         lost += max(0, len(found) + len(rows) - MAX_EVENTS)
         found += rows[: MAX_EVENTS - len(found)]
+    found += _notes(recording)
     return sorted(found, key=lambda each: float(each[0])), lost
+
+
+def _notes(recording: Recording) -> Iterator[list[Any]]:
+    """Yield the user's first notes, as events."""
+    notes = (each for _, each in recording.data(topics.INPUT.topic) if each.get("kind") == KIND)
+    for data in islice(notes, MAX_NOTES):
+        with recording.errors():
+            note = Note.of(data)
+        yield [note.time_s, KIND, note.robot, note.text[:_MAX_NOTE], None, None]
 
 
 def marks_in(recording: Recording, radius_m: float) -> tuple[list[list[Any]], int]:

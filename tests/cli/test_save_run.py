@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from pathlib import Path
 
 import pytest
 
 from crs_cc.cli.main import main
+from crs_cc.recording.recording import Recording
+from crs_cc.workbench.recorded_content import events_in
 
 DRIVES = """\
 #include <unistd.h>
@@ -50,6 +53,9 @@ def test_changes_and_notes_are_in_the_recording(
     assert "speed = 120" in again
     assert "= 120" in again
     assert value.removeprefix("$1") in again
+    with closing(Recording(tmp_path / "run.mcap")) as recording:
+        (note,) = [each for each in events_in(recording)[0] if each[1] == "note"]
+    assert note == [pytest.approx(2.17, abs=0.01), "note", 0, "here it is fast", None, None]
 
 
 def test_no_other_file_is_overwritten(

@@ -196,6 +196,10 @@ def a_robot_is_selected_in_the_view_and_commands_change_the_run(page: Any) -> No
     page.press(".prompt input", "Enter")
     page.wait_for_selector(".log >> text=bob is at 3.000, 3.000 m")
     wait(page, "Math.abs(crs.model.scene.body(1).x - 3) < 1e-3")
+    page.evaluate("""crs.console('note "moved here"')""")
+    wait(
+        page, "crs.model.happenings.some((each) => each[1] === 'note' && each[3] === 'moved here')"
+    )
     page.fill(".prompt input", "source secret.dbg")
     page.press(".prompt input", "Enter")
     page.wait_for_selector(".log .error >> text='source' is not available in the browser")

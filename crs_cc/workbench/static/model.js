@@ -174,7 +174,11 @@ export class Model {
   /** All that has happened: events, close approaches, and what was changed by hand; like events. @returns {any[][]} */
   get happenings() {
     const changes = (this.panel?.changes ?? []).map(({ t, text }) => [t, "change", -1, text, null, null]);
-    return [...(this.run?.events ?? []), ...this.approaches.events, ...changes];
+    const known = this.run?.events ?? [];
+    const recorded = new Set(known.filter(([, kind]) => kind === "note").map(([t, , , text]) => `${t} ${text}`));
+    const notes = (this.panel?.notes ?? []).filter(({ t, text }) => !recorded.has(`${t} ${text}`))
+      .map(({ t, robot, text }) => [t, "note", robot, text, null, null]);
+    return [...known, ...this.approaches.events, ...changes, ...notes];
   }
 
   /** The number and name of the selected robot. */

@@ -13,6 +13,7 @@ export const MARKS = [
   { name: "near", title: "Close approaches", colour: "#b08900", is: (kind) => kind === "near" },
   { name: "message", title: "Messages", colour: "#8250df", is: (kind) => kind.startsWith("message") },
   { name: "print", title: "Prints", colour: "#1a7f37", is: (kind) => kind === "print" },
+  { name: "note", title: "Notes", colour: "accent", is: (kind) => kind === "note" },
   { name: "change", title: "Changes", colour: "#0c8599", is: (kind) => kind === "change" },
   { name: "other", title: "Other events", colour: "muted", is: () => true },
 ];
