@@ -70,7 +70,7 @@ export class Solid {
     this.element.append(canvas);
     this.picture = new View3D(scene, canvas);
     this.camera ??= new Camera(scene.area);
-    this.look = { colours, show: { grid: true }, heat: null, light: new Lighting() };
+    this.look = { colours, show: { grid: true }, heat: null, fields: [], light: new Lighting() };
     this.draw();
   }
 
