@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
     from crs_cc.sim.model.world import WorldModel
 
-_HEIGHT_M: Final = 0.35
-"""How high robots are drawn whose height is not known: the Scout's."""
+_SLENDERNESS: Final = 0.35 / (8 * 0.0254)
+"""How high robots are drawn whose height is not known, relative to their radius: as a Scout."""
 
 _MAX_HEIGHTS: Final = 300
 """Columns or rows of a height map that are sent at most; a finer one is thinned."""
@@ -69,12 +69,18 @@ def world_data(world: WorldModel, names: Sequence[str]) -> dict[str, Any]:
     }
 
 
+def _height_m(model: RobotModel) -> float:
+    """Return how high a robot is drawn."""
+    is_known = math.isfinite(model.height_m)
+    return model.height_m if is_known else _SLENDERNESS * model.radius_m
+
+
 def _kind(model: RobotModel) -> dict[str, Any]:
     """Return a kind of robot: its body, wheels, sonars and bumpers."""
     drive = model.drive
     return {
         "radius": model.radius_m,
-        "height": model.height_m if math.isfinite(model.height_m) else _HEIGHT_M,
+        "height": _height_m(model),
         "wheel_base": drive.wheel_base_m,
         "steers": drive.steering is not None,
         "turret": drive.turret is not None,

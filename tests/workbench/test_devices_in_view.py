@@ -69,6 +69,13 @@ def test_the_heat_of_what_was_cooled_or_heated_is_told(environment: Environment)
     assert devices_in_view(environment, range(1), 0)["heats"] == {"cylinder0": 0.0, "robot0": 2.5}
 
 
+def test_a_robot_of_unknown_height_is_drawn_as_slender_as_a_scout() -> None:
+    world = load_world(ROOT / "samples" / "swarm" / "foraging.xml")
+    (kind,) = world_data(world, [world.robots[0].id])["kinds"].values()
+    assert kind["radius"] == pytest.approx(0.06)
+    assert kind["height"] == pytest.approx(0.35 * 0.06 / RADIUS_M)
+
+
 def test_a_field_is_told_as_shares_of_its_largest_amount() -> None:
     ants = ROOT / "samples" / "scout_c" / "ants"
     session = Session(ants / "ants.xml")
