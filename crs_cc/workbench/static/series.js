@@ -42,11 +42,13 @@ export class Series {
     this.thin(name);
   }
 
-  /** Leave out every second one of the older half, if there are too many. */
+  /** Of the older half, keep the least and the greatest of each four, if there are too many. */
   thin(name) {
     const { times, values } = this.of(name);
     if (times.length <= MOST) return;
-    for (const each of [times, values]) each.splice(0, MOST / 2, ...each.slice(0, MOST / 2).filter((_, at) => at % 2 === 0));
+    const kept = [];
+    for (let at = 0; at < MOST / 2; at += 4) kept.push(...outermost(values, at, at + 4));
+    for (const each of [times, values]) each.splice(0, MOST / 2, ...kept.map((at) => each[at]));
   }
 
   /** Discard what was after a time. @param {number} time */
@@ -62,6 +64,16 @@ export class Series {
   clear() {
     this.byName.clear();
   }
+}
+
+/** The places of the least and the greatest of some values, in their order. @returns {number[]} */
+function outermost(values, from, to) {
+  let [least, most] = [from, from];
+  for (let at = from + 1; at < to; at++) {
+    if (values[at] < values[least] || Number.isNaN(values[least])) least = at;
+    if (values[at] > values[most] || Number.isNaN(values[most])) most = at;
+  }
+  return least === most ? [from, to - 1] : [Math.min(least, most), Math.max(least, most)];
 }
 
 /** The least and greatest value in a span of time; nothing if there is none. */
