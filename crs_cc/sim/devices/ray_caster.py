@@ -28,7 +28,8 @@ from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.rays import NO_THING, Fan, nearest
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.surfaces import Surfaces
-from crs_cc.sim.kernels.program import Shapes, kernels
+from crs_cc.sim.kernels.program import kernels
+from crs_cc.sim.kernels.surveys import Shapes, scan
 
 if TYPE_CHECKING:
     from crs_cc.sim.geometry.outline_query import Prospect
@@ -116,7 +117,7 @@ class RayCaster:
         if are_few(len(poses), obstacles.count + len(self._pieces)):
             if self._shapes is None:
                 self._shapes = Shapes.of(*obstacles.rows(), self._pieces.rows)
-            found_m = kernels().scan(fan.table, poses, own, self._shapes)
+            found_m = scan(kernels(), fan.table, poses, own, self._shapes)
             if found_m is not None:
                 return found_m
         distance_m = nearest(fan, poses, obstacles, own=own)

@@ -33,7 +33,7 @@ from crs_cc.sim.geometry.cell_list import CellList, are_few, blocks, few_pairs, 
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene, own_corners_m, triangles_of
-from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels import exact, surveys
 from crs_cc.sim.kernels.program import kernels, pairs
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
 
@@ -126,13 +126,13 @@ class Pieces:
             shape (k, beams), in the order of the list that the fan was made from.
         """
         if are_few(len(poses), len(self.rows)):
-            covers = kernels().covers(fan.table, poses, self.rows)
+            covers = surveys.covers(kernels(), fan.table, poses, self.rows)
         else:
             place = poses[:, 0] + 1j * poses[:, 1]
             covers = np.full((len(poses), len(fan)), _NO_THING)
             for part in self._blocks(place, len(fan)):
                 rows = self._rows_near(place[part])
-                covers[part] = kernels().covers(fan.table, poses[part], rows)
+                covers[part] = surveys.covers(kernels(), fan.table, poses[part], rows)
         covered = covers != _NO_THING
         if objects is not None:
             objects[covered] = covers[covered]

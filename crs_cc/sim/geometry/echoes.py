@@ -54,6 +54,7 @@ from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import blocks
 from crs_cc.sim.geometry.outline_query import Prospect
 from crs_cc.sim.geometry.pings import Pings, Points
+from crs_cc.sim.kernels import surveys
 from crs_cc.sim.kernels.program import kernels, pairs
 from crs_cc.sim.kernels.tables import PING_SIZE
 
@@ -138,7 +139,7 @@ class _Shapes:
         table, shapes = self._table(), (self.faces, self.rounds, self.voices)
         widths = [each.shape[1] for each in shapes]
         if table.size + sum(each.size for each in shapes) + len(table) <= kernels().room:
-            return kernels().echoes((table, *shapes), hushed=hushed)
+            return surveys.echoes(kernels(), (table, *shapes), hushed=hushed)
         ends = np.vstack([np.zeros((1, 3), np.intp), self.counts.cumsum(axis=0)])
         found_m = np.empty(len(table))
         sizes = (self.counts * widths).sum(axis=1) + PING_SIZE + 1
@@ -147,7 +148,7 @@ class _Shapes:
                 each[ends[part.start, kind] : ends[part.stop, kind]]
                 for kind, each in enumerate(shapes)
             ]
-            found_m[part] = kernels().echoes((table[part], *few), hushed=hushed)
+            found_m[part] = surveys.echoes(kernels(), (table[part], *few), hushed=hushed)
         return found_m
 
     def _table(self) -> FloatArray:

@@ -33,7 +33,7 @@ import numpy as np
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import parts
 from crs_cc.sim.geometry.outline_query import Prospect
-from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels import exact, surveys
 from crs_cc.sim.kernels.program import kernels
 from crs_cc.sim.kernels.tables import RAY_BINS
 
@@ -124,8 +124,8 @@ def nearest(
     for block, outlines in obstacles.blocks(place):
         for part in parts(block, most):
             rows = outlines.segment_rows(place[part]), outlines.circle_rows(place[part], own[part])
-            results = kernels().rays(
-                fan.table, poses[part], own[part], *rows, wants_objects=is_named
+            results = surveys.rays(
+                kernels(), fan.table, poses[part], own[part], rows, wants_objects=is_named
             )
             found.append(results[0])
             if objects is not None:

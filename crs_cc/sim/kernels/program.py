@@ -14,14 +14,12 @@ import struct
 import threading
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, NamedTuple, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import numpy as np
 
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray, Int32Array, Records
-from crs_cc.core.errors import WorldError
 from crs_cc.core.host_system import keep_freed_memory
-from crs_cc.core.source import Location
 from crs_cc.sim.kernels.tables import (
     BATTERY_SIZE,
     BODIES,
@@ -41,35 +39,24 @@ BLOCK: Final = 0x20000
 
 _SETUP: Final = struct.Struct("<5i")
 _SETUP_NUMBER: Final = 99
-_ARGUMENTS: Final = struct.Struct("<2i")
-_ECHOES: Final = struct.Struct("<7i")
+_ARGUMENTS: Final = tuple(struct.Struct(f"<{count}i") for count in range(11))
 _ARCS: Final = 13
-_ECHOES_NUMBER: Final = 100
-
-_RAYS: Final = struct.Struct("<9i")
-_RAYS_NUMBER: Final = 101
-_VIEWER: Final = 5  # numbers of a robot
 
 PROFILES: Final = 102
 COUNTS: Final = 103
 """Kernels of `drive.c` on columns."""
 _ADVANCE: Final = 104
 _REPORTS: Final = 105
-_COVERS: Final = 106
 _RENEW: Final = 107
 _SPEEDS: Final = 108
 _REPLIES: Final = 109
 _CHARGES: Final = 110
 _FINISH: Final = 111
-_SCAN: Final = struct.Struct("<10i")
-_SCAN_NUMBER: Final = 112
 _SERVE: Final = 113
 ROBOTS_AT_ONCE: Final = 2048
 """Robots whose columns or rows are copied for a kernel at once."""
 
 _NUMBER: Final = 8  # bytes
-_SELECTION: Final = struct.Struct("<3i")
-_PLACES: Final = struct.Struct("<2i")
 _LAST: Final = struct.Struct("<d")
 _FOUR: Final = struct.Struct("<4d")
 _RESULT: Final = struct.Struct("<i")
@@ -81,30 +68,12 @@ _WORLD: Final = 145_000, ROBOTS, BODIES, KINDS
 _Column: TypeAlias = Any  # contiguous arrays of float64, or bool at the end
 
 
-class Shapes(NamedTuple):
-    """All shapes of a small world, for `Kernels.scan`.
-
-    Attributes:
-        counts: the numbers of segments, circles and pieces.
-        content: their rows, see `rays.c`, one after the other.
-    """
-
-    counts: tuple[int, int, int]
-    content: bytes
-
-    @classmethod
-    def of(cls, segments: FloatArray, circles: FloatArray, pieces: FloatArray) -> Self:
-        """Return shapes from their rows."""
-        tables = segments, circles, pieces
-        content = b"".join([table.tobytes() for table in tables])
-        return cls((len(segments), len(circles), len(pieces)), content)
-
-
 class Kernels:
     """An instance of the kernels.
 
     Attributes:
         room: numbers that the tables of a kernel have room for.
+        arena: their memory.
         reals: two arguments and the result of a function of real arrays.
         complexes: the same memory as complex numbers.
         robots: the bytes of the rows of robots, see `robot.h`.
@@ -133,8 +102,8 @@ class Kernels:
         memory = instance.memory[arena : arena + 3 * third * _NUMBER].reshape(3, -1)
         self.reals = tuple(memory.view(np.float64))
         self.complexes = tuple(memory.view(np.complex128))
-        self._arena = memory.view(np.float64).reshape(-1)
-        self._bytes = self._arena.data.cast("B")
+        self.arena = memory.view(np.float64).reshape(-1)
+        self._bytes = self.arena.data.cast("B")
         sizes = robots * ROBOT_SIZE, bodies * BODY_SIZE, robots * BATTERY_SIZE, kinds * KIND_SIZE
         self.robots, self.bodies, self.batteries, self.kinds = (
             instance.memory[begin : begin + size * _NUMBER].data
@@ -143,12 +112,21 @@ class Kernels:
         results = memory[1:].reshape(-1)
         self._second, self._charges = results.view(np.int32), results.view(np.float64)
         self._replies = memory[1:].reshape(-1).data
-        self.room = len(self._arena)
+        self.room = len(self.arena)
+
+    def call(self, *arguments: int) -> None:
+        """Run a kernel, by its number in `main.c`, with its other arguments."""
+        _ARGUMENTS[len(arguments)].pack_into(self._memory, self._place, *arguments)
+        self._resume()
+
+    def lay(self, content: bytes, place: int = 0) -> None:
+        """Copy numbers into the arena, from a place on."""
+        first = place * _NUMBER
+        self._bytes[first : first + len(content)] = content
 
     def apply(self, function: int, count: int) -> None:
         """Apply a function, by its number in `functions.c`, to arguments in the arena."""
-        _ARGUMENTS.pack_into(self._memory, self._place, function, count)
-        self._resume()
+        self.call(function, count)
 
     def arcs(
         self, heading_rad: FloatArray, way_m: FloatArray, turn_rad: FloatArray
@@ -165,137 +143,6 @@ class Kernels:
         self.apply(_ARCS, count)
         return first[:count].copy(), second[:count].copy()
 
-    def echoes(self, tables: Sequence[FloatArray], *, hushed: bool) -> FloatArray:
-        """Return the first echo of each ping [m], see `echoes.c` for the tables.
-
-        Args:
-            tables: a row for each ping; then one for each face near a ping, by rising ping; the
-                same of circles, and of voices.
-            hushed: whether there are absorbing surfaces.
-
-        Raises:
-            WorldError: there are more shapes within reach than the arena holds.
-        """
-        places, end, count = [], 0, len(tables[0])
-        for table in tables:
-            places.append(end)
-            end += table.size
-        if end + count > self.room:
-            text = f"too many outlines are within reach of a sonar: {sum(map(len, tables[1:]))}"
-            raise WorldError.at(Location("<world>"), text)
-        for table, place in zip(tables, places, strict=True):
-            self._arena[place : place + table.size] = table.reshape(-1)
-        _ECHOES.pack_into(
-            self._memory, self._place, _ECHOES_NUMBER, count, hushed, *places[1:], end
-        )
-        self._resume()
-        return self._arena[end : end + count].copy()
-
-    def rays(
-        self,
-        fan: FloatArray,
-        poses: FloatArray,
-        own: IndexArray,
-        segments: FloatArray,
-        circles: FloatArray,
-        *,
-        wants_objects: bool = False,
-    ) -> FloatArray:
-        """Return the distance that each beam of each robot measures [m], see `rays.c`.
-
-        Args:
-            fan: the beams.
-            poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
-            own: the number of each robot's own body, (k,).
-            segments: a row for each segment, and robot if not of all of them, see `rays.c`; the
-                arena need not hold all.
-            circles: the same of circles.
-            wants_objects: whether to return what the beams hit, too.
-
-        Returns:
-            the distances, and the number of the object that each beam hits, shape (1 or 2, k,
-            beams).
-        """
-        numbers = _RAYS_NUMBER, 1 + wants_objects, wants_objects
-        return self._survey(numbers, fan, poses, own, (segments, circles))
-
-    def covers(self, fan: FloatArray, poses: FloatArray, pieces: FloatArray) -> FloatArray:
-        """Return the number of the object that each beam starts in or on, -1 for none, (k, beams).
-
-        Args:
-            fan: the beams.
-            poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
-            pieces: a row for each piece, as of segments for `rays`.
-        """
-        return np.asarray(self._survey((_COVERS, 1, 1), fan, poses, 0, (pieces, pieces[:0]))[0])
-
-    def scan(
-        self, fan: FloatArray, poses: FloatArray, own: IndexArray, shapes: Shapes
-    ) -> FloatArray | None:
-        """Return the distance that each beam measures, 0 for a start in or on a piece, (k, beams).
-
-        None if the arena has no room for all.
-
-        Args:
-            fan: the beams.
-            poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
-            own: the number of each robot's own body, (k,).
-            shapes: all shapes.
-        """
-        count, beams, robots = len(poses), int(fan[0]), len(fan)
-        first = robots + _VIEWER * count
-        end, size = first + len(shapes.content) // _NUMBER, count * beams
-        if end + 2 * size > self.room:
-            return None
-        viewers = np.empty((count, _VIEWER))
-        viewers[:, :3], viewers[:, 4] = poses, own
-        joined = b"".join((fan.tobytes(), viewers.tobytes(), shapes.content))
-        self._bytes[: len(joined)] = joined
-        segments, circles, pieces = shapes.counts
-        _SCAN.pack_into(
-            self._memory, self._place, _SCAN_NUMBER, count, segments, circles, True, False, robots,
-            end, first, pieces,
-        )  # fmt: skip
-        self._resume()
-        return self._arena[end : end + size].reshape(count, beams).copy()
-
-    def _survey(
-        self,
-        numbers: tuple[int, int, int],
-        fan: FloatArray,
-        poses: FloatArray,
-        own: IndexArray | int,
-        tables: tuple[FloatArray, FloatArray],
-    ) -> FloatArray:
-        """Run a kernel of `rays.c`, in as many calls as the tables of shapes need.
-
-        Args:
-            numbers: the kernel, the number of results for each beam, and whether it wants objects.
-            fan: the beams.
-            poses: the poses of robots.
-            own: the numbers of their bodies.
-            tables: the shapes.
-        """
-        kernel, results, wanted = numbers
-        count, robots = len(poses), len(fan)
-        viewers = np.empty((count, _VIEWER))
-        viewers[:, :3], viewers[:, 4] = poses, own
-        shapes, out = robots + _VIEWER * count, self.room - results * count * int(fan[0])
-        rows = max(1, (out - shapes) // (tables[0].shape[1] + tables[1].shape[1]))
-        place, head = 0, fan.tobytes() + viewers.tobytes()
-        first, longest = 0, max(len(tables[0]), len(tables[1]))
-        while first == 0 or first < longest:
-            some = [table[first : first + rows] for table in tables]
-            joined = b"".join((head, *[table.tobytes() for table in some]))
-            self._bytes[place : place + len(joined)] = joined
-            _RAYS.pack_into(
-                self._memory, self._place, kernel, count, len(some[0]), len(some[1]), first == 0,
-                wanted, robots, out, shapes,
-            )  # fmt: skip
-            self._resume()
-            first, place, head = first + rows, shapes * _NUMBER, b""
-        return self._arena[out : self.room].reshape(results, count, int(fan[0])).copy()
-
     def columns(self, kernel: int, count: int, arrays: Sequence[_Column]) -> FloatArray:
         """Run a kernel of `drive.c` on arrays with a row for each robot, of consecutive numbers.
 
@@ -303,10 +150,9 @@ class Kernels:
             the arena, with the arrays one after the other, changed in place; until the next call.
         """
         # Far quicker than numpy's `concatenate` for short arrays.
-        joined = b"".join([array.tobytes() for array in arrays])
-        self._bytes[: len(joined)] = joined
-        self.apply(kernel, count)
-        return self._arena
+        self.lay(b"".join([array.tobytes() for array in arrays]))
+        self.call(kernel, count)
+        return self.arena
 
     def advance(
         self, rows: IndexArray | None, to_s: FloatArray, last_s: float, *, renews: bool = False
@@ -374,7 +220,7 @@ class Kernels:
         self._select(_SERVE, count, rows, _FOUR.pack(*service) + numbers)
         found: int = _RESULT.unpack_from(self._memory, self._place)[0]
         first = 4 + (0 if rows is None else count)
-        return found, self._arena[first : first + count].copy(), self._told(count)
+        return found, self.arena[first : first + count].copy(), self._told(count)
 
     def charges(self, rows: IndexArray | None, for_s: FloatArray) -> FloatArray:
         """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).
@@ -447,12 +293,8 @@ class Kernels:
         *places: int,
     ) -> None:
         """Run a kernel on some of the `robots`, with numbers, and places in them."""
-        joined = numbers if rows is None else rows.tobytes() + numbers
-        self._bytes[: len(joined)] = joined
-        _SELECTION.pack_into(self._memory, self._place, kernel, count, rows is not None)
-        if places:
-            _PLACES.pack_into(self._memory, self._place + _SELECTION.size, *places)
-        self._resume()
+        self.lay(numbers if rows is None else rows.tobytes() + numbers)
+        self.call(kernel, count, rows is not None, *places)
 
     def number(self, function: int, a: float, b: float) -> float:
         """Return a function of one or two numbers."""

@@ -13,7 +13,7 @@ from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.pings import ANY_ANGLE, Pings, Points
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.kernels.program import Kernels
+from crs_cc.sim.kernels import surveys
 from crs_cc.sim.model.robot import Drive, RobotModel
 from crs_cc.sim.model.world import Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
 from tests.sim.geometry.test_rays import RING, TEN_DEG, crowd, look_around
@@ -350,12 +350,12 @@ def test_equal_soft_objects_take_time_in_proportion_to_their_number(monkeypatch)
     around, hushed = obstacles_of(*boxes), np.full(len(boxes), 0.8)
     pings, faces = Pings.of([(0j, 0j, 0.2)], 0.4, RANGE_M), []
 
-    def counted(self, tables, *others, **options):
+    def counted(instance, tables, *others, **options):
         faces.append(len(tables[1]))
-        return all_echoes(self, tables, *others, **options)
+        return all_echoes(instance, tables, *others, **options)
 
-    all_echoes = Kernels.echoes
-    monkeypatch.setattr(Kernels, "echoes", counted)
+    all_echoes = surveys.echoes
+    monkeypatch.setattr(surveys, "echoes", counted)
     assert first_echo(pings, around, hushed=hushed) == pytest.approx(2.5)
     assert sum(faces) < 10
 

@@ -13,7 +13,8 @@ from crs_cc.sim.geometry.contact_mask import Pieces
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.rays import Fan, nearest
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.kernels.program import Kernels, Shapes
+from crs_cc.sim.kernels.program import Kernels
+from crs_cc.sim.kernels.surveys import Shapes, scan
 from crs_cc.sim.model.world import Box
 from tests.sim.geometry import numpy_rays
 from tests.sim.geometry.test_rays import RING, crowd
@@ -90,8 +91,8 @@ def test_all_shapes_at_once_are_measured_as_those_near(fan: Fan, *, checked: boo
     found_m[covered] = 0.0
     assert covered.any()
     own_kernels, shapes = Kernels(checked=checked), Shapes.of(*obstacles.rows(), pieces.rows)
-    together_m = own_kernels.scan(fan.table, poses, own, shapes)
+    together_m = scan(own_kernels, fan.table, poses, own, shapes)
     assert together_m is not None
     assert np.array_equal(together_m, found_m)
     own_kernels.room = 100
-    assert own_kernels.scan(fan.table, poses, own, shapes) is None
+    assert scan(own_kernels, fan.table, poses, own, shapes) is None
