@@ -37,7 +37,7 @@ def assert_in_rows(environment: Environment) -> None:
     state = environment.state
     rows = state.rows
     for (parts, _), table in zip(
-        robot_rows._TABLES, (rows.table, rows.bodies, rows.batteries), strict=True
+        robot_rows._TABLES, (rows.table, rows.bodies, rows.batteries, rows.sonars), strict=True
     ):
         for path, names in parts:
             for name in names:

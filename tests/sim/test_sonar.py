@@ -458,7 +458,8 @@ SLOW = "40ms"  # so that each cycle has one firing
 
 def told_in(distance_in: float, count: int = 4000, **changes) -> np.ndarray:
     """Return a robot's reports of the same distance many times [in]."""
-    errors = SonarErrors(with_board(open_world(), **changes), seed=1, stream=0)
+    (robot,) = with_board(open_world(), **changes).robots
+    errors = SonarErrors([sonars_of(robot.model).board], np.array([0]), seed=1, stream=0)
     row, distance_m = np.array([0]), np.array([distance_in * INCH])
     draws = [errors.draw(row, np.array([number])) for number in range(count)]
     return np.array([errors.reported_m(row, row, distance_m, drawn)[0] for drawn in draws]) / INCH

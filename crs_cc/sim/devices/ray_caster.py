@@ -84,6 +84,15 @@ class RayCaster:
         if self._outlook is not None:
             self._outlook.place(bodies.position_m)
 
+    def few_shapes(self, state: EnvState, robots: int) -> Shapes | None:
+        """Return all shapes, None if they are too many to be tried for each of some robots."""
+        obstacles = self.obstacles(state)
+        if not are_few(robots, obstacles.count + len(self._pieces)):
+            return None
+        if self._shapes is None:
+            self._shapes = Shapes.of(*obstacles.rows(), self._pieces.rows)
+        return self._shapes
+
     @property
     def all_alike(self) -> bool:
         """Whether beams can hit the same things at all heights."""
@@ -114,10 +123,9 @@ class RayCaster:
         if self._outlook is not None:
             return self.seen(state, fan, poses, own)[0]
         obstacles = self.obstacles(state)
-        if are_few(len(poses), obstacles.count + len(self._pieces)):
-            if self._shapes is None:
-                self._shapes = Shapes.of(*obstacles.rows(), self._pieces.rows)
-            found_m = scan(kernels(), fan.table, poses, own, self._shapes)
+        shapes = self.few_shapes(state, len(poses))
+        if shapes is not None:
+            found_m = scan(kernels(), fan.table, poses, own, shapes)
             if found_m is not None:
                 return found_m
         distance_m = nearest(fan, poses, obstacles, own=own)

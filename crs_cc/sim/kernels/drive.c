@@ -151,7 +151,7 @@ static struct columns columns_of(struct odometry *o)
 }
 
 /* Advance a robot to a time. */
-static void move(struct robot *robot, const struct drive *drive, double to)
+void __crs_move(struct robot *robot, const struct drive *drive, double to)
 {
     double way[AXES], turn, x, y;
     struct profiles p = profiles_of(&robot->axes, way);
@@ -204,7 +204,7 @@ int __crs_advance(int count, int renews, const long long *rows, double last, con
     for (i = 0; i < count; i++) {
         struct robot *robot = &tables->robots[rows ? rows[i] : i];
 
-        move(robot, &tables->kinds[(int)robot->kind].drive, to[i]);
+        __crs_move(robot, &tables->kinds[(int)robot->kind].drive, to[i]);
         if (renews)
             robot->deadline = to[i] + robot->timeout;
     }

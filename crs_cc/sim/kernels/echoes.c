@@ -2,6 +2,7 @@
    transducer, whose axis is x, once a shape is kept. */
 #include <math.h>
 
+#include "echoes.h"
 #include "kernels.h"
 
 #define ON_M 1e-9           /* a transducer this close to a face is on it */
@@ -12,32 +13,6 @@
 #define ANY_ANGLE (M_PI / 2)    /* the critical angle of diffuse faces */
 #define SIDES 2                 /* rays along the sides of a beam */
 #define LOBE_RAYS 17            /* and in between, if the reach falls off the axis */
-
-struct point {
-    double x, y;
-};
-
-/* Rows of the tables that `echoes.py` makes. */
-struct ping {
-    struct point place, start, axis;
-    double half, range, falloff, critical;
-    double faces, rounds, voices;       /* how many are its own */
-};
-
-struct face {
-    struct point start, along;          /* at first both ends, in the world */
-    double away, share;                 /* at first its length */
-};
-
-struct round {
-    struct point middle;
-    double radius, share;
-};
-
-struct voice {
-    struct point place;
-    double reported, share;
-};
 
 static const struct ping *ping;
 static struct face *faces;

@@ -3,8 +3,11 @@
 #ifndef CRS_KERNELS_H
 #define CRS_KERNELS_H
 
-#define MEMORY 1800000               /* numbers for the arena and the tables */
+#define MEMORY 1825000               /* numbers for the arena and the tables */
 #define RAY_BINS 256                /* of directions in a turn, see rays.c */
+#define SEGMENT_SIZE 7              /* numbers in a row of shapes, see rays.c */
+#define CIRCLE_SIZE 5
+#define DEVIATES 3                  /* of a firing of a sonar, see `devices/sonar/errors.py` */
 
 /* Elementwise functions, see functions.c. */
 void __crs_apply(int function, int count, double *a, double *b, double *out);
@@ -20,6 +23,7 @@ struct body;
 struct constants;
 struct reply;
 struct robot;
+struct sonars;
 
 /* The motion of axes and robots, see drive.c: arrays in columns, changed in place. */
 void __crs_profiles(int count, double *columns);
@@ -31,6 +35,7 @@ struct tables {
     struct body *bodies;
     struct battery *batteries;
     struct constants *kinds;
+    struct sonars *sonars;
 };
 
 /* What kernels on robots return. */
@@ -40,12 +45,19 @@ enum { ADVANCED, SENSOR_DUE, TIMEOUT_DUE, HELD_UP };
 int __crs_advance(int count, int renews, const long long *rows, double last, const double *to,
                   const struct tables *tables);
 
+/* Advance a robot to a time before which nothing happens to it. */
+struct drive;
+void __crs_move(struct robot *robot, const struct drive *drive, double to);
+
 /* Ramp axes to speeds, see drive.c: three numbers of each robot. */
 void __crs_speeds(int count, const long long *rows, const double *speeds, const double *ramps,
                   const double *which, const struct tables *tables);
 
 /* What `State` says of motions, see report.c: eight integers of each robot. */
 void __crs_reports(int count, const long long *rows, const struct tables *tables, int *out);
+
+/* The same of one robot. */
+void __crs_report(const struct robot *robot, const struct drive *drive, int *out);
 
 /* Replies to requests, see report.c; `times` are those for which robots have been in the world. */
 void __crs_replies(int count, const long long *rows, const double *times,
@@ -89,6 +101,24 @@ int __crs_finish(int count, const struct cycle *cycle, const double *joined, dou
 /* The first echo of each of some pings, see echoes.c. The tables of shapes are overwritten. */
 void __crs_echoes(int count, int hushed, const double *pings, double *faces, double *rounds,
                   const double *voices, double *out);
+
+/* What sonars report instead of true distances, see sonars.c: columns, changed in place. */
+void __crs_errors(int count, double *columns);
+
+/* What the firing of sonars depends on, besides the rows of robots. */
+struct surroundings {
+    const double *modes, *deviates;     /* of each robot: the first row of its sonars; see errors.py */
+    const double *beams;
+    const double *segments, *circles;   /* as in rays.c */
+    int segment_count, circle_count;
+    double *work;                       /* memory for as many faces and rounds */
+};
+
+/* Fire the sonars that are due up to a time of each robot, at most one of each, and hear the echoes
+   up to then. Return whether another is due, or HELD_UP before anything is changed if a robot may not
+   have moved as its wheels did. */
+int __crs_fire(int count, const long long *rows, const double *to,
+               const struct surroundings *around, const struct tables *tables);
 
 /* The distances that beams measure, see rays.c. `out` has the distance of each beam of each robot,
    and then, if they are wanted, the object that each hits. The first call initialises it. */

@@ -4,12 +4,9 @@
 #include "kernels.h"
 #include "robot.h"
 
-#define SEGMENT_SIZE 7          /* numbers in a row, see rays.c */
-#define CIRCLE_SIZE 5
-
 /* Other numbers are those of elementwise functions. */
 enum { SETUP = 99, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
-    CHARGES, FINISH, SCAN, SERVE };
+    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS };
 
 static int arguments[10];
 static double memory[MEMORY];
@@ -26,11 +23,29 @@ static void set_up(int *n)
     tables.bodies = (struct body *)(tables.robots + n[2]);
     tables.batteries = (struct battery *)(tables.bodies + n[3]);
     tables.kinds = (struct constants *)(tables.batteries + n[2]);
+    tables.sonars = (struct sonars *)(tables.kinds + n[4]);
     n[0] = (int)arena;
     n[1] = (int)tables.robots;
     n[2] = (int)tables.bodies;
     n[3] = (int)tables.batteries;
     n[4] = (int)tables.kinds;
+    n[5] = (int)tables.sonars;
+}
+
+/* Fire sonars: behind the times of the robots are the numbers that they depend on. */
+static int fire(const int *n, int count, const long long *rows, const double *numbers)
+{
+    struct surroundings around;
+
+    around.modes = numbers + count;
+    around.deviates = around.modes + count;
+    around.beams = around.deviates + DEVIATES * count;
+    around.segments = around.beams + n[3];
+    around.segment_count = n[4];
+    around.circles = around.segments + n[4] * SEGMENT_SIZE;
+    around.circle_count = n[5];
+    around.work = (double *)around.circles + n[5] * CIRCLE_SIZE;
+    return __crs_fire(count, rows, numbers, &around, &tables);
 }
 
 /* Run a kernel on some robots. Their rows come first in the arena, unless it is about the first ones;
@@ -55,6 +70,9 @@ static void run_on_robots(int *n)
     case SERVE:
         n[0] = __crs_serve(count, rows, (struct service *)numbers, numbers + 4, numbers + 4 + count,
                            (int *)(numbers + 4 + 2 * count), &tables, (struct reply *)out);
+        break;
+    case FIRE:
+        n[0] = fire(n, count, rows, numbers);
         break;
     case CHARGES:
         __crs_charges(count, rows, numbers, &tables, out);
@@ -113,6 +131,8 @@ int __crs_start(void)
             __crs_profiles(n[1], arena);
         else if (n[0] == COUNTS)
             __crs_counts(n[1], arena);
+        else if (n[0] == ERRORS)
+            __crs_errors(n[1], arena);
         else if (n[0] > COUNTS)
             run_on_robots(n);
         else

@@ -27,6 +27,8 @@ from crs_cc.sim.kernels.tables import (
     KIND_SIZE,
     KINDS,
     REPLY,
+    RING_SIZE,
+    RINGS,
     ROBOT_SIZE,
     ROBOTS,
 )
@@ -37,7 +39,7 @@ if TYPE_CHECKING:
 BLOCK: Final = 0x20000
 """Elements of an array in the arena; complex numbers are two numbers each."""
 
-_SETUP: Final = struct.Struct("<5i")
+_SETUP: Final = struct.Struct("<6i")
 _SETUP_NUMBER: Final = 99
 _ARGUMENTS: Final = tuple(struct.Struct(f"<{count}i") for count in range(11))
 _ARCS: Final = 13
@@ -53,6 +55,9 @@ _REPLIES: Final = 109
 _CHARGES: Final = 110
 _FINISH: Final = 111
 _SERVE: Final = 113
+_FIRE: Final = 114
+ERRORS: Final = 115
+"""The kernel of `sonars.c` on columns."""
 ROBOTS_AT_ONCE: Final = 2048
 """Robots whose columns or rows are copied for a kernel at once."""
 
@@ -80,6 +85,7 @@ class Kernels:
         bodies: those of robots' and objects' bodies.
         batteries: those of motor batteries.
         kinds: those of the constants of each kind of robot.
+        sonars: those of robots' sonars.
     """
 
     def __init__(self, *, holds_world: bool = False, checked: bool = False) -> None:
@@ -96,16 +102,21 @@ class Kernels:
         self._place, self._memory = int(instance.message[0]), instance.memory.data
         self._resume = instance.resume
         third, robots, bodies, kinds = _WORLD if holds_world else _AT_ONCE
-        _SETUP.pack_into(self._memory, self._place, _SETUP_NUMBER, third, robots, bodies, kinds)
-        self._resume()
+        self.call(_SETUP_NUMBER, third, robots, bodies, kinds)
         arena, *tables = _SETUP.unpack_from(self._memory, self._place)
         memory = instance.memory[arena : arena + 3 * third * _NUMBER].reshape(3, -1)
         self.reals = tuple(memory.view(np.float64))
         self.complexes = tuple(memory.view(np.complex128))
         self.arena = memory.view(np.float64).reshape(-1)
         self._bytes = self.arena.data.cast("B")
-        sizes = robots * ROBOT_SIZE, bodies * BODY_SIZE, robots * BATTERY_SIZE, kinds * KIND_SIZE
-        self.robots, self.bodies, self.batteries, self.kinds = (
+        sizes = (
+            robots * ROBOT_SIZE,
+            bodies * BODY_SIZE,
+            robots * BATTERY_SIZE,
+            kinds * KIND_SIZE,
+            RINGS * RING_SIZE,
+        )
+        self.robots, self.bodies, self.batteries, self.kinds, self.sonars = (
             instance.memory[begin : begin + size * _NUMBER].data
             for begin, size in zip(tables, sizes, strict=True)
         )
@@ -221,6 +232,26 @@ class Kernels:
         found: int = _RESULT.unpack_from(self._memory, self._place)[0]
         first = 4 + (0 if rows is None else count)
         return found, self.arena[first : first + count].copy(), self._told(count)
+
+    def fire(
+        self, rows: IndexArray | None, to_s: FloatArray, numbers: bytes, sizes: tuple[int, int, int]
+    ) -> int:
+        """Fire sonars that are due, at most one of each robot, see `sonars.c`.
+
+        Args:
+            rows: the robots' rows in `robots`, None for the first ones.
+            to_s: up to when, (k,).
+            numbers: the first row of each robot's beams, (k,); the deviates of its next firing, (k,
+                3); the beams; rows of segments, and of circles.
+            sizes: how many numbers describe the beams; the numbers of segments, and of circles.
+
+        Returns:
+            `ADVANCED`; `SENSOR_DUE` if more are due; `HELD_UP` if nothing was done, as robots may
+            not have moved as their wheels did.
+        """
+        self._select(_FIRE, len(to_s), rows, to_s.tobytes() + numbers, *sizes)
+        found: int = _RESULT.unpack_from(self._memory, self._place)[0]
+        return found
 
     def charges(self, rows: IndexArray | None, for_s: FloatArray) -> FloatArray:
         """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).

@@ -43,7 +43,7 @@ static int inches(double value)
 }
 
 /* Position, angles and speeds, and a bit for each motor that works. */
-static void report(const struct robot *robot, const struct drive *drive, int *out)
+void __crs_report(const struct robot *robot, const struct drive *drive, int *out)
 {
     const struct axes *a = &robot->axes;
     int axis;
@@ -108,7 +108,7 @@ void __crs_reports(int count, const long long *rows, const struct tables *tables
     for (i = 0; i < count; i++) {
         const struct robot *robot = &tables->robots[rows ? rows[i] : i];
 
-        report(robot, &tables->kinds[(int)robot->kind].drive, out + 8 * i);
+        __crs_report(robot, &tables->kinds[(int)robot->kind].drive, out + 8 * i);
     }
 }
 
@@ -122,7 +122,7 @@ static void state(const struct robot *robot, const struct drive *drive, int *out
     for (i = 0; i < SONARS; i++)
         out[SONAR_0 + i] = inches(robot->echo[i]);
     out[BUMPER] = robot->pressed;
-    report(robot, drive, &out[CONF_X]);
+    __crs_report(robot, drive, &out[CONF_X]);
 }
 
 double __crs_board_ms(double time, double tick)

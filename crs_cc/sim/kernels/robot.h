@@ -36,6 +36,18 @@ struct robot {
     double padding[11];         /* a row is an odd number of cache lines, or columns share few */
 };
 
+#define CONFIGURATION 7                 /* integers of `State` with position and speeds */
+
+/* Its sonars: their schedule, the ping in the air, and what the last echoes belong to. */
+struct sonars {
+    long long order[SONARS], length;
+    double start, interval;
+    long long turn, count, mode;
+    double sent, heard, fired[SONARS];
+    int sent_from[CONFIGURATION], fired_from[SONARS][CONFIGURATION];
+    int padding[9];
+};
+
 /* Robots, then the objects that they can push. */
 struct body {
     double x, y, velocity[2], angle, spin;

@@ -17,11 +17,13 @@ HELD_UP: Final = 3
 ROBOTS: Final = 11000
 BODIES: Final = 15000
 KINDS: Final = 2048
+RINGS: Final = 256
 """Rows of the tables of instances that hold the rows of a world."""
 ROBOT_SIZE: Final = 104
 BODY_SIZE: Final = 6
 BATTERY_SIZE: Final = 4
 KIND_SIZE: Final = 40
+RING_SIZE: Final = 104
 """Numbers in the rows of tables, see `robot.h`."""
 KIND: Final = 91
 BATTERY: Final = 92

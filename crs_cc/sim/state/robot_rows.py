@@ -35,6 +35,8 @@ from crs_cc.sim.kernels.tables import (
     KIND,
     KINDS,
     REPLY,
+    RING_SIZE,
+    RINGS,
     ROBOT_SIZE,
     ROBOTS,
 )
@@ -63,9 +65,18 @@ _ROBOT: Final = (
     ("", ["connected"]),
 )
 _BODY: Final = (("bodies", ["position_m", "velocity_mps", "angle_rad", "spin_radps"]),)
+_SONARS: Final = (
+    ("devices.sonar", ["order", "length", "start_s", "interval_s", "turn", "count", "mode"]),
+    ("devices.sonar", ["sent_s", "heard_m", "fired_s", "sent_from", "fired_from"]),
+)
 _BATTERY: Final = (("devices.motor_battery", ["moved_j", "speed_mps"]),)
 _NO_REPLIES: Final = np.zeros(0), np.zeros(0, REPLY)
-_TABLES: Final = (_ROBOT, ROBOT_SIZE), (_BODY, BODY_SIZE), (_BATTERY, BATTERY_SIZE)
+_TABLES: Final = (
+    (_ROBOT, ROBOT_SIZE),
+    (_BODY, BODY_SIZE),
+    (_BATTERY, BATTERY_SIZE),
+    (_SONARS, RING_SIZE),
+)
 
 
 class RobotRows:
@@ -75,6 +86,7 @@ class RobotRows:
         table: the rows of robots, (robots, `ROBOT_SIZE`).
         bodies: those of the bodies, the robots first, (bodies, `BODY_SIZE`).
         batteries: those of motor batteries, (batteries, `BATTERY_SIZE`).
+        sonars: those of the robots' sonars, (robots, `RING_SIZE`).
     """
 
     def __init__(self, state: Any, before: RobotRows | None = None) -> None:
@@ -89,8 +101,11 @@ class RobotRows:
         if len(state.drive.clock_s) <= ROBOTS and len(state.bodies.angle_rad) <= BODIES:
             self._home = (before and before._home) or Kernels(holds_world=True)
         home = self._home
-        homes = (None,) * 3 if home is None else (home.robots, home.bodies, home.batteries)
-        self.table, self.bodies, self.batteries = (
+        homes: tuple[Any, ...] = (None,) * len(_TABLES)
+        if home is not None:
+            rings = home.sonars if len(state.drive.clock_s) <= RINGS else None
+            homes = home.robots, home.bodies, home.batteries, rings
+        self.table, self.bodies, self.batteries, self.sonars = (
             _moved(state, parts, size, memory)
             for (parts, size), memory in zip(_TABLES, homes, strict=True)
         )
@@ -201,6 +216,26 @@ class RobotRows:
         if home is None:
             return HELD_UP, *_NO_REPLIES
         return home.serve(_selected(rows), service, *asked)
+
+    def fire(
+        self,
+        rows: Rows,
+        to_s: FloatArray,
+        numbers: bytes,
+        sizes: tuple[int, int, int],
+        kinds: RobotKinds,
+    ) -> int:
+        """Fire sonars that are due, see `Kernels.fire`.
+
+        Args:
+            rows: the robots, k of them.
+            to_s: up to when, (k,).
+            numbers: what echoes depend on.
+            sizes: how much of it there is.
+            kinds: the robots' constants.
+        """
+        home = self._at_home(kinds) if len(self.sonars) <= RINGS else None
+        return HELD_UP if home is None else home.fire(_selected(rows), to_s, numbers, sizes)
 
     def charges(self, rows: Rows, for_s: FloatArray, kinds: RobotKinds) -> FloatArray:
         """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).

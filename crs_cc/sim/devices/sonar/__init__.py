@@ -64,6 +64,7 @@ from crs_cc.sim.devices.sonar.model import (
     Sonars,
     sonars_of,
 )
+from crs_cc.sim.devices.sonar.simple_firings import SimpleFirings
 from crs_cc.sim.devices.sonar.state import SonarState, inches, sonar_state
 from crs_cc.sim.devices.sonar.writer import write
 from crs_cc.sim.devices.vendor_state import configuration
@@ -100,7 +101,8 @@ class SonarRing:
         kinds = dict.fromkeys(models)
         self.fans = [_fan(mode) for model in kinds for mode in sonars_of(model).modes]
         self._beams = Beams(models)
-        self._errors = SonarErrors(world, seed, row.stream)
+        self._errors = SonarErrors(self._beams.boards, self._beams.first, seed, row.stream)
+        self._simple = SimpleFirings(self._beams, self._errors)
         sonars = [sonars_of(model) for model in models]
         self._has = np.zeros((len(models), MAX_SONARS), dtype=np.bool_)
         for has, each in zip(self._has, sonars, strict=True):
@@ -144,6 +146,8 @@ class SonarRing:
             rows: the robots, k of them.
             to_s: the time of each, shape (k,).
         """
+        if self._simple.advance(state, constants, rays, rows, to_s):
+            return
         while True:
             due = sonar_state(state).next_s[rows] <= to_s
             if not any_of(due):

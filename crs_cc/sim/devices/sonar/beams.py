@@ -42,6 +42,8 @@ class Beams:
     """The beams of all robots by the sonar's number; a missing sonar hears nothing.
 
     Attributes:
+        boards: the board of each mode of each kind of robot.
+        first: the first mode of each robot, (robots,).
         start_m: largest distance of a sonar from its robot's centre.
         reach_m: largest distance from the centre at which a ping can be heard.
     """
@@ -52,7 +54,7 @@ class Beams:
         kinds = [mode for model in different for mode in sonars_of(model).modes]
         counts = [len(sonars_of(model).modes) for model in different]
         first = np.cumsum([0, *counts])[[different.index(model) for model in models]]
-        self._first = first.astype(np.intp)
+        self.first = first.astype(np.intp)
         shape = (len(kinds), MAX_SONARS)
         self._mounts = np.ones((2, *shape), dtype=np.complex128)  # places, and directions
         self._mounts[0] = 0.0
@@ -70,15 +72,30 @@ class Beams:
                 self._range_m[place] = sonar.range_m
                 self._z_m[place] = sonar.z_m
         self.start_m = float(exact.magnitude(self._mounts[0]).max(initial=0.0))
-        boards = [mode.board for mode in kinds]
+        boards = self.boards = [mode.board for mode in kinds]
         self.reach_m = self.start_m + float(self._range_m.max(initial=0.0))
         lobes = [board.lobe_rad for board in boards]
         self._falloff = np.array([1 / (lobe * lobe) if lobe else 0.0 for lobe in lobes])
         self._critical_rad = np.array([min(board.critical_rad, ANY_ANGLE) for board in boards])
 
+    def table(self, limits: FloatArray) -> FloatArray:
+        """Return the row of each sonar of each mode, see `kernels/sonars.c`, (modes, 16, 14).
+
+        Args:
+            limits: the errors of each mode, (modes, 6).
+        """
+        table = np.empty((len(self.boards), MAX_SONARS, 14))
+        for place, points in zip((0, 2), self._mounts, strict=True):
+            table[:, :, place], table[:, :, place + 1] = points.real, points.imag
+        table[:, :, 4], table[:, :, 5] = self._half_rad, self._range_m
+        table[:, :, 6] = self._falloff[:, None]
+        table[:, :, 7] = self._critical_rad[:, None]
+        table[:, :, 8:] = limits[:, None]
+        return table
+
     def z_m(self, rows: IndexArray, number: IndexArray) -> FloatArray:
         """Return the height above the ground of a sonar of each of some robots."""
-        return np.asarray(self._z_m[self._first[rows], number])
+        return np.asarray(self._z_m[self.first[rows], number])
 
     def pings(
         self,
@@ -97,7 +114,7 @@ class Beams:
             place: the position of each robot.
             turn: the direction of the front of its ring, of length 1.
         """
-        kind = self._first[rows] + mode
+        kind = self.first[rows] + mode
         beam = kind, number
         offset, axis = exact.product(self._mounts[:, kind, number], turn)
         return Pings(

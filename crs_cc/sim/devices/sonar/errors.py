@@ -20,47 +20,52 @@ distribution.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from collections.abc import Sequence
+from typing import Final
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray, Int64Array
-from crs_cc.sim.devices.sonar.model import sonars_of
-from crs_cc.sim.kernels import exact
+from crs_cc.sim.devices.sonar.model import SonarBoard
+from crs_cc.sim.kernels.program import ERRORS, ROBOTS_AT_ONCE, kernels
 from crs_cc.sim.state.random_streams import Noise
+from crs_cc.sim.state.rows import parts
 
-if TYPE_CHECKING:
-    from crs_cc.sim.model.world import WorldModel
-
-
-_ERROR, _DROPOUT, _CROSSTALK = range(3)
+_CROSSTALK: Final = 2  # after the error's and the dropout's
 _DEVIATES: Final = 3
-
+_LIMITS: Final = 6
+_ROUNDING: Final = [0, 1, 5]  # the limits without those of random errors
 
 _NOBODY: Final = np.zeros(0, dtype=np.intp)
 
 
 class SonarErrors:
-    """The errors of all robots' sonars."""
+    """The errors of all robots' sonars.
 
-    def __init__(self, world: WorldModel, seed: int, stream: int) -> None:
-        modes = [sonars_of(robot.model).modes for robot in world.robots]
-        boards = [mode.board for each in modes for mode in each]
-        self._first = np.cumsum([0, *map(len, modes)])[:-1].astype(np.intp)
-        self._blind_m = np.array([board.blind_m for board in boards])
-        self._minimum_m = np.array([board.minimum_m for board in boards])
-        self._noise_m = np.array([board.noise_m for board in boards])
-        self._noise_share = np.array([board.noise_share for board in boards])
-        self._misses = np.array([_quantile(board.dropouts) for board in boards])
+    Attributes:
+        limits: those of each mode, see `kernels/sonars.c`, (modes, 6).
+    """
+
+    def __init__(
+        self, boards: Sequence[SonarBoard], first: IndexArray, seed: int, stream: int
+    ) -> None:
+        """Set up the errors.
+
+        Args:
+            boards: the board of each mode.
+            first: the first mode of each robot, (robots,).
+            seed: the random seed.
+            stream: the key of the sonars' streams.
+        """
+        self._first = first
         self._mistakes = np.array([_quantile(board.crosstalk) for board in boards])
-        self._resolution_m = np.array([board.resolution_m for board in boards])
-        limits = (self._blind_m, self._minimum_m, self._resolution_m)
-        self._exact = not any(each.any() for each in limits)
+        self.limits = np.array([_limits(board) for board in boards]).reshape(-1, _LIMITS)
+        self._exact = not self.limits[:, _ROUNDING].any()
         random = any(
             board.noise_m or board.noise_share or board.dropouts or board.crosstalk
             for board in boards
         )
-        self._noise = Noise(seed, stream, _DEVIATES, len(modes)) if random else None
+        self._noise = Noise(seed, stream, _DEVIATES, len(first)) if random else None
 
     def draw(self, rows: IndexArray, numbers: Int64Array) -> FloatArray:
         """Return the deviates of one firing of each robot, shape (k, 3)."""
@@ -81,36 +86,25 @@ class SonarErrors:
         """Return the reported range for true distances, infinite for no echo; shape (k,)."""
         if self._exact and self._noise is None:
             return distance_m
-        kind = self._first[rows] + mode
-        beyond_m = _beyond(self._blind_m[kind], distance_m)
-        reported_m: FloatArray = np.maximum(beyond_m, self._minimum_m[kind])
-        if self._noise is None:
-            return _rounded(reported_m, self._resolution_m[kind])
-        heard = np.isfinite(reported_m) & (deviates[:, _DROPOUT] >= self._misses[kind])
-        size_m = np.where(heard, reported_m, 0.0)
-        error_m = deviates[:, _ERROR] * exact.hypot(
-            self._noise_m[kind], self._noise_share[kind] * size_m
-        )
-        reported_m = np.where(heard, np.maximum(size_m + error_m, 0.0), np.inf)
-        return _rounded(reported_m, self._resolution_m[kind])
-
-
-def _rounded(reported_m: FloatArray, step_m: FloatArray) -> FloatArray:
-    """Return values rounded to multiples of steps; a step of 0 changes nothing."""
-    if not step_m.any():
+        reported_m = np.empty(len(rows))
+        limits = self.limits[self._first[rows] + mode]
+        for _, part in parts(rows, len(rows), ROBOTS_AT_ONCE):
+            columns = distance_m[part], limits[part], deviates[part]
+            found = kernels().columns(ERRORS, len(columns[0]), columns)
+            reported_m[part] = found[: len(columns[0])]
         return reported_m
-    steps = np.divide(reported_m, step_m, out=reported_m.copy(), where=step_m > 0.0)
-    return np.where(step_m > 0.0, np.rint(steps) * step_m, reported_m)
 
 
-def _beyond(blind_m: FloatArray, distance_m: FloatArray) -> FloatArray:
-    """Return the smallest multiple of distances that is not below the minimum range."""
-    near = distance_m < blind_m
-    if not near.any():
-        return distance_m
-    apart = near & (distance_m > 0.0)
-    times = np.ceil(np.divide(blind_m, distance_m, out=np.ones_like(distance_m), where=apart))
-    return np.where(near, np.where(apart, times * distance_m, blind_m), distance_m)
+def _limits(board: SonarBoard) -> tuple[float, ...]:
+    """Return the errors of a board as `kernels/sonars.c` reads them."""
+    return (
+        board.blind_m,
+        board.minimum_m,
+        board.noise_m,
+        board.noise_share,
+        _quantile(board.dropouts),
+        board.resolution_m,
+    )
 
 
 def _quantile(probability: float) -> float:
