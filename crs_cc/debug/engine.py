@@ -139,7 +139,7 @@ class Debugger:
         """Continue to the next stop, or back to the previous one."""
         if backward:
             return self._arrive(self.navigator.backward())
-        return self._go(None)
+        return self.run_to(None)
 
     def step(self, count: int = 1, *, backward: bool = False) -> Stop:
         """Step to the next line, entering calls; or to the start of the previous line."""
@@ -179,7 +179,7 @@ class Debugger:
         if backward:
             aim = ReverseStepCondition(robot, callers, whole_line=False, after_calls=True)
             return self._arrive(self.navigator.backward_to(aim))
-        stop = self._go(StepToStatement(robot, callers, after_calls=True))
+        stop = self.run_to(StepToStatement(robot, callers, after_calls=True))
         site = self.run.site(robot)
         if stop.reason != "step" or site is None or not site.after_call:
             return stop
@@ -210,9 +210,9 @@ class Debugger:
         try:
             frame = self.view.current_frame() if other in (None, robot) else None
             if frame is None:
-                return self._go(None)
+                return self.run_to(None)
             callers = self.navigator.calls(robot, frame.active)
-            return self._go(StepToStatement(robot, callers, after_calls=True))
+            return self.run_to(StepToStatement(robot, callers, after_calls=True))
         finally:
             if added in list(self.stop_points.breakpoints):
                 self.stop_points.breakpoints.remove(added.number)
@@ -223,7 +223,7 @@ class Debugger:
         inside = position != Position(position.timestep, 0)
         if backward:
             return self.goto_timestep(max(0, position.timestep + inside - count))
-        return self._go(None, Position(position.timestep + count, 0))
+        return self.run_to(None, Position(position.timestep + count, 0))
 
     def goto(self, target: Position) -> Stop:
         """Go to a recorded position."""
@@ -311,7 +311,8 @@ class Debugger:
             return None
         return self.navigator.calls(self.view.robot)
 
-    def _go(self, aim: StepCondition | None, until: Position | None = None) -> Stop:
+    def run_to(self, aim: StepCondition | None, until: Position | None = None) -> Stop:
+        """Run forward to where a step ends, or to the start of a timestep."""
         return self._arrive(self._forward(aim, until))
 
     def _forward(self, aim: StepCondition | None, until: Position | None = None) -> Stop:

@@ -7,13 +7,16 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Final
 
+from crs_cc.debug.call_sites import CallSite, call_sites, step_into
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.framing import Message
 from crs_cc.debug.dap.session import EditorSession, Execution
 from crs_cc.debug.dap.stop_events import report_end
+from crs_cc.debug.dap.value_messages import requested_frame
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.locations import find_location
 from crs_cc.debug.stop import Stop
+from crs_cc.ir.names import plain_name
 
 _GRANULARITIES: Final = ("statement", "line", "instruction")
 
@@ -39,8 +42,36 @@ def next_(session: EditorSession, arguments: Arguments) -> None:
 
 
 def step_in(session: EditorSession, arguments: Arguments) -> None:
-    """Step to the next line, entering calls."""
-    _step(session, arguments, Debugger.step)
+    """Step to the next line, entering calls; or into one of the calls of the line."""
+    number = arguments.integer("targetId", 0)
+    if not number:
+        _step(session, arguments, Debugger.step)
+        return
+    call = session.handles.take(number)
+    if not isinstance(call, CallSite):
+        raise RefusalError("unknown 'targetId'")
+    session.execution = Execution(partial(step_into, _look_at(session, arguments), call))
+
+
+def step_in_targets(session: EditorSession, arguments: Arguments) -> Message:
+    """Return the calls of the current line that can be entered; none for frames of callers."""
+    debugger = session.require_stopped()
+    frame = requested_frame(session, arguments)
+    debugger.view.select_robot(frame.robot)
+    if frame.frame:
+        return {"targets": []}
+    targets = []
+    for call in call_sites(debugger):
+        place, line = call.location, debugger.view.source(call.location.file)
+        text = line[place.line - 1][place.column - 1 : place.last] if place.last else ""
+        targets.append(
+            {
+                "id": session.handles.give(call),
+                "label": text or f"{plain_name(call.function)}()",
+                "line": session.locations.line(place.line),
+            }
+        )
+    return {"targets": targets}
 
 
 def step_back(session: EditorSession, arguments: Arguments) -> None:

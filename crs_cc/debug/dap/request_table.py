@@ -29,6 +29,7 @@ HANDLERS: Final[Mapping[str, Handler]] = {
     "reverseContinue": execution_requests.reverse_continue,
     "next": execution_requests.next_,
     "stepIn": execution_requests.step_in,
+    "stepInTargets": execution_requests.step_in_targets,
     "stepOut": execution_requests.step_out,
     "stepBack": execution_requests.step_back,
     "pause": execution_requests.pause,

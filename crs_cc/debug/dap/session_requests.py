@@ -23,6 +23,7 @@ CAPABILITIES: Final[Message] = {
     "supportsStepBack": True,
     "supportsSteppingGranularity": True,
     "supportsGotoTargetsRequest": True,
+    "supportsStepInTargetsRequest": True,
     "supportsRestartRequest": True,
     "supportsTerminateRequest": True,
     "supportsCancelRequest": True,

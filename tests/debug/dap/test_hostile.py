@@ -208,6 +208,8 @@ def plausible(chance: random.Random, path: Path) -> tuple[str, dict[str, object]
         ("scopes", {"frameId": number}),
         ("variables", {"variablesReference": number}),
         ("evaluate", {"expression": expression, "context": context}),
+        ("stepInTargets", {"frameId": number}),
+        ("stepIn", {"threadId": 1, "targetId": number}),
         ("gotoTargets", {"source": {"path": str(path)}, "line": 15}),
         ("goto", {"threadId": 1, "targetId": number}),
         ("threads", {}),

@@ -25,6 +25,21 @@ int main(void)
 }
 """
 
+CALLS = """\
+static int f(int x) { return x; }
+static int g(int x) { return x; }
+static int h(int x) { return 3 * x; }
+static int (*pointer)(int) = g;
+int done;
+int main(void)
+{
+    int sum = f(1) + f(h(2)) + (done && g(3)) + pointer(4);
+
+    done = sum;
+    return 0;
+}
+"""
+
 WORLDS = Path(__file__).parents[3] / "worlds"
 
 
@@ -67,6 +82,31 @@ def test_steps_go_forward_and_backward(client: Client, loop: Path) -> None:
     moves = {"next": 14, "stepIn": 15, "stepBack": 14}
     assert [client.move(move)["reason"] for move in moves] == ["step"] * 3
     assert client.line() == 14
+
+
+def test_a_step_enters_the_call_of_a_line_that_was_chosen(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "calls.c"
+    path.write_text(CALLS)
+    assert client.launch(path)["supportsStepInTargetsRequest"]
+    client.break_at(path, 8)
+    client.begin()
+    wanted = {"h(2)": ("h", 3), "f(1)": ("f", 1), "f(h(2))": ("f", 1), "g(3)": ("main", 10)}
+    for label, (function, line) in wanted.items():
+        frame = client.frames()[0]
+        targets = client.ask("stepInTargets", frameId=frame["id"])["targets"]
+        assert [each["label"] for each in targets] == ["f(1)", "f(h(2))", "h(2)", "g(3)"]
+        number = next(each["id"] for each in targets if each["label"] == label)
+        client.move("stepIn", targetId=number)
+        top, *callers = client.frames()
+        assert (top["name"], top["line"]) == (function, line), label
+        if label == "f(h(2))":
+            assert client.scope("Locals")[0]["value"] == "6"
+        assert [each["line"] for each in callers] == [8] * len(callers)
+        if callers:
+            assert client.ask("stepInTargets", frameId=callers[0]["id"])["targets"] == []
+        client.move("reverseContinue")
+    assert "no longer valid" in client.refused("stepIn", threadId=1, targetId=number)
+    assert "unknown" in client.refused("stepIn", threadId=1, targetId=client.frames()[0]["id"])
 
 
 def test_reverse_continue_to_a_breakpoint_and_to_the_start(client: Client, loop: Path) -> None:
