@@ -161,6 +161,7 @@ def _program_messages(
             undefines=compiler.undefines,
             standard=compiler.standard,
             root=compiler.root,
+            named_from=compiler.named_from,
             dialect=compiler.dialect or dialect,
         )
     except CompileError as error:

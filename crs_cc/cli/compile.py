@@ -89,6 +89,7 @@ def compile_source(
         compiler.undefines,
         compiler.standard,
         compiler.root,
+        named_from=compiler.named_from,
     )
     dialect = compiler.dialect or form(path, options) or dialect_of(together, options)
     program = compile_file(path, replace(options, dialect=dialect), diagnostics)
@@ -116,6 +117,7 @@ def _wat(
         undefines=compiler.undefines,
         standard=compiler.standard,
         root=compiler.root,
+        named_from=compiler.named_from,
         checked=checked,
         dialect=compiler.dialect,
     )

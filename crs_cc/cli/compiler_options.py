@@ -31,6 +31,7 @@ class CompilerOptions:
         dialect: the API that it calls, `nomad` or `report`; None to detect it.
         warnings: which warnings are shown, and which are errors.
         root: the folder of the user's whole project; None for the current directory.
+        named_from: a folder that is left out of the names of files in messages.
     """
 
     include_paths: tuple[Path, ...] = ()
@@ -40,6 +41,7 @@ class CompilerOptions:
     dialect: Dialect | None = None
     warnings: Selection = field(default_factory=Selection)
     root: Path | None = None
+    named_from: Path | None = None
 
 
 def _folders(

@@ -176,6 +176,7 @@ def build_program(
             undefines=options.compiler.undefines,
             standard=options.compiler.standard,
             root=options.compiler.root,
+            named_from=options.compiler.named_from,
             checked=options.checked,
             debug=debug,
             trap_overflow=options.trap_overflow,

@@ -86,5 +86,6 @@ def _front_end(
         compiler.undefines,
         compiler.standard,
         compiler.root,
+        named_from=compiler.named_from,
     )
     return replace(options, dialect=dialect or dialect_of(sources, options))

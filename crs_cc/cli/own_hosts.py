@@ -106,6 +106,7 @@ def _built(program: Program) -> Executable:
             undefines=program.undefines,
             standard=program.standard,
             root=folder,
+            named_from=folder,
             checked=program.checked,
             trap_overflow=program.trap_overflow,
             dialect=program.dialect or None,  # type: ignore[arg-type]

@@ -66,6 +66,7 @@ def unpacked(recording: Recording, kind: type[O], **others: Any) -> Iterator[O]:
             run.undefines,
             run.standard,
             run.dialect or None,  # type: ignore[arg-type]
+            named_from=tree,
         )
         yield kind(
             inputs=Inputs(

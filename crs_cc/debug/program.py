@@ -23,3 +23,8 @@ class DebugProgram:
     executable: Executable
     paths: Sequence[Path]
     options: Options
+
+    @property
+    def files(self) -> dict[str, Path]:
+        """Return the C files by the names that messages and locations have."""
+        return {self.options.name(path): path for path in self.paths}

@@ -129,7 +129,7 @@ class View:
         """Return the current file, or the first one of a robot's program."""
         here = self.location()
         robot = self.robot if robot is None else robot
-        return here.file if here else str(self.run.programs[robot].paths[0])
+        return here.file if here else next(iter(self.run.programs[robot].files))
 
     def source(self, file: str) -> Sequence[str]:
         """Return the lines of a C file; none if it is not the user's."""

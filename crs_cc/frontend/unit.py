@@ -52,7 +52,7 @@ def compile_file(path: Path, options: Options, diagnostics: Diagnostics) -> Prog
     Raises:
         CompileError: when there are errors in the file.
     """
-    unit = _unit(str(path), options, diagnostics)
+    unit = _unit(options.name(path), options, diagnostics)
     return _compile(lambda: preprocess(path, options, diagnostics), unit, _stages)
 
 
@@ -67,7 +67,7 @@ def check_file(path: Path, options: Options, diagnostics: Diagnostics) -> tuple[
         _check(unit, source)
         return unit, source
 
-    unit = _unit(str(path), options, diagnostics)
+    unit = _unit(options.name(path), options, diagnostics)
     return _compile(lambda: preprocess(path, options, diagnostics), unit, names)
 
 

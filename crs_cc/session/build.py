@@ -61,6 +61,7 @@ def build_executable(
     undefines: Sequence[str] = (),
     standard: str = "gnu17",
     root: Path | None = None,
+    named_from: Path | None = None,
     checked: bool = True,
     debug: bool = False,
     trap_overflow: bool = False,
@@ -76,6 +77,7 @@ def build_executable(
         undefines: predefined macros to remove.
         standard: its C standard, see `frontend.preprocess.options.STANDARDS`.
         root: the folder of the whole project; the current directory if it is not given.
+        named_from: a folder that is left out of the names of files in messages.
         checked: check every access through a pointer.
         debug: allow breakpoints on every statement.
         trap_overflow: stop at signed overflow, in checked builds.
@@ -97,6 +99,7 @@ def build_executable(
         undefines,
         standard,
         str(root and root.resolve()),
+        str(named_from),
         str(dialect),
         device_sources(),
     )
@@ -111,7 +114,7 @@ def build_executable(
     from crs_cc.session.library import library_options
 
     macros = tuple(defines), tuple(undefines)
-    options = library_options(tuple(include_paths), *macros, standard, root)
+    options = library_options(tuple(include_paths), *macros, standard, root, named_from=named_from)
     own = Diagnostics(digests={str(path): digest(path) for path in paths})
     try:
         with without_collector():  # saves a fifth of the time

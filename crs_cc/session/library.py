@@ -27,12 +27,20 @@ def library_options(
     undefines: tuple[str, ...] = (),
     standard: str = "gnu17",
     root: Path | None = None,
+    *,
+    named_from: Path | None = None,
 ) -> Options:
     """Return the options of a program that uses the library's headers; see `Options`."""
     macros = defines, undefines
     generated = device_headers()
     return Options(
-        include_paths, (HEADERS,), *macros, standard=standard, root=root, generated=generated
+        include_paths,
+        (HEADERS,),
+        *macros,
+        standard=standard,
+        root=root,
+        named_from=named_from,
+        generated=generated,
     )
 
 

@@ -31,7 +31,7 @@ def where(shell: Shell) -> dict[str, Any]:
     return {
         "robot": view.robot,
         "statement": debugger.run.statements_begun(view.robot),
-        "file": place.file if place else str(program.paths[0]),
+        "file": place.file if place else next(iter(program.files)),
         "line": place.line if place else 0,
         "files": list(program.executable.detail().lines),
         "innermost": not own or own[0].number == view.frame,

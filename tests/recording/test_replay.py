@@ -7,6 +7,7 @@ import json
 import shutil
 from dataclasses import replace
 from pathlib import Path
+from tempfile import gettempdir
 
 import pytest
 
@@ -203,6 +204,8 @@ def test_the_debugger_goes_to_an_instant_of_a_recording_and_steps_back(
     assert "= 3" in said.out
     assert "t = 5.000 s" in said.out
     assert "differs" not in said.err
+    assert "main () at " in said.out
+    assert gettempdir() not in said.out  # its files have the names that they had
     assert main(["debug", "--batch", str(recorded), "room.xml"]) == 2
 
 

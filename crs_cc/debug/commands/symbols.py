@@ -62,9 +62,9 @@ def _info_sources(context: CommandContext, text: str) -> Answer:
 def _sources(context: CommandContext) -> Iterator[tuple[str, int]]:
     """Return the C files of the selected robot's program, with their numbers of lines."""
     view = context.debugger.view
-    for path in context.debugger.run.programs[view.robot].paths:
-        lines = view.source(str(path))
-        yield str(path), len(lines) - (bool(lines) and not lines[-1])
+    for file in context.debugger.run.programs[view.robot].files:
+        lines = view.source(file)
+        yield file, len(lines) - (bool(lines) and not lines[-1])
 
 
 def _info_types(context: CommandContext, text: str) -> Answer:

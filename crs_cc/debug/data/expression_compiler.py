@@ -103,7 +103,7 @@ class SourceNames:
 
     def __init__(self, program: DebugProgram) -> None:
         self._program = program
-        self._paths = {str(path): path for path in program.paths}
+        self._paths = program.files
         self._files: dict[str, FileNames | str] = {}
 
     def of(self, function: str, file: str) -> FileNames:

@@ -101,7 +101,7 @@ def _source(debugger: Debugger, wanted: str) -> SourceData:
         debugger.view.location(),
         [each for each in debugger.view.frames() if not each.is_library],
     )
-    file = place.file if place else own[0].location.file if own else str(program.paths[0])
+    file = place.file if place else own[0].location.file if own else next(iter(program.files))
     if wanted in files:
         file = wanted
     innermost = not own or own[0].number == debugger.view.frame

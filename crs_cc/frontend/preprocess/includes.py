@@ -69,6 +69,7 @@ class Headers:
             digests: receives the `digest` of each file that is looked for, found or not: a file
                 that is added to a directory changes the program, too.
         """
+        self.options = options
         self._digests = {} if digests is None else digests
         self.include_paths = options.include_paths
         self.system_paths = options.system_paths

@@ -55,6 +55,8 @@ class Options:
         trusted: whether the file is the allocator, see `ir.program.Function`.
         root: the folder of the user's whole project, whose files may be included from anywhere in
             it; None for the current directory.
+        named_from: a folder that is left out of the names of files below it, in messages and in the
+            debugger: files of a recording lie in a temporary one.
         generated: headers of ours that are in no file: the name of each, and its text.
     """
 
@@ -66,7 +68,18 @@ class Options:
     trusted: bool = False
     dialect: Dialect = "nomad"
     root: Path | None = None
+    named_from: Path | None = None
     generated: tuple[tuple[str, str], ...] = ()
+
+    def name(self, path: Path) -> str:
+        """Return the name of a file in messages.
+
+        >>> Options(named_from=Path("run")).name(Path("run/a/drive.c"))
+        'a/drive.c'
+        """
+        if self.named_from is not None and path.is_relative_to(self.named_from):
+            return str(path.relative_to(self.named_from))
+        return str(path)
 
     @property
     def is_strict(self) -> bool:

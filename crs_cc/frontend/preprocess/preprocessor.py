@@ -54,11 +54,11 @@ def preprocess(path: Path, options: Options, diagnostics: Diagnostics) -> Prepro
     """
     content = read_regular_file(path)
     if isinstance(content, Refusal):
-        diagnostics.error(Location(str(path)), content.text, content.hint)
+        diagnostics.error(Location(options.name(path)), content.text, content.hint)
         return replace(_preprocess("", path, options, diagnostics), is_complete=False)
     if is_binary(content):
         diagnostics.error(
-            Location(str(path)), "is not a text file", "give the name of a C source file"
+            Location(options.name(path)), "is not a text file", "give the name of a C source file"
         )
         return replace(_preprocess("", path, options, diagnostics), is_complete=False)
     return _preprocess(decode(content), path, options, diagnostics)
@@ -114,7 +114,7 @@ class _Run:
         state = self.state
         for macro in (*predefined_macros(self.options.standard), *dynamic_macros(state)):
             state.define(macro)
-        main = state.add_text(str(path), content)
+        main = state.add_text(self.options.name(path), content)
         state.open(main, path.parent, None, main.start)
         self._include_dialect(path.parent)
         self._define_options(path.parent)

@@ -133,7 +133,9 @@ class State:
             if is_binary(content):
                 self.report.error(place, f"'{header.path}' is not a text file")
                 return
-            text = self._texts[header.file] = self.add_text(str(header.path), decode(content))
+            text = self._texts[header.file] = self.add_text(
+                self.headers.options.name(header.path), decode(content)
+            )
         self.open(text, header.path.parent, header, place)
 
     def add_text(self, name: str, content: str) -> SourceText:
