@@ -298,3 +298,15 @@ def test_a_sketch_has_the_largest_amount_of_each_square(world, most: int):
     for row, column in np.ndindex(sketch.shape):
         square = whole[row * cells : (row + 1) * cells, column * cells : (column + 1) * cells]
         assert sketch[row, column] == square.max()
+
+
+def test_a_sketch_is_that_of_now_though_quiet_time_was_skipped(world):
+    """Fields have another base each 40 timesteps, which are not executed here."""
+    driver = Driver.of(world('<field name="trail" cell="10cm" evaporation="0.5s"/>'))
+    post(driver, "DEPOSIT", 100.0)
+    driver.run(2)
+    environment = driver.environment
+    assert environment.is_quiet
+    environment.skip(60)
+    expected = 100.0 * np.exp(-61 * DT_S / 0.5)
+    assert environment.field_sketch("trail", 60)[0].max() == pytest.approx(expected, abs=2 * UNIT)

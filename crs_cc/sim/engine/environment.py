@@ -368,8 +368,8 @@ class Environment:
 
     def field_sketch(self, name: str, most: int) -> tuple[FloatArray, float]:
         """Return a coarse picture of a pheromone field, see `Fields.sketch`."""
-        fields = self._running.devices.fields
-        return fields.sketch(self._running.state, fields.number(name), most)
+        fields = self._data.devices.fields
+        return fields.sketch(self.state, fields.number(name), most)
 
     def device_rows(self, number: int) -> list[tuple[str, str]]:
         """Return name and state of each device of a robot, for inspectors."""
