@@ -28,6 +28,7 @@ from crs_cc.recording.block import Block
 from crs_cc.recording.content import as_fields
 from crs_cc.recording.digest import digest
 from crs_cc.recording.entries import SPAN_NS
+from crs_cc.recording.field_sketches import ChangedFields
 from crs_cc.recording.hashes import STATE_DIGITS, Hash
 from crs_cc.recording.mcap_records import NS, Channel, ns
 from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
@@ -120,6 +121,7 @@ class Recorder:
             self._writer.attachment(name, "application/octet-stream", content)
         self._can_save = stat.S_ISREG(os.fstat(self._file.fileno()).st_mode)
         self._encoder = ReadingEncoder()
+        self._fields = ChangedFields()
         self._block = Block(0.0)
         self._output_crc = 0
         self._foxglove: FoxgloveView | None = None
@@ -154,6 +156,7 @@ class Recorder:
         self._note_roster()
         self._block = Block(session.time_s)
         self._add_frame()
+        self._add_fields()
         self._add_hash()
 
     # -- what happens in a timestep --------------------------------------------------------------
@@ -250,6 +253,7 @@ class Recorder:
         if self.failed is None:
             if self._moved:
                 self._add_frame()
+            self._add_fields()
             self._add_hash(result.state_hash)
             self._complete()
             self._try(lambda: self._writer.metadata(topics.RESULT, _result_values(result)))
@@ -262,6 +266,7 @@ class Recorder:
         self._next_hash = (self._session.timesteps // self._per_second + 1) * self._per_second
         seconds = self._session.timesteps // self._per_second
         is_full = seconds % FULL_HASH_SECONDS == 0
+        self._add_fields()
         self._add_hash(self._session.state_hash() if is_full else "")
         session, block = self._session, self._block
         lasted_s = session.time_s - block.begin_s
@@ -321,6 +326,12 @@ class Recorder:
             self._writer.add(channel, time_ns, data)
         if self._options.sensors == "all":
             block.readings.add(time_s, [self._unasked()])
+
+    def _add_fields(self) -> None:
+        """Record the pheromone fields that are not what was recorded of them leads to."""
+        session = self._session
+        for entry in self._fields.entries(session.environment):
+            self._block.add_entry(topics.FIELD, ns(session.time_s), entry)
 
     def _unasked(self) -> Served:
         """Return what all sensors of all robots tell now, as an answer to no request."""

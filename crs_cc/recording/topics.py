@@ -45,8 +45,9 @@ MESSAGE: Final = _entries("/crs/message")
 OUTPUT: Final = _entries("/crs/output")
 INPUT: Final = _entries("/crs/input")
 HASH: Final = _entries("/crs/hash")
+FIELD: Final = _entries("/crs/field")
 
 TOPICS: Final = {
     channel.topic: channel
-    for channel in (FRAME, ODOMETRY, STATE, READING, EVENT, MESSAGE, OUTPUT, INPUT, HASH)
+    for channel in (FRAME, ODOMETRY, STATE, READING, EVENT, MESSAGE, OUTPUT, INPUT, HASH, FIELD)
 }

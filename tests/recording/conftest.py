@@ -1,5 +1,6 @@
-"""The recording that these tests read."""
+"""The recordings that these tests read."""
 
 from tests.recorded import recorded
+from tests.recorded_fields import fields_folder
 
-__all__ = ["recorded"]
+__all__ = ["fields_folder", "recorded"]

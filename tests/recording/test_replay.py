@@ -46,7 +46,7 @@ def rewritten(source: Path, target: Path, *, run: dict[str, str] | None = None) 
 
 
 def rewritten_event(source: Path, target: Path, values: dict[str, object]) -> None:
-    """Copy a recording with other values in what programs drew, and in changes of them."""
+    """Copy a recording with other values in what programs drew, changes of them, and fields."""
     reader = McapReader(source)
     with target.open("wb") as file:
         writer = McapWriter(file)
@@ -57,10 +57,10 @@ def rewritten_event(source: Path, target: Path, values: dict[str, object]) -> No
         for chunk in reader.chunks:
             for message in reader.messages(chunk):
                 data = message.data
-                if message.topic in ("/crs/input", "/crs/event"):
+                if message.topic in ("/crs/input", "/crs/event", "/crs/field"):
                     entries = json.loads(data)["entries"]
                     for entry in entries:
-                        if entry.get("patches") or "mark" in entry:
+                        if entry.get("patches") or "mark" in entry or "shares" in entry:
                             entry.update(values)
                     data = json.dumps({"entries": entries}).encode()
                 writer.add(TOPICS[message.topic], message.time_ns, data)
