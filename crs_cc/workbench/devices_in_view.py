@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.core.units import tenths_inch_to_m
+from crs_cc.recording.field_sketches import sketched
 from crs_cc.sim.devices.arm.state import arm_of
 from crs_cc.sim.devices.camera import camera_state, picture
 from crs_cc.sim.devices.gripper.state import gripper_of
@@ -20,20 +21,17 @@ from crs_cc.workbench.feed import rounded
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from crs_cc.recording.field_sketches import FieldSketch
     from crs_cc.sim.engine.environment import Environment
     from crs_cc.sim.model.degradation import Degradation
 
 MAX_DEGRADED: Final = 500
 MAX_HEATED: Final = 500
-MAX_FIELDS: Final = 4
-_SQUARES: Final = 96
-"""Squares along the longer side of the area that fields are drawn with."""
-_FULL: Final = 255
 
 
 def devices_in_view(environment: Environment, rows: Sequence[int], selected: int) -> dict[str, Any]:
     """Return what is drawn of some robots' devices, and what the selected one's have measured."""
-    fields = environment.world.fields
+    fields = range(len(environment.world.fields))
     return {
         "fingers": dict(_fingers(environment, rows)),
         "joints": dict(_joints(environment, rows)),
@@ -43,7 +41,7 @@ def devices_in_view(environment: Environment, rows: Sequence[int], selected: int
         "laser": _laser(environment, selected),
         "camera": _camera(environment, selected),
         "infrared": _readings(environment, "infrared", selected),
-        "fields": [_field(environment, each.name) for each in fields[:MAX_FIELDS]],
+        "fields": [_field(environment, each) for each in fields],
         "heat": next(iter(_readings(environment, "heat", selected)), None),
     }
 
@@ -104,22 +102,24 @@ def _heats(environment: Environment) -> Iterator[tuple[str, float]]:
             yield thing.id, heat
 
 
-def _field(environment: Environment, name: str) -> dict[str, Any]:
-    """Return a field as shares of its largest amount, a byte for each square."""
-    amounts, cell_m = environment.field_sketch(name, _SQUARES)
-    most, area = float(amounts.max()), environment.world.area
-    shares = np.ceil(amounts * (_FULL / most if most > 0.0 else 0.0)).astype(np.uint8)
-    rows, columns = shares.shape
+def field_map(sketch: FieldSketch) -> dict[str, Any]:
+    """Return a field as the page draws it, without what lies in its squares."""
+    rows, columns = sketch.shares.shape
     return {
-        "name": name,
-        "x": area.x_min_m,
-        "y": area.y_min_m,
-        "cell": cell_m,
+        "name": sketch.name,
+        "x": sketch.x_m,
+        "y": sketch.y_m,
+        "cell": sketch.square_m,
         "rows": rows,
         "columns": columns,
-        "most": float(f"{most:.6g}"),
-        "data": base64.b64encode(shares.tobytes()).decode(),
+        "most": sketch.most,
     }
+
+
+def _field(environment: Environment, field: int) -> dict[str, Any]:
+    """Return a field as shares of its largest amount, a byte for each square."""
+    sketch, _ = sketched(environment, field)
+    return field_map(sketch) | {"data": base64.b64encode(sketch.shares.tobytes()).decode()}
 
 
 def _camera(environment: Environment, robot: int) -> list[tuple[str, float | None]]:

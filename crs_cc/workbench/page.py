@@ -20,11 +20,19 @@ from crs_cc.recording import topics
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.shapes import robot_data
 from crs_cc.workbench.messages import plain_text
-from crs_cc.workbench.recorded_content import events_in, frame_blocks, marks_in, output_in
+from crs_cc.workbench.recorded_content import (
+    events_in,
+    fields_in,
+    frame_blocks,
+    marks_in,
+    output_in,
+)
 from crs_cc.workbench.static_files import FOLDER, MODULES, STYLES, html
 from crs_cc.workbench.world_data import world_data
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from crs_cc.core.arrays import FloatArray
     from crs_cc.recording.recording import Recording
     from crs_cc.sim.model.world import WorldModel
@@ -40,6 +48,7 @@ _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline' data:; style-src 'unsafe-inline'; img-src blob:"
 )
 _SHARE: Final = 0.9 * 0.75  # for frames, before base 64
+_FIELDS: Final = 0.08  # for sketches of fields
 
 
 @dataclass(slots=True)
@@ -78,10 +87,12 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
     output, lost_output = output_in(recording)
     radius_m = world.robots[0].model.radius_m if world.robots else 0.0
     marks, lost_marks = marks_in(recording, radius_m)
-    left_out = [f"every frame but each {stride}th"] if stride > 1 else []
+    fields, field_stride = fields_in(recording, int(most_bytes * _FIELDS))
+    left_out = [f"all but 1 in {stride} frames"] if stride > 1 else []
     left_out += [f"{lost_events} events"] if lost_events else []
     left_out += [f"{lost_output} pieces of output"] if lost_output else []
     left_out += [f"{lost_marks} marks of programs"] if lost_marks else []
+    left_out += [f"all but 1 in {field_stride} sketches of fields"] if field_stride > 1 else []
     run = recording.description
     names = ", ".join(Path(source).name for source in run.sources) or "programs"
     where = Path(run.world).name or "an empty world"
@@ -97,10 +108,8 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
             {"t": each.time_ns / NS, "robots": each.robots, "objects": each.objects}
             for each in recording.rosters
         ],
-        "world": {
-            **world_data(world, recording.rosters[-1].robots),
-            "fields": [],  # their amounts are not recorded
-        },
+        "world": _drawn(world_data(world, recording.rosters[-1].robots), fields),
+        "fields": fields or None,
         "paths": _paths(recording, world),
         "marks": marks or None,
         "events": events,
@@ -123,6 +132,7 @@ def known_of(feed: Feed) -> dict[str, Any]:
     known = feed.known()
     return {
         **known,
+        "world": _drawn(known["world"], known.get("fields")),
         "note": f"seed {known['seed']}, saved at {known['end_s']:.2f} s",
         "blocks": [
             [begin_s, end_s, b64encode(content).decode("ascii")]
@@ -130,6 +140,11 @@ def known_of(feed: Feed) -> dict[str, Any]:
             if content
         ],
     }
+
+
+def _drawn(world: dict[str, Any], sketches: Sequence[Any] | None) -> dict[str, Any]:
+    """Return a world as a page draws it that knows these sketches of fields."""
+    return world if sketches else {**world, "fields": []}
 
 
 def page_of(data: dict[str, Any]) -> str:

@@ -14,7 +14,13 @@ from crs_cc.recording.message_contents import MessageContents
 from crs_cc.sim.comms.message_log import Fate
 from crs_cc.workbench.feed import rounded
 from crs_cc.workbench.message_log import recorded_rows
-from crs_cc.workbench.recorded_content import events_in, frame_blocks, marks_in, output_in
+from crs_cc.workbench.recorded_content import (
+    events_in,
+    fields_in,
+    frame_blocks,
+    marks_in,
+    output_in,
+)
 from crs_cc.workbench.robot_table import MAX_ROBOTS
 from crs_cc.workbench.run import Halt
 
@@ -73,6 +79,7 @@ class Playback:
                 feed.messages.add(recorded_rows(data, fates, contents))
         radius_m = world.robots[0].model.radius_m if world.robots else 0.0
         feed.description["marks"] = marks_in(recording, radius_m)[0] or None
+        feed.description["fields"] = fields_in(recording)[0] or None
         feed.fill(events_in(recording)[0], output_in(recording)[0])
 
     @property

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import zlib
+from base64 import b64encode
 from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING, Any, Final
@@ -13,9 +15,11 @@ from crs_cc.debug.timeline.note import KIND, Note
 from crs_cc.plot.x11_colours import HEX
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
+from crs_cc.recording.field_sketches import sketches_in
 from crs_cc.recording.marks import marked_in
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.message_contents import MessageContents, shown
+from crs_cc.workbench.devices_in_view import field_map
 from crs_cc.workbench.frame_blocks import packed
 
 if TYPE_CHECKING:
@@ -25,6 +29,11 @@ MAX_EVENTS: Final = 20_000
 MAX_NOTES: Final = 500
 MAX_MARKS: Final = 5_000
 MAX_OUTPUT: Final = 4 * 2**20
+MAX_FIELDS: Final = 4 * 2**20
+"""Size of the sketches of fields; chosen by us. It is six minutes of a field of noise, which does
+not compress, and hours of trails."""
+
+_SKETCH: Final = 200  # bytes of a sketch besides its shares
 _MAX_NOTE: Final = 400  # characters
 _MAX_CONTENT: Final = 60  # bytes of a message that an event shows
 
@@ -129,6 +138,36 @@ def marks_in(recording: Recording, radius_m: float) -> tuple[list[list[Any]], in
             points = stroke.round(3).tolist()
             found.append([each.since_s, until_s, HEX[each.drawing.colour], points])
     return found, len(marked) - len(shown)
+
+
+def fields_in(
+    recording: Recording, most_bytes: int = MAX_FIELDS
+) -> tuple[list[dict[str, Any]], int]:
+    """Return the sketches of pheromone fields, and which share of them: each how manyth.
+
+    Args:
+        recording: the recording.
+        most_bytes: the size of all; more sketches are thinned, each field by itself.
+    """
+    stride = 1
+    while True:
+        found: list[dict[str, Any]] = []
+        numbers: dict[str, int] = {}
+        size = 0
+        for time_ns, sketch in sketches_in(recording):
+            number = numbers[sketch.name] = numbers.get(sketch.name, -1) + 1
+            if number % stride:
+                continue
+            shares = b64encode(zlib.compress(sketch.shares.tobytes())).decode("ascii")
+            size += _SKETCH + len(shares)
+            if size > most_bytes:
+                break
+            evaporation_s = sketch.evaporation_s if math.isfinite(sketch.evaporation_s) else None
+            rest = {"t": time_ns / NS, "evaporation": evaporation_s, "packed": shares}
+            found.append(field_map(sketch) | rest)
+        if size <= most_bytes or stride > 2**20:
+            return found, stride
+        stride *= 2
 
 
 def _messages(

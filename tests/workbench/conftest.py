@@ -10,9 +10,10 @@ from typing import Any
 import pytest
 
 from tests.recorded import recorded
+from tests.recorded_fields import fields_folder
 from tests.workbench.in_browser import FLAGS
 
-__all__ = ["recorded"]
+__all__ = ["fields_folder", "recorded"]
 
 
 @pytest.fixture(scope="module")

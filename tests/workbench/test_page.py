@@ -17,6 +17,7 @@ from crs_cc.cli.recording_plot import world_of
 from crs_cc.recording.recording import Recording
 from crs_cc.workbench import page
 from crs_cc.workbench.page import html_page
+from crs_cc.workbench.recorded_content import fields_in
 
 VIEWER = Path(page.__file__).parent / "static"
 DECODE = """
@@ -56,7 +57,32 @@ def test_a_page_that_would_be_too_large_is_thinned_and_says_so(recorded: Path) -
     recording = Recording(recorded)
     text = html_page(recording, world_of(recording), most_bytes=600)
     recording.close()
-    assert "left out: every frame but each" in run_in(text)["note"]
+    assert "left out: all but 1 in" in run_in(text)["note"]
+
+
+def test_a_page_has_the_fields_that_the_recording_has(
+    html: Path, fields_folder: Path, tmp_path: Path
+) -> None:
+    page = tmp_path / "fields.html"
+    assert main(["replay", str(fields_folder / "run.mcap"), "--html", str(page)]) == 0
+    run = run_in(page.read_text())
+    assert run["world"]["fields"] == ["trail", "smoke"]
+    assert {each["name"] for each in run["fields"]} == {"trail", "smoke"}
+    run = run_in(html.read_text())
+    assert (run["world"]["fields"], run["fields"]) == ([], None)
+
+
+def test_sketches_of_fields_are_thinned_to_a_size(fields_folder: Path) -> None:
+    recording = Recording(fields_folder / "run.mcap")
+    whole, stride = fields_in(recording)
+    few, thinned = fields_in(recording, 1500)
+    text = html_page(recording, world_of(recording), most_bytes=18_750)
+    recording.close()
+    assert (stride, thinned) == (1, 2)
+    for name in ("trail", "smoke"):
+        times_s = [[each["t"] for each in found if each["name"] == name] for found in (whole, few)]
+        assert times_s[1] == times_s[0][::2]
+    assert "left out: all but 1 in 2 sketches of fields" in run_in(text)["note"]
 
 
 def test_the_viewers_decoder_agrees_with_ours(recorded: Path, html: Path) -> None:

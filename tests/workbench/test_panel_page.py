@@ -30,6 +30,7 @@ int main(void)
 """
 WORLD = """<world version="1" timestep="50ms">
   <area length="6m" width="4m"/>
+  <field name="trail" evaporation="60s"/>
   <robot id="ada" x="1m" y="1m"/>
   <robot id="bob" x="1m" y="2.500m"/>
 </world>
@@ -131,6 +132,22 @@ def a_sonar_is_degraded_and_reads_otherwise(page: Any, debugger: Debugger) -> No
     assert changes(debugger)[2:] == ["degrade bob sonar.4 stuck 1.27m", "heal degradation0"]
 
 
+def a_field_evaporates_otherwise(page: Any, debugger: Debugger) -> None:
+    page.click("#tab-robot")
+    click(page, "Evaporation", ".actions")
+    field, time = (page.locator(".action-form input").nth(at) for at in (0, 1))
+    assert (field.input_value(), time.input_value()) == ("trail", "60")
+    field.fill("smoke")
+    click(page, "Evaporation", ".action-form")
+    page.wait_for_selector(".action-form .field:first-child .wrong:has-text('smoke')")
+    field.fill("trail")
+    time.fill("7.5")
+    click(page, "Evaporation", ".action-form")
+    wait(page, "crs.model.panel.changes.at(-1).text === 'evaporate trail 7.5s'")
+    assert changes(debugger)[4:] == ["evaporate trail 7.5s"]
+    assert debugger.session.environment.state.fields.evaporation_s.tolist() == [7.5]
+
+
 def an_expression_is_plotted_back_to_the_start(page: Any) -> None:
     page.keyboard.press("g")
     # What the robot did is there at once, a sample for each timestep.
@@ -199,7 +216,7 @@ def changes_are_listed_taken_back_and_written_out(page: Any, debugger: Debugger)
     page.wait_for_selector(".event:has-text('move bob to 3 2.50 0')")
     assert page.evaluate("crs.timeline.marks().filter(([, kind]) => kind === 'change').length") > 1
     page.click("#tab-changes")
-    assert page.locator(".change").count() == len(changes(debugger)) == 6
+    assert page.locator(".change").count() == len(changes(debugger)) == 7
     script = page.evaluate("crs.model.channel.ask('export', { form: 'inputs' })")["text"]
     assert [line.split(": ", 1)[1] for line in script.splitlines()[1:]] == changes(debugger)
     xml = page.evaluate("crs.model.channel.ask('export', { form: 'xml' })")["text"]
@@ -223,7 +240,7 @@ def the_run_before_is_kept_and_compared(page: Any, debugger: Debugger) -> None:
     assert page.evaluate("crs.look.other.paths[1].at(-1).slice(0, 2)") == [3.0, 2.5]
     click(page, "Show", ".branch:has-text('main')")
     wait(page, "Math.abs((crs.model.scene.body(1)?.x ?? 9) - 3) < 1e-3")
-    wait(page, "document.querySelectorAll('.change').length === 6")
+    wait(page, "document.querySelectorAll('.change').length === 7")
     assert changes(debugger)[0] == "move bob to 3 2.50 0"
     assert debugger.session.environment.state.x_m[1] == pytest.approx(3.0)
     click(page, "Show", ".branch:has-text('run2')")
@@ -275,6 +292,7 @@ def test_a_run_is_seen_changed_and_restored_by_the_panel(browser: Any, tmp_path:
             sensors_have_their_past_though_the_run_stands(page)
             a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page, debugger)
             a_sonar_is_degraded_and_reads_otherwise(page, debugger)
+            a_field_evaporates_otherwise(page, debugger)
             an_expression_is_plotted_back_to_the_start(page)
             a_click_on_an_approach_goes_there(page, debugger)
             messages_are_listed_shut_and_sent(page, debugger)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -11,9 +13,12 @@ from PIL import Image
 
 from crs_cc.cli.debug_options import DebugOptions
 from crs_cc.cli.inputs import Inputs
+from crs_cc.cli.main import main
 from crs_cc.cli.start_view import screen_of
+from crs_cc.cli.view_recording import recording_screen
+from crs_cc.recording.recording import Recording
 from crs_cc.workbench.screen import Screen
-from tests.workbench.in_browser import page_in, played, wait
+from tests.workbench.in_browser import page_at, page_in, played, wait
 
 SAMPLE = Path(__file__).parents[2] / "samples" / "scout_c" / "hand"
 BRIGHTNESS = """() => {
@@ -210,3 +215,56 @@ def test_the_view_shows_devices_and_saves_what_it_shows(
         a_video_and_a_page_are_saved(browser, page, tmp_path)
         a_picture_is_saved_and_a_link_leads_here(browser, page, tmp_path)
         a_span_is_repeated(page)
+
+
+FIELD = "crs.look.fields.find(({ name }) => name === 'trail')"
+SQUARES = f"{FIELD}?.shares.filter((each) => each).length"
+CARPET = "crs.views.active.view.fields.all.get('trail').mesh"
+SCALE = """(() => {
+    const { canvas, pen } = crs.views.active.overlay;
+    return [...pen.getImageData(57, canvas.height - 93, 1, 1).data];
+})()"""
+
+
+def shows(page: Any, time_s: float, most: float, squares: int) -> None:
+    """Go to a time, and see what is recorded of the trail."""
+    page.evaluate(f"crs.timeline.seek({time_s})")
+    wait(page, f"crs.look.time === {time_s} && {SQUARES} === {squares}")
+    assert page.evaluate(f"{FIELD}.most") == pytest.approx(most, rel=0.01)
+    opaque = f"{CARPET}.material.map.image.data.filter((each, at) => at % 4 === 3 && each)"
+    wait(page, f"{opaque}.length === {squares}")
+
+
+def what_was_laid_is_shown_at_any_time(page: Any) -> None:
+    """At 2 s there is 31.94, which evaporates in 2 s; at 6 s the robot has gone on."""
+    shows(page, 6.0, 10.71, 2)
+    shows(page, 3.5, 31.94 * math.exp(-1.5 / 2), 1)
+    shows(page, 1.0, 0.0, 0)
+    shows(page, 4.25, 31.94 * math.exp(-2.25 / 2), 1)
+
+
+def a_switch_hides_fields_and_their_scale(page: Any) -> None:
+    shown = page.locator("label:has-text('Pheromone fields') input")
+    wait(page, f"{CARPET}.visible && {SCALE}[2] > 150 && {SCALE}[1] < 120")
+    shown.uncheck()
+    wait(page, f"!{CARPET}.visible && {SCALE}[3] === 0")
+    shown.check()
+    wait(page, f"{CARPET}.visible && {SCALE}[2] > 150")
+
+
+def test_fields_of_recordings_are_shown_in_the_view_and_in_pages(
+    browser: Any, fields_folder: Path, tmp_path: Path
+) -> None:
+    path, html = fields_folder / "run.mcap", tmp_path / "run.html"
+    assert main(["replay", str(path), "--html", str(html)]) == 0
+    with ExitStack() as stack:
+        recording = Recording(path)
+        stack.callback(recording.close)
+        screen = recording_screen(recording, 0, stack)
+        screen.feed.description["follows"] = False  # the programs, which would tell their own
+        with played(screen), page_in(browser, screen) as page:
+            what_was_laid_is_shown_at_any_time(page)
+            a_switch_hides_fields_and_their_scale(page)
+    with page_at(browser, html.as_uri(), 900, 600, "dark") as page:
+        what_was_laid_is_shown_at_any_time(page)
+        a_switch_hides_fields_and_their_scale(page)

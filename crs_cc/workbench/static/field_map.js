@@ -1,4 +1,5 @@
 /** Pheromone fields on the floor: a colour for each, the denser the more there is. */
+import { fromBase64 } from "crs/frames.js";
 
 const COLOURS = [
   [124, 58, 237],
@@ -9,8 +10,9 @@ const COLOURS = [
 const LEAST = 0.16; // opacity of the smallest amount that is shown
 const MOST = 0.88;
 
-/** @typedef {{name: string, x: number, y: number, cell: number, rows: number, columns: number, most: number, data: string}} FieldMap
- *   amounts as shares of the largest, a byte for each cell, by rows from the smallest y */
+/** @typedef {{name: string, x: number, y: number, cell: number, rows: number, columns: number, most: number, data: string, shares?: Uint8Array}} FieldMap
+ *   amounts as shares of the largest, a byte for each cell, by rows from the smallest y: in base 64 as `data`, or
+ *   as `shares`; `data` is another where these are */
 
 /** The colour of a field by its number. @param {number} number */
 export const fieldRgb = (number) => COLOURS[number % COLOURS.length];
@@ -20,11 +22,11 @@ export const opacity = (share) => (share > 0 ? LEAST + (MOST - LEAST) * share : 
 
 /** A field as red, green, blue and opacity of each cell. @param {FieldMap} field @param {number} number */
 export function fieldPixels(field, number) {
-  const amounts = atob(field.data);
-  const data = new Uint8ClampedArray(4 * amounts.length);
-  for (let at = 0; at < amounts.length; at++) {
+  const shares = field.shares ?? fromBase64(field.data);
+  const data = new Uint8ClampedArray(4 * shares.length);
+  for (let at = 0; at < shares.length; at++) {
     data.set(fieldRgb(number), 4 * at);
-    data[4 * at + 3] = 255 * opacity(amounts.charCodeAt(at) / 255);
+    data[4 * at + 3] = 255 * opacity(shares[at] / 255);
   }
   return data;
 }

@@ -2,6 +2,7 @@
 import { heatColour, mostHeat } from "crs/heat.js";
 import { Lighting } from "crs/lighting.js";
 import { PARTS } from "crs/overlay.js";
+import { RecordedFields } from "crs/recorded_fields.js";
 import { palette } from "crs/theme.js";
 import { Trails } from "crs/trails.js";
 
@@ -23,6 +24,8 @@ export class Look {
     this.version = 0; // rises when something must be drawn anew
     for (const kind of ["status", "event", "forget", "hello", "look"]) model.on(kind, () => this.version++);
     for (const kind of ["forget", "hello"]) model.on(kind, () => (this.trails.isStale = true));
+    this.recorded = new RecordedFields([], [], () => {});
+    model.on("hello", ({ world, fields }) => (this.recorded = new RecordedFields(world.fields ?? [], fields ?? [], () => this.version++)));
     model.on("block", () => this.trails.refine());
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
   }
@@ -75,9 +78,9 @@ export class Look {
     return this.model.status.devices;
   }
 
-  /** The pheromone fields that are shown, as they were told last. @returns {import("./field_map.js").FieldMap[]} */
+  /** The pheromone fields that are shown: as they were told last, or as recorded. @returns {import("./field_map.js").FieldMap[]} */
   get fields() {
-    return this.show.fields && !this.isInfrared ? (this.devices?.fields ?? []) : [];
+    return this.show.fields && !this.isInfrared ? (this.devices?.fields ?? this.recorded.at(this.time)) : [];
   }
 
   /** The events of the last seconds, up to the time that is shown. */
