@@ -260,6 +260,13 @@ class Session(Edits):
         """X [m], y [m] and heading [rad] of all robots now, (robots, 3)."""
         return np.column_stack([self.positions_m, self.headings_rad])
 
+    @property
+    def object_poses(self) -> FloatArray:
+        """X [m], y [m] and heading [rad] of all movable objects now, (objects, 3)."""
+        state = self.inner.environment.last_state
+        robots = len(state.heading_rad)
+        return np.column_stack([state.bodies.position_m, state.bodies.angle_rad])[robots:]
+
     def field(self, name: str) -> FloatArray:
         """Return the amounts in a pheromone field, (rows, columns), from the smallest x and y."""
         return self.inner.environment.field(name)

@@ -20,6 +20,7 @@ from typing import Final
 import maze_model
 import tour_model
 from bridge_results import of_leader, of_short
+from clustering_results import of_clusters
 from foraging_results import with_faults, with_trails
 from ways_results import over_shortest
 
@@ -49,6 +50,7 @@ def _beside(model: ModuleType) -> Callable[[Sequence[Row]], Results]:
 SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
     "aggregation": (partial(results, measure="largest_group"), "curve"),
     "bridge": (of_leader, "curve"),
+    "clustering": (of_clusters, "values"),
     "detour": (of_short, "curve"),
     "faults": (with_faults, "values"),
     "foraging": (partial(results, measure="items_per_min"), "curve"),

@@ -52,6 +52,14 @@ def test_duration_and_seed_are_the_worlds_unless_told() -> None:
         assert (session.duration_s, session.seed) == expected
 
 
+def test_poses_of_movable_objects_are_those_of_now(session: crs_cc.Session) -> None:
+    session.step()
+    assert session.object_poses.tolist() == [[2.0, 4.0, 0.0]]
+    session.move("crate", 3.0, 4.0, heading_rad=0.5)
+    session.step()
+    assert session.object_poses.tolist() == [[3.0, 4.0, 0.5]]
+
+
 def test_a_run_ends_when_all_programs_have_ended(session: crs_cc.Session) -> None:
     result = session.run()
     assert [robot.exit_status for robot in result.robots] == [3, 3]

@@ -92,6 +92,28 @@ def test_robots_gather_if_they_stay_where_others_are(tmp_path: Path) -> None:
     assert alone < together
 
 
+def test_robots_that_leave_pucks_with_others_make_clusters(tmp_path: Path) -> None:
+    text = """
+        world = "clustering.xml"
+        measures = "clustering.py"
+        seeds = [1]
+        duration = "25s"
+        parameters = { define.LEAVE = [1, 0] }
+    """
+    leaving, holding = (
+        row["measures"]["clusters"] for row in rows_of_text("clustering", text, tmp_path, most=20.0)
+    )
+    assert leaving < holding - 1
+
+
+def test_pucks_without_bodies_are_put_together_in_clusters() -> None:
+    model = runpy.run_path(str(SWARM / "clustering_model.py"))
+    for seed in range(20):
+        sizes = model["sizes"](seed)
+        assert sum(sizes) == model["PUCKS"]
+        assert min(sizes) > 1
+
+
 def test_robots_that_follow_their_trail_agree_on_one_of_two_branches(tmp_path: Path) -> None:
     (row,) = rows_of("bridge", tmp_path, "define.DETOUR", [0], "120s")
     shares = list(map(float, row["measures"]["north_by_minute"].split()))
