@@ -15,7 +15,8 @@ Read `engine` first: the operations of the debugger, without a user interface. I
   how expressions use these.
 - `past`: questions about the recorded past; `last_write`: who wrote an object before; `why`: a tree
   of where a value came from, through `message_cause` to other robots; `returned_value`: what a call
-  has returned; `skips`: functions that steps do not enter.
+  has returned; `skips`: functions that steps do not enter; `call_sites`: calls that a step can be
+  told to enter.
 - `branches`: alternative histories; `branch_comparison`: the differences between two of them.
 - `data/`: C expressions, and values by their types.
 - `world/`: displays of the world, its events, and changes to it and to the run; `uploads`: programs
