@@ -388,10 +388,7 @@ class _FunctionCode:
         landing = Landing(Node())
         self.failing.append((landing, call))
         self.calls[len(self.names.call_sites)] = landing
-        self.push_arguments(call)
-        callee, code = str(call.callee), self.writer.code
-        code.append(("call", self.names.functions[callee]))
-        value = self._returned(call, self.names.conventions[callee])
+        value, code = self._call_named(call, str(call.callee)), self.writer.code
         code += [("local.set", FUEL), *stopping.IF_STOPPED]
         code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), *stopping.END]
         self._take_result(call, value)
@@ -403,16 +400,13 @@ class _FunctionCode:
         self.calls[len(self.names.call_sites)] = landing
         if isinstance(call.callee, Register):
             check_pointer(self.writer, call, call.callee, shapes=self.shadowed)
-        convention = self.convention(call)
-        self.push_arguments(call)
         if isinstance(call.callee, Register):
+            self.push_arguments(call)
             self.writer.push(call.callee)
             after.code.append(("call_indirect", CALL_TYPE, 0))
-        elif convention is None:
-            after.code.append(("call", self.names.general[call.callee]))
+            value = self._returned(call, None)
         else:
-            after.code.append(("call", self.names.functions[call.callee]))
-        value = self._returned(call, convention)
+            value = self._call_named(call, call.callee)
         after.code += [("local.set", FUEL), *stopping.IF_STOPPED]
         after.code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), *stopping.END]
         if self.steps and value is not None:  # where debuggers look for it
@@ -424,6 +418,14 @@ class _FunctionCode:
             self.selector.follow(call)
         end = self.behind(after, call) if self.steps else after
         end.jump(self.target(call.then))
+
+    def _call_named(self, call: Call, callee: str) -> Register | None:
+        """Call a function by its own form or, if arguments do not suit it, the general one."""
+        self.push_arguments(call)
+        convention = self.convention(call)
+        called = self.names.general if convention is None else self.names.functions
+        self.writer.code.append(("call", called[callee]))
+        return self._returned(call, convention)
 
     def _take_result(self, call: Call, value: Register | None) -> None:
         """Move the returned value, which is in memory if it is not given, to the call's result."""
