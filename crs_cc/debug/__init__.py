@@ -9,7 +9,7 @@ Read `engine` first: the operations of the debugger, without a user interface. I
 - `navigator`: moves the run forward or back to the next reason to stop; `step_conditions`: where
   steps end.
 - `locations`: where breakpoints are, as the user writes it; `breakpoints`: which of them are hit;
-  `stop`: why a run has stopped.
+  `condition_tests`: conditions that programs test themselves; `stop`: why a run has stopped.
 - `watch`: accesses to watched bytes, detected inside the sandbox; `watchpoints`: the expressions
   that users watch; `world_watch`: those that use the world or several programs; `surroundings`:
   how expressions use these.

@@ -116,6 +116,15 @@ class Breakpoints:
         places = [each.place for each in self._all.values() if each.concerns(robot)]
         return frozenset().union(*(each.statements.get(robot, ()) for each in places if each))
 
+    def conditions(self, robot: int) -> dict[int, tuple[str, ...]]:
+        """Return the conditions of statements with breakpoints that all have conditions."""
+        found: dict[int, list[str]] = {}
+        for each in self._all.values():
+            if each.place and each.concerns(robot):
+                for number in each.place.statements.get(robot, ()):
+                    found.setdefault(number, []).append(each.condition)
+        return {number: tuple(texts) for number, texts in found.items() if all(texts)}
+
     def need_world(self, names: Sequence[str]) -> bool:
         """Return whether any of them catches an event of the world, or depends on its state.
 

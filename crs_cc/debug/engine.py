@@ -95,12 +95,7 @@ class Debugger:
         )
         self.view = View(self.run)
         self.stop_points = StopPoints(self.view)
-        self.navigator = Navigator(
-            self.run,
-            self.stop_points.breakpoints,
-            self.stop_points.accepts,
-            self.stop_points.describe_hit,
-        )
+        self.navigator = Navigator(self.run, self.stop_points)
         self.branches = Branches(self.run)
         self.stop = self.navigator.stop("start")
         self.notes: list[Note] = []

@@ -8,11 +8,11 @@ stop at the same positions.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Final
 
-from crs_cc.debug.breakpoints import BreakpointHit, Breakpoints
+from crs_cc.debug.breakpoints import BreakpointHit
 from crs_cc.debug.skips import Skips
 from crs_cc.debug.step_conditions import (
     ActiveCalls,
@@ -21,20 +21,12 @@ from crs_cc.debug.step_conditions import (
     StepCondition,
 )
 from crs_cc.debug.stop import Reason, Stop
+from crs_cc.debug.stop_points import StopPoints
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.timeline.run_event import RunEvent, StopRequest
 from crs_cc.ir.names import in_library
 from crs_cc.runtime.diagnosis.inspect import StackFrame
-
-Accept = Callable[[BreakpointHit, bool], tuple[bool, str]]
-"""Returns whether a hit stops the run, and a remark.
-
-The flag says whether the run goes forward for the user: then hits are counted.
-"""
-
-Tell = Callable[[BreakpointHit], str]
-"""Returns a description of an access to a watched object."""
 
 _MAX_TOLD: Final = 5
 _FIRST_WINDOW: Final = 8
@@ -72,14 +64,13 @@ class Navigator:
         skips: the functions and files that steps by lines do not enter.
     """
 
-    def __init__(
-        self, run: RecordedRun, breakpoints: Breakpoints, accept: Accept, tell: Tell
-    ) -> None:
-        """Store the run, its breakpoints, and the callbacks that test and describe hits."""
+    def __init__(self, run: RecordedRun, stop_points: StopPoints) -> None:
+        """Store the run and its breakpoints."""
         self._run = run
-        self._breakpoints = breakpoints
-        self._accept = accept
-        self._tell = tell
+        self._breakpoints = stop_points.breakpoints
+        self._accept = stop_points.accepts
+        self._tell = stop_points.describe_hit
+        self._set_tests = stop_points.set_tests
         self.skips = Skips()
         self._active: ActiveCalls | None = None  # at the start of a step that skips something
 
@@ -94,7 +85,7 @@ class Navigator:
         """
         run = self._run
         self._begin(aim)
-        run.arm(self._marks(aim))
+        self._arm(self._marks(aim))
         try:
             while run.can_advance:
                 stop = self._reason(run.advance(), aim)
@@ -126,21 +117,31 @@ class Navigator:
         time_s = self._run.time_s(robot)
         return Stop(reason, self._run.position, time_s, robot, (), text)
 
+    def _arm(self, request: StopRequest) -> None:
+        """Set where programs stop, and where they test a condition first."""
+        self._run.arm(request)
+        for robot, conditions in request.tests.items():
+            self._set_tests(robot, conditions)
+
     def _marks(self, aim: StepCondition | None) -> StopRequest:
         robots = range(len(self._run.programs))
         statements = {robot: self._breakpoints.statements(robot) for robot in robots}
+        tests = {robot: self._breakpoints.conditions(robot) for robot in robots}
         watched = {robot: self._breakpoints.watched(robot) for robot in robots}
         marks = StopRequest(
             statements,
             watched={key: some for key, some in watched.items() if some},
             world=self._breakpoints.watched_world(),
+            tests=tests,
         )
         if aim is None:
             return marks
         if aim.calls is None:
             return replace(marks, all=frozenset({aim.robot}))
-        inside = self._inside(aim.robot, aim.calls.functions, after_calls=aim.after_calls)
-        statements[aim.robot] |= frozenset(inside)
+        functions, own = aim.calls.functions, tests[aim.robot]
+        inside = frozenset(self._inside(aim.robot, functions, after_calls=aim.after_calls))
+        statements[aim.robot] |= inside
+        tests[aim.robot] = {key: some for key, some in own.items() if key not in inside}
         return marks
 
     def _inside(self, robot: int, functions: frozenset[str], *, after_calls: bool) -> Iterator[int]:
@@ -254,7 +255,7 @@ class Navigator:
         are reported with it.
         """
         run, found = self._run, list[_StopCandidate]()
-        run.arm(replace(self._marks(None), at_once=True))
+        self._arm(replace(self._marks(None), at_once=True))
         needs_world = self._breakpoints.need_world(run.session.environment.names)
         for event in run.replay(begin, limit, needs_world=needs_world):
             for each in (self._met(event), *self._touched(event)):

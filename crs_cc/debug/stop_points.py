@@ -11,6 +11,7 @@ from typing import Any, Final
 
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.breakpoints import Breakpoint, BreakpointHit, BreakpointKind, Breakpoints
+from crs_cc.debug.condition_tests import ConditionTests
 from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.expression_compiler import NOWHERE
 from crs_cc.debug.data.notation import RobotName, slice_in
@@ -40,6 +41,7 @@ class StopPoints:
     Attributes:
         breakpoints: all breakpoints, watchpoints and catchpoints.
         say: receives the messages of log points.
+        set_tests: has programs test conditions themselves.
     """
 
     def __init__(self, view: View) -> None:
@@ -47,6 +49,7 @@ class StopPoints:
         self._run = view.run
         self.breakpoints = Breakpoints()
         self.say: Callable[[str], None] = _unheard
+        self.set_tests = ConditionTests(view).set
 
     def add_breakpoint(self, place: str, *, internal: bool = False, **options: Any) -> Breakpoint:
         """Add a breakpoint.

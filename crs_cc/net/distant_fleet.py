@@ -18,8 +18,9 @@ from crs_cc.net.host_link import HostGoneError, HostLink
 from crs_cc.requests import FAILED
 from crs_cc.runtime.driver import SLOTS
 from crs_cc.runtime.executable import Executable
-from crs_cc.runtime.fleet import WISHES, Fleet, Snapshot
+from crs_cc.runtime.fleet import WISHES, Fleet
 from crs_cc.runtime.shard import Mailbox
+from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.runtime.turns import RECORD
 
 if TYPE_CHECKING:

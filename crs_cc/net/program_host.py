@@ -21,7 +21,8 @@ from crs_cc.net.error_data import data_of
 from crs_cc.net.host_link import GRANT, RAN, RESTORE
 from crs_cc.net.memories import Memory
 from crs_cc.requests import CODES, DATA_SIZE, FAILED
-from crs_cc.runtime.fleet import Fleet, Snapshot
+from crs_cc.runtime.fleet import Fleet
+from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.runtime.turns import RECORD
 
 if TYPE_CHECKING:

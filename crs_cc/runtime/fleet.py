@@ -18,7 +18,6 @@ from __future__ import annotations
 import functools
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -33,7 +32,9 @@ from crs_cc.runtime import resident_pages
 from crs_cc.runtime.driver import MOST_SHARDS, SLOTS
 from crs_cc.runtime.executable import Driver, Executable, compile_driver
 from crs_cc.runtime.shard import Mailbox, Ran, Sandbox, Shard, Trapped, memory_demanded
+from crs_cc.runtime.site_tests import STOP, TEST, SiteTests
 from crs_cc.runtime.sites import Access
+from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.runtime.turns import RECORD
 from crs_cc.runtime.watch_ranges import WATCHED
 from crs_cc.runtime.workers import run_all
@@ -52,25 +53,6 @@ PARALLEL_S: Final = 0.0003
 some tens of microseconds."""
 ROBOTS_PER_SHARD: Final = 4
 """By default, a shard has at least so many."""
-
-
-@dataclass(frozen=True, slots=True)
-class Snapshot:
-    """The whole state of one program, which can be resumed in any fleet of the same program.
-
-    Attributes:
-        slot: its slot, one element of dtype `SLOT`.
-        chunks: numbers of the non-zero chunks of memory.
-        content: those chunks, shape (len(chunks), CHUNK).
-        shadow_chunks: the same for the shadow memory; empty in unchecked builds.
-        shadow_content: those chunks.
-    """
-
-    slot: Records
-    chunks: IndexArray
-    content: ByteArray
-    shadow_chunks: IndexArray
-    shadow_content: ByteArray
 
 
 class Fleet:
@@ -216,11 +198,16 @@ class Fleet:
         state, marks = self.snapshot(robot), self.marks[robot]
         self._assign(robot, new)
         self.restore(robot, state)
-        self.marks[robot][:] = marks
+        self.marks[robot][:] = np.minimum(marks, STOP)  # its tests are those of the other build
 
     def executable(self, robot: int) -> Executable:
         """Return a robot's program."""
         return self._sandboxes[robot].executable
+
+    def set_tests(self, robot: int, tests: SiteTests) -> None:
+        """Make a program in a debug build test conditions at some sites, instead of stopping."""
+        self._shard(robot).set_tests(self._sandboxes[robot], tests)
+        self.marks[robot][list(tests.sites)] = TEST
 
     def memory(self, robot: int) -> ByteArray:
         """Return a live view of a robot's memory."""

@@ -10,7 +10,7 @@ import contextlib
 import ctypes
 import errno
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final, NamedTuple, TypeAlias
 
@@ -23,6 +23,7 @@ from crs_cc.runtime.driver import HEADER, MOST_SHARDS
 from crs_cc.runtime.executable import Driver, Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES, PAGE, STACK_TOP
 from crs_cc.runtime.resident_pages import CHUNK
+from crs_cc.runtime.site_tests import SiteTests, TestTable
 
 if TYPE_CHECKING:
     from typing import Self
@@ -94,6 +95,7 @@ class Sandbox:
         marks: its memory of breakpoints; empty in builds without.
         initial: chunks of its memory that hold initialised objects.
         begun: the global counting statements begun; None in builds without statements.
+        tests: its table of tests; None in builds without marks.
     """
 
     executable: Executable
@@ -105,6 +107,7 @@ class Sandbox:
     marks: ByteArray
     initial: range
     begun: wasmtime.Global | None
+    tests: TestTable | None
 
     @property
     def memory(self) -> ByteArray:
@@ -154,7 +157,7 @@ class Shard:
         """Raise the store's limit of instances by one: removed programs stay in it."""
         self.instances += 1
         made = self.instances
-        self.store.set_limits(instances=made, memories=3 * made + 1, tables=made + 1)
+        self.store.set_limits(instances=made, memories=3 * made + 1, tables=2 * made + 1)
 
     def sandbox(self, executable: Executable) -> Sandbox:
         """Create a sandbox."""
@@ -177,7 +180,16 @@ class Shard:
             marks,
             range(STACK_TOP // CHUNK, end),
             begun,
+            _tests(own) if "tests" in own else None,
         )
+
+    def set_tests(self, sandbox: Sandbox, tests: SiteTests) -> None:
+        """Set the tests that a debug build makes at sites marked so."""
+        table = sandbox.tests
+        assert table is not None
+        if table.needs(tests):
+            self.raise_instance_limit()
+            table.fill(self.store, tests)
 
     def assign(self, robot: int, sandbox: Sandbox) -> None:
         """Make the driver run a robot's program in a sandbox of this shard."""
@@ -274,6 +286,13 @@ def _function(export: object) -> wasmtime.Func:
     """Return a function apart from its export, which takes more memory."""
     assert isinstance(export, wasmtime.Func)
     return wasmtime.Func._from_raw(_ffi.wasmtime_func_t.from_buffer_copy(export._func))
+
+
+def _tests(exports: Mapping[str, object]) -> TestTable:
+    table = exports["tests"]
+    assert isinstance(table, wasmtime.Table)
+    memories = (exports.get(name, None) for name in ("memory", "shadow"))
+    return TestTable(table, [each for each in memories if isinstance(each, wasmtime.Memory)])
 
 
 def _address(store: wasmtime.Store, memory: object) -> int:

@@ -51,8 +51,8 @@ _ACCESS: Final = {name: 0x28 + number for number, name in enumerate(_MEMORY_FROM
 _VECTOR: Final = {"v128.load": 0, "v128.store": 11}
 _BLOCK: Final = {"block": 0x02, "loop": 0x03, "if": 0x04}
 _INDEX: Final = {
-    "br": 0x0C, "br_if": 0x0D, "call": 0x10, "local.get": 0x20, "local.set": 0x21,
-    "local.tee": 0x22, "global.get": 0x23, "global.set": 0x24,
+    "br": 0x0C, "br_if": 0x0D, "call": 0x10,
+    "local.get": 0x20, "local.set": 0x21, "local.tee": 0x22, "global.get": 0x23, "global.set": 0x24,
 }  # fmt: skip
 
 _FLOATING: Final = {"f32.const": (b"\x43", "<f"), "f64.const": (b"\x44", "<d")}
@@ -191,6 +191,8 @@ class Module:
     Attributes:
         memory_imports: (module, name) of each imported memory, of one page or more, shared by
             threads.
+        own_imports: (module, name, pages) of each other imported memory, of a size that never
+            changes; they come after those.
         memories: sizes of the module's own memories, in pages.
         tables: sizes of its tables of functions; 0 for one that the host grows.
         globals: (type, initial value) of its mutable globals.
@@ -203,6 +205,7 @@ class Module:
 
     functions: list[Code] = field(default_factory=list)
     memory_imports: list[tuple[str, str]] = field(default_factory=list)
+    own_imports: list[tuple[str, str, int]] = field(default_factory=list)
     memories: list[int] = field(default_factory=list)
     tables: list[int] = field(default_factory=list)
     globals: list[tuple[ValueType, int]] = field(default_factory=list)
@@ -226,7 +229,10 @@ class Module:
         code = [each.to_binary() for each in self.functions]
         sections = [
             (1, [_func_type(each) for each in types]),
-            (2, [_name(m) + _name(n) + _SHARED for m, n in self.memory_imports]),
+            (2, [
+                *(_name(m) + _name(n) + _SHARED for m, n in self.memory_imports),
+                *(_name(m) + _name(n) + b"\2" + _limits(size) for m, n, size in self.own_imports),
+            ]),
             (3, [unsigned(types.index(code.type)) for code in self.functions]),
             (4, [b"\x70" + (_limits(size) if size else b"\0\0") for size in self.tables]),
             (5, [_limits(size) for size in self.memories]),

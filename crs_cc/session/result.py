@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy.typing as npt
 
 from crs_cc.runtime.executable import Executable
-from crs_cc.runtime.fleet import Snapshot
+from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.sim.devices.foraging import NestResult, SourceResult
 from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.engine.world_data import Snapshot as EnvironmentSnapshot

@@ -24,7 +24,7 @@ from crs_cc import __version__
 from crs_cc.core.errors import RecordingError
 from crs_cc.core.source import Location
 from crs_cc.runtime.fleet import Fleet
-from crs_cc.runtime.fleet import Snapshot as ProgramSnapshot
+from crs_cc.runtime.snapshot import Snapshot as ProgramSnapshot
 from crs_cc.session.files import DiskSnapshot, File
 from crs_cc.session.network.sockets import Machine, NetworkState, Segment, Socket, Wait
 from crs_cc.session.result import SessionSnapshot

@@ -13,9 +13,12 @@ from pathlib import Path
 
 from crs_cc.core.source import Diagnostic, Diagnostics
 from crs_cc.requests import FAILED
+from crs_cc.runtime.codegen.condition_code import site_tests
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
+from crs_cc.runtime.site_tests import SiteTests
+from crs_cc.runtime.wasm import TYPE_I32_I32, Code
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
 from tests.c.rounds import Rounds
@@ -57,11 +60,13 @@ class Stepping:
         fuel: fuel for each resume.
         statements: statements to run in each resume, 0 for no limit (debug builds).
         restore_every: number of resumes after which the program moves to a fresh instance; 0 never.
+        tests: whether it tests at each site whether to stop, which it need not (debug builds).
     """
 
     fuel: int = ENDLESS
     statements: int = 0
     restore_every: int = 0
+    tests: bool = False
 
 
 @dataclass
@@ -84,6 +89,8 @@ class Run:
         outcome = self.outcome
         host = Host([["case"]], self._write, lambda _robot, _wanted: b"")
         fleet = Fleet([self.executable])
+        if self.stepping.tests:
+            fleet.set_tests(0, _false_everywhere(self.executable))
         driven = Rounds(fleet)
         while outcome.fuel < fuel and outcome.rounds < rounds and outcome.status is None:
             self._resume(driven, fuel, rounds)
@@ -133,6 +140,14 @@ def _moved(fleet: Fleet, executable: Executable) -> Fleet:
     fresh = Fleet([executable])
     fresh.restore(0, saved)
     return fresh
+
+
+def _false_everywhere(executable: Executable) -> SiteTests:
+    """Return tests for all sites of a program, by which it stops at none."""
+    compiled = executable.detail().compiled
+    false = Code("false", TYPE_I32_I32, [], [("i32.const", 0)])
+    sites = range(len(compiled.statements))
+    return site_tests(dict.fromkeys(sites, false), checked=compiled.checked)
 
 
 def build(path: Path, *, debug: bool = False, checked: bool = True) -> Executable:

@@ -109,12 +109,19 @@ def leaving_out_the_checks_changes_nothing(executable: Executable, plain: Outcom
 
 
 def with_stops(executable: Executable) -> tuple[Outcome, Outcome, int]:
-    """Run a debug build whole, and stopping before every so many statements; both must agree."""
+    """Run a debug build whole, and stopping before every so many statements; both must agree.
+
+    So must a run in which it tests before each statement whether to stop.
+    """
     whole = Run(executable).to_end()
     every = whole.statements // STATEMENT_STEPS + 1
     stepped = Run(executable, Stepping(statements=every)).to_end()
     assert stepped.statements == whole.statements
     assert stepped.memory == whole.memory
+    tested = Run(executable, Stepping(tests=bool(whole.statements))).to_end()
+    assert same(tested, whole)
+    assert (tested.memory, tested.statements) == (whole.memory, whole.statements)
+    assert tested.rounds == whole.rounds
     return whole, stepped, every
 
 

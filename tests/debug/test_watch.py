@@ -16,7 +16,8 @@ from crs_cc.ir.names import plain_name
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.runtime.executable import Executable
-from crs_cc.runtime.fleet import Fleet, Snapshot
+from crs_cc.runtime.fleet import Fleet
+from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.session.build import build_executable, build_watching
 from crs_cc.session.host import Host, HostRequest
 from tests.c.execution import build, cases

@@ -31,7 +31,7 @@ def go_to_write(context: CommandContext, expression: str, *, backward: bool) -> 
     here = debugger.position
     points = StopPoints(debugger.view)
     points.add_watchpoint(require_argument(expression, "an expression"), "write", location=True)
-    navigator = Navigator(debugger.run, points.breakpoints, points.accepts, points.describe_hit)
+    navigator = Navigator(debugger.run, points)
     stop = navigator.backward() if backward else navigator.forward()
     if not stop.breakpoints:
         debugger.run.seek(here)

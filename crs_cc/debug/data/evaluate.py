@@ -95,9 +95,7 @@ class Evaluator:
             fields: the fields of `State[]` for its robot.
             outside: the world and the other robots; None if there is no world.
         """
-        self.convenience_values: dict[str, Value] = (
-            {} if convenience_values is None else convenience_values
-        )
+        self.convenience_values = {} if convenience_values is None else convenience_values
         self.full_style = FULL
         self._replaced: list[tuple[str, Value | None]] = []  # by the last expression
         self._stopped = stopped
@@ -180,14 +178,17 @@ class Evaluator:
     def check(self, text: str, function: str, place: Location) -> None:
         """Check that an expression is valid at a location; raise DebugError if it is not."""
         with contextlib.suppress(UnknownSizeError):
-            self._preparation.of(text, ExpressionContext(function, place))
+            self.prepared(text, function, place)
 
     def assigns(self, text: str, function: str, place: Location) -> bool:
         """Return whether an expression that is valid at a location is an assignment."""
         with contextlib.suppress(UnknownSizeError):
-            found = self._preparation.of(text, ExpressionContext(function, place))
-            return found.compiled.is_assignment
+            return self.prepared(text, function, place).compiled.is_assignment
         return False
+
+    def prepared(self, text: str, function: str, place: Location) -> PreparedExpression:
+        """Compile an expression at a location; raise DebugError if it is invalid there."""
+        return self._preparation.of(text, ExpressionContext(function, place))
 
     def type_of(self, text: str, frame: StackFrame | None = None) -> CType:
         """Return the type of an expression, which is not evaluated.
@@ -355,8 +356,6 @@ class Evaluator:
         rest, special = self._preparation.rewritten(text, self._here(frame))
         is_alone = rest.strip() == NAME.format(0) and len(special) == 1
         return special[0] if is_alone and isinstance(special[0], OutsideName) else None
-
-    # -- running -----------------------------------------------------------------------------
 
     def _standing(
         self, stopped: Stopped, frame: StackFrame | None, known: FrameAddresses

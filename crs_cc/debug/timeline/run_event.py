@@ -25,6 +25,7 @@ class StopRequest:
         world: the watched expressions that use the world.
         at_once: whether accesses are reported at the end of the round, and not only where the
             program has stopped for them: for backward searches.
+        tests: by robot and statement, the conditions of which one must be true to stop.
     """
 
     statements: Mapping[int, Iterable[int]] = field(default_factory=dict)
@@ -34,6 +35,7 @@ class StopRequest:
     watched: Mapping[int, Sequence[Watched]] = field(default_factory=dict)
     world: Sequence[WatchedWorld] = ()
     at_once: bool = False
+    tests: Mapping[int, Mapping[int, tuple[str, ...]]] = field(default_factory=dict)
 
     def enter(self, slots: Records) -> None:
         """Set in the slots of the programs what is not said by their marks."""

@@ -177,9 +177,10 @@ class Activation:
         return code
 
     def _stop(self) -> list[Instr]:
-        return [*stopping.PUSH_STOPPED, *self._no_value(), ("return",)]
+        return [*stopping.PUSH_STOPPED, *self.no_value(), ("return",)]
 
-    def _no_value(self) -> list[Instr]:
+    def no_value(self) -> list[Instr]:
+        """Push a value that nobody uses, if the function returns one."""
         kind = self.function.result
         return [] if kind is None else [(f"{kind}.const", 0)]
 
@@ -258,7 +259,7 @@ class Activation:
         return [*note, ("global.set", STATUS_GLOBAL), ("i32.const", 0), ("local.set", LABEL)]
 
     def epilogue(self) -> list[Instr]:
-        """Save the registers of a suspended function, and return that it has stopped."""
+        """Save the registers of a suspended function, and push its fuel, as one that stops."""
         code: list[Instr] = []
         writer = self.writer
         writer.code = code
@@ -270,14 +271,14 @@ class Activation:
         spill_slots.save(writer, self.frame, self.registers.saved, self.number)
         for parameter, register in self.kept.items():
             code += self._keep(parameter, writer.value(register))
-        return [*code, *stopping.PUSH_STOPPED, *self._no_value()]
+        return [*code, *stopping.PUSH_STOPPED]
 
     def leave(self, node: Node, value: Operand | None) -> None:
         """Return from the function."""
         node.code += self._leaving()
         if value is None and self.function.name in self.writer.names.without_value:
             self.writer.store_at(FP, FUNCTION, Constant("i32", NO_VALUE), "i32")
-        result = [self.writer.value(value)] if value is not None else self._no_value()
+        result = [self.writer.value(value)] if value is not None else self.no_value()
         node.code += [("local.get", FUEL), *result, ("return",)]
 
     def _leaving(self) -> list[Instr]:

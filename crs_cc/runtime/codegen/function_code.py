@@ -64,7 +64,7 @@ from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.rotation import rotated_loops
 from crs_cc.runtime.codegen.scalar_replacement import Partly
 from crs_cc.runtime.codegen.selection import Selector
-from crs_cc.runtime.codegen.stop_marks import begin, has_statements, stop_if_marked
+from crs_cc.runtime.codegen.stop_marks import begin, going_on, has_statements, stop_if_marked
 from crs_cc.runtime.codegen.struct_registers import with_structs_in_registers
 from crs_cc.runtime.codegen.structuring import emit
 from crs_cc.runtime.codegen.switches import lower_switch
@@ -73,12 +73,7 @@ from crs_cc.runtime.codegen.value_numbering import sole_predecessors
 from crs_cc.runtime.codegen.watchpoints import Watchpoints
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.compiled import FunctionInfo
-from crs_cc.runtime.layout import (
-    RESULT,
-    STACK_SIZE,
-    Frame,
-    lay_out,
-)
+from crs_cc.runtime.layout import RESULT, STACK_SIZE, Frame, lay_out
 from crs_cc.runtime.sites import Site, StatementSite
 from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
 
@@ -219,7 +214,8 @@ class _FunctionCode:
     def body_from(self, entry: Node) -> list[Instr]:
         """Return the code from an entry on."""
         body = emit(entry, self.activation.failed()) + self.activation.epilogue()
-        return self.in_frame(body) if self.homes else body
+        body = self.in_frame(body) if self.homes else body
+        return (going_on(body) if self.steps else body) + self.activation.no_value()
 
     def code(self, body: list[Instr]) -> Code:
         """Return the code with the types of its parameters and locals."""
@@ -252,9 +248,10 @@ class _FunctionCode:
         return landing
 
     def suspend(self, landing: Landing) -> list[Instr]:
-        return [
-            *stopping.status(SUSPENDED), (LANDING, landing), ("local.set", LABEL), (UNWIND,),
-        ]  # fmt: skip
+        return [*stopping.status(SUSPENDED), *self.unwind(landing)]
+
+    def unwind(self, landing: Landing) -> list[Instr]:
+        return [(LANDING, landing), ("local.set", LABEL), (UNWIND,)]
 
     # -- blocks -------------------------------------------------------------------------------
 
@@ -310,7 +307,7 @@ class _FunctionCode:
         landing.after_call = after_call
         site = StatementSite(self.function.name, it.location, after_call)
         number = self.names.statement_number(site)
-        watching, suspend = self.watching is not None, self.suspend(landing)
+        watching, suspend = self.watching is not None, self.unwind(landing)
         node.code += stop_if_marked(self.marks, number, suspend, watching=watching)
         node.jump(following)
         following.code += begin(self.marks, recorded=watching and not after_call)
