@@ -1,7 +1,6 @@
 """What is gathered of a run until it is encoded.
 
-A block is written as one chunk. What is in it of a second can be encoded before, so that it can be
-saved; the whole block takes fewer bytes.
+A block is written as one chunk. What a second brings can be saved before, as it is.
 """
 
 from __future__ import annotations
@@ -9,17 +8,23 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final
 
-from crs_cc.recording import readings, topics
+from crs_cc.recording import topics
+from crs_cc.recording.columns import Columns
 from crs_cc.recording.content import as_fields
 from crs_cc.recording.entries import Entries
 from crs_cc.recording.frames import messages
-from crs_cc.recording.gathered import GatheredFrames, GatheredOdometry, GatheredReadings
+from crs_cc.recording.gathered import GatheredFrames, Shape
+from crs_cc.recording.gathered_readings import GatheredReadings
 from crs_cc.recording.hashes import Hash, entry_of
 from crs_cc.recording.mcap_records import Channel
-from crs_cc.recording.readings import ReadingEncoder
+from crs_cc.recording.readings import MAX_ROWS, ReadingEncoder
+from crs_cc.recording.saved import Output, Second, unpacked
 
 Encoded = tuple[Channel, int, bytes]
 """A message: its channel, time [ns] and content."""
+
+ODOMETRY_FRAMES: Final = 5
+"""Every so many frames, what the robots believe is recorded, too."""
 
 _ROW: Final = 12  # bytes of a body in a frame
 _READING: Final = 32  # bytes of a reading when encoded, roughly
@@ -34,29 +39,40 @@ class Block:
         begin_s: when it begins [s].
         seconds: how many whole seconds it has; the recorder counts them.
         frames: its frames.
-        odometry: its frames of what the robots believe.
         readings: its readings of `State`.
         entries_size: the bytes of everything in JSON but hashes, roughly.
     """
 
-    def __init__(self, begin_s: float) -> None:
-        """Create an empty one."""
+    def __init__(self, begin_s: float, shape: Shape, frames_before: int = 0) -> None:
+        """Create an empty one.
+
+        Args:
+            begin_s: when it begins [s].
+            shape: who is in its frames.
+            frames_before: how many frames the recording has before it.
+        """
         self.begin_s = begin_s
         self.seconds = self.entries_size = 0
-        self.frames, self.odometry = GatheredFrames(), GatheredOdometry()
-        self.readings = GatheredReadings()
+        self.frames, self.readings = GatheredFrames(shape), GatheredReadings()
+        self._shape, self._frames_before = shape, frames_before
         self._entries = Entries()
-        self._output: list[tuple[int, int, int, bytes]] = []  # time [ns], robot, stream, content
+        self._output: list[Output] = []
         self._hashes: list[tuple[int, Hash]] = []
-        self._saved = 0, 0, 0  # frames, frames of odometry, and readings
-        self._saved_hashes = 0
+        self._saved = [0] * len(self._columns())  # rows
+        self._saved_output = self._saved_hashes = 0
 
     @property
     def size(self) -> int:
         """Return how many bytes it takes when encoded, roughly."""
-        poses = _ROW * (self.frames.rows + self.odometry.rows)
-        rest = _READING * self.readings.rows + _HASH * len(self._hashes)
-        return poses + rest + self.entries_size
+        believed = self._shape.robots / ODOMETRY_FRAMES
+        poses = _ROW * (self._shape.robots + self._shape.objects + believed) * len(self.frames)
+        rest = _READING * self.readings.count + _HASH * len(self._hashes)
+        return round(poses) + rest + self.entries_size
+
+    @property
+    def frames_after(self) -> int:
+        """Return how many frames the recording has with those of this block."""
+        return self._frames_before + len(self.frames)
 
     def add_output(self, time_ns: int, robot: int, stream: int, content: bytes) -> None:
         """Add a piece of a program's output."""
@@ -74,22 +90,35 @@ class Block:
             self._saved_hashes = min(self._saved_hashes, len(self._hashes))
         self._hashes.append((time_ns, found))
 
-    def unsaved(self) -> Iterator[Encoded]:
-        """Yield messages of what is new since the last time; all of it stays in the block."""
+    def unsaved(self) -> Second:
+        """Return what is new since the last time; all of it stays in the block.
+
+        Nothing must be added to the block as long as it is used.
+        """
+        gathered = self._columns()
+        tails = [each.tail(rows) for each, rows in zip(gathered, self._saved, strict=True)]
+        before = self._frames_before + self._saved[0] + self._saved[2]
+        self._saved = [len(each) for each in gathered]
+        output, self._saved_output = self._output[self._saved_output :], len(self._output)
         hashes, self._saved_hashes = self._hashes[self._saved_hashes :], len(self._hashes)
-        frames, odometry, found = self._saved
-        self._saved = len(self.frames), len(self.odometry), len(self.readings)
-        yield from _frame_messages(topics.FRAME, self.frames, frames)
-        yield from _frame_messages(topics.ODOMETRY, self.odometry, odometry)
-        yield from _reading_messages(ReadingEncoder(), self.readings, found)
-        self._encode_output()
-        yield from self._entries.unmarked()
-        yield from _hash_messages(hashes)
+        return Second(self._shape, before, tails, output, hashes, list(self._entries.unmarked()))
+
+    def put(self, second: Second) -> None:
+        """Add what was saved of another block; raise ValueError if it is not valid."""
+        for columns, tail in zip(self._columns(), second.columns, strict=True):
+            columns.extend(tail)
+        self.readings.count = len(self.readings.single) + len(self.readings.passed)
+        self._output += second.output
+        self._hashes += second.hashes
+        for topic, time_us, text in second.entries:
+            channel = topics.TOPICS.get(topic)
+            if channel is None or channel.encoding != "json":
+                raise ValueError("an entry of an unknown topic")
+            self._entries.put(channel, time_us, text)
 
     def messages(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
         """Yield the messages of all that is in the block; the encoder knows the readings before."""
-        yield from _frame_messages(topics.FRAME, self.frames)
-        yield from _frame_messages(topics.ODOMETRY, self.odometry)
+        yield from self._frame_messages()
         yield from _reading_messages(encoder, self.readings)
         self._encode_output()
         yield from self._entries.messages()
@@ -102,6 +131,23 @@ class Block:
         yield from self._entries.messages()
         self.readings, self._entries, self.entries_size = GatheredReadings(), Entries(), 0
 
+    def _columns(self) -> tuple[Columns, ...]:
+        """Return all columns: single frames, heads and frames of passages, and readings."""
+        frames, readings = self.frames, self.readings
+        return frames.single, frames.heads, frames.passed, readings.single, readings.passed
+
+    def _frame_messages(self) -> Iterator[Encoded]:
+        if len(self.frames):
+            found = self.frames.frames()
+            for time_ns, data in messages(found.times_ns.tolist(), found.poses):
+                yield topics.FRAME, time_ns, data
+            believed = found.of(
+                slice(-self._frames_before % ODOMETRY_FRAMES, None, ODOMETRY_FRAMES)
+            )
+            if len(believed.times_ns):
+                for time_ns, data in messages(believed.times_ns.tolist(), believed.believed):
+                    yield topics.ODOMETRY, time_ns, data
+
     def _encode_output(self) -> None:
         for time_ns, robot, stream, content in self._output:
             data = {"robot": robot, "stream": stream, **as_fields(content)}
@@ -109,23 +155,27 @@ class Block:
         self._output = []
 
 
-def _frame_messages(
-    channel: Channel, frames: GatheredFrames | GatheredOdometry, since: int = 0
-) -> Iterator[Encoded]:
-    """Yield the messages of frames from a number on."""
-    if len(frames) > since:
-        for time_ns, data in messages(*frames.since(since)):
-            yield channel, time_ns, data
+def saved_messages(data: bytes) -> Iterator[Encoded]:
+    """Yield the messages of what was saved.
+
+    Raises:
+        struct.error, ValueError: it is not valid.
+    """
+    second = unpacked(data)
+    block = Block(0.0, second.shape, second.before)
+    block.put(second)
+    for message in block.messages(ReadingEncoder()):
+        if not 0 <= message[1] < 2**63:
+            raise ValueError("a time that was saved is not valid")
+        yield message
 
 
-def _reading_messages(
-    encoder: ReadingEncoder, gathered: GatheredReadings, since: int = 0
-) -> Iterator[Encoded]:
-    """Yield the messages of readings from a number on."""
-    if len(gathered) > since:
-        time_ns, rows = gathered.since(since)
-        for begin in range(0, len(rows.robots), readings.MAX_ROWS):
-            part = rows.of(slice(begin, begin + readings.MAX_ROWS))
+def _reading_messages(encoder: ReadingEncoder, gathered: GatheredReadings) -> Iterator[Encoded]:
+    """Yield the messages of readings."""
+    if gathered.count:
+        time_ns, rows = gathered.rows()
+        for begin in range(0, len(rows.robots), MAX_ROWS):
+            part = rows.of(slice(begin, begin + MAX_ROWS))
             yield topics.STATE, time_ns, encoder.encode(part, time_ns)
 
 

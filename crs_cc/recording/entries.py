@@ -43,21 +43,25 @@ class Entries:
         """Add an entry; return how many bytes it takes."""
         time_us = round(time_ns / _US)
         content = _COMPACT.encode({"time_us": time_us, **data}).encode()
-        self._found.setdefault(channel, []).append((time_us, content))
+        self.put(channel, time_us, content)
         return len(content) + 1
+
+    def put(self, channel: Channel, time_us: int, content: bytes) -> None:
+        """Add an entry that is in JSON already."""
+        self._found.setdefault(channel, []).append((time_us, content))
 
     def messages(self) -> Iterator[tuple[Channel, int, bytes]]:
         """Yield a message of each channel, with its time."""
         for channel, found in self._by_channel():
             yield channel, *_message(found)
 
-    def unmarked(self) -> Iterator[tuple[Channel, int, bytes]]:
-        """Yield messages of what was added since the last time."""
+    def unmarked(self) -> Iterator[tuple[str, int, bytes]]:
+        """Yield the entries that were added since the last time, each with topic and time [us]."""
         for channel, found in self._by_channel():
             begin = self._marked.get(channel, 0)
-            if begin < len(found):
-                self._marked[channel] = len(found)
-                yield channel, *_message(found[begin:])
+            self._marked[channel] = len(found)
+            for time_us, content in found[begin:]:
+                yield channel.topic, time_us, content
 
     def _by_channel(self) -> list[tuple[Channel, list[_Entry]]]:
         """Return what there is, in an order that does not depend on what was added first."""

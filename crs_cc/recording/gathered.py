@@ -1,154 +1,220 @@
-"""What a run does, as bytes of its arrays one after the other: quick to copy, and little to keep.
+"""Where everything was, as it is gathered while a run goes on: bytes, of which nothing is computed.
 
-A timestep of one robot takes half a millisecond, and many arrays of a few numbers would take longer
-to keep, and to find again, than to copy. Nothing is computed of them until it is encoded.
+A timestep is copied from the environment's state. Of a passage of many timesteps, the session tells
+where the robots were in each; whatever else can move did not. What a second brings can be saved as
+it is here, and be gathered again from what was saved.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Final
+import struct
+from typing import TYPE_CHECKING, Final, NamedTuple, Protocol
 
 import numpy as np
 
-from crs_cc.recording.mcap_records import ns
-from crs_cc.recording.readings import STATE, Readings
+from crs_cc.recording.columns import Columns
+from crs_cc.recording.mcap_records import NS
 
 if TYPE_CHECKING:
-    from crs_cc.core.arrays import BoolArray, FloatArray
-    from crs_cc.sim.engine.step import Served
+    from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, Records
     from crs_cc.sim.state.env_state import EnvState
 
-Frames = tuple[list[int], "FloatArray"]
-"""Times [ns], and the numbers of the frames of these times (frames, columns, rows)."""
+PASSAGE_NUMBERS: Final = 7
+"""Of a robot in a passage: x, y [m], heading, turret [rad], then x, y, heading as it believes."""
 
-_NUMBER: Final = 8  # bytes
+_ENDLESS_S: Final = 2.0**33  # no run takes so long
+_TIME: Final = struct.Struct("<d")
+_HEAD: Final = struct.Struct("<qqqd")
+
+
+class Passage(Protocol):
+    """Timesteps in which robots moved and had answers, and nothing else happened.
+
+    Attributes:
+        first: how many timesteps were before.
+        frames: where they were and believed to be after each, (k, robots, `PASSAGE_NUMBERS`).
+        answers: their answers by time, with the fields of `gathered_readings.ANSWER`.
+    """
+
+    @property
+    def first(self) -> int: ...  # noqa: D102
+    @property
+    def frames(self) -> FloatArray: ...  # noqa: D102
+    @property
+    def answers(self) -> Records: ...  # noqa: D102
+
+
+class Shape(NamedTuple):
+    """Who is in a frame.
+
+    Attributes:
+        robots: how many robots.
+        objects: how many movable objects.
+        has_turret: whether turrets are recorded.
+    """
+
+    robots: int
+    objects: int
+    has_turret: bool
+
+
+class Frames(NamedTuple):
+    """Frames by time.
+
+    Attributes:
+        times_ns: when, (k,).
+        poses: x, y [m], heading and turret [rad], NaN for who is absent, (k, columns, rows).
+        believed: where robots believe to be: x, y [m], heading [rad], (k, 3, robots).
+    """
+
+    times_ns: Int64Array
+    poses: FloatArray
+    believed: FloatArray
+
+    def of(self, rows: IndexArray | slice) -> Frames:
+        """Return some of the frames."""
+        return Frames(self.times_ns[rows], self.poses[rows], self.believed[rows])
 
 
 class GatheredFrames:
-    """Where everything is, of one set of bodies."""
+    """The frames of one set of bodies.
 
-    def __init__(self) -> None:
+    Attributes:
+        single: those that were copied from states.
+        heads: a row for each passage.
+        passed: a row for each frame of a passage.
+    """
+
+    def __init__(self, shape: Shape) -> None:
         """Create one without frames."""
-        self._times_s: list[float] = []
-        self._present: list[BoolArray] = []
-        self._position_m, self._angle_rad = bytearray(), bytearray()  # of all bodies
-        self._heading_rad, self._turret_rad = bytearray(), bytearray()  # of the robots
+        self._shape = shape
+        self._single, self._head = _single(shape), _head(shape)
+        self.single = Columns(self._single.itemsize)
+        self.heads = Columns(self._head.itemsize)
+        self.passed = Columns(max(1, shape.robots * PASSAGE_NUMBERS * 8))
 
     def __len__(self) -> int:
         """Return the number of frames."""
-        return len(self._times_s)
-
-    @property
-    def rows(self) -> int:
-        """Return how many bodies are in all frames together."""
-        return len(self._angle_rad) // _NUMBER
-
-    def add(self, time_s: float, state: EnvState, *, has_turret: bool) -> None:
-        """Copy a frame from a state."""
-        bodies = state.bodies
-        self._times_s.append(time_s)
-        self._present.append(state.presence.present)  # never changed in place
-        self._position_m += bodies.position_m.tobytes()
-        self._angle_rad += bodies.angle_rad.tobytes()
-        self._heading_rad += state.heading_rad.tobytes()
-        if has_turret:
-            self._turret_rad += state.drive.turret_rad.tobytes()
-
-    def since(self, number: int) -> Frames:
-        """Return the frames from a number on, at least one."""
-        angles_rad, headings_rad = self._rows(self._angle_rad), self._rows(self._heading_rad)
-        rows, robots, has_turret = angles_rad.shape[1], headings_rad.shape[1], self._turret_rad
-        positions_m = self._rows(self._position_m).reshape(-1, rows, 2)
-        block = np.zeros((len(self) - number, 4 if has_turret else 3, rows))
-        block[:, :2] = positions_m[number:].swapaxes(1, 2)
-        block[:, 2] = angles_rad[number:]
-        block[:, 2, :robots] = headings_rad[number:]
-        if has_turret:
-            block[:, 3, :robots] = self._rows(self._turret_rad)[number:]
-        is_there = np.array(self._present[number:])
-        if not is_there.all():
-            block.swapaxes(1, 2)[:, :robots][~is_there] = np.nan
-        return [ns(each) for each in self._times_s[number:]], block
-
-    def _rows(self, column: bytearray) -> FloatArray:
-        """Return a column, which must not grow as long as this is used."""
-        return np.frombuffer(column).reshape(len(self), -1)
-
-
-class GatheredOdometry:
-    """Where the robots believe to be."""
-
-    def __init__(self) -> None:
-        """Create one without frames."""
-        self._times_s: list[float] = []
-        self._believed = bytearray()
-
-    def __len__(self) -> int:
-        """Return the number of frames."""
-        return len(self._times_s)
-
-    @property
-    def rows(self) -> int:
-        """Return how many robots are in all frames together."""
-        return len(self._believed) // (3 * _NUMBER)
+        return len(self.single) + len(self.passed)
 
     def add(self, time_s: float, state: EnvState) -> None:
         """Copy a frame from a state."""
-        odometry = state.odometry
-        self._times_s.append(time_s)
-        self._believed += odometry.x_m.tobytes()
-        self._believed += odometry.y_m.tobytes()
-        self._believed += odometry.heading_rad.tobytes()
+        bodies, odometry = state.bodies, state.odometry
+        (column,) = self.single.content()
+        column += _TIME.pack(time_s)
+        column += bodies.position_m.tobytes()
+        column += bodies.angle_rad.tobytes()
+        column += state.heading_rad.tobytes()
+        if self._shape.has_turret:
+            column += state.drive.turret_rad.tobytes()
+        column += odometry.x_m.tobytes()
+        column += odometry.y_m.tobytes()
+        column += odometry.heading_rad.tobytes()
+        column += state.presence.present.tobytes()
 
-    def since(self, number: int) -> Frames:
-        """Return the frames from a number on, at least one."""
-        columns = np.frombuffer(self._believed).reshape(len(self), 3, -1)
-        return [ns(each) for each in self._times_s[number:]], columns[number:].copy()
-
-
-class GatheredReadings:
-    """The `State` vectors that programs were given.
-
-    Attributes:
-        rows: how many vectors.
-    """
-
-    def __init__(self) -> None:
-        """Create one without readings."""
-        self.rows = 0
-        self._heads: list[tuple[float, int, int]] = []  # start of the timestep [s], code, rows
-        self._robots, self._clock_s, self._states = bytearray(), bytearray(), bytearray()
-
-    def __len__(self) -> int:
-        """Return how often a request was answered, of some robots together."""
-        return len(self._heads)
-
-    def add(self, time_s: float, answers: Iterable[Served]) -> None:
-        """Add the answers of a timestep, of which those without vectors are left out.
+    def add_passage(
+        self, first: int, step: int, timestep_s: float, poses: FloatArray, state: EnvState
+    ) -> None:
+        """Copy frames of a passage.
 
         Args:
-            time_s: its start.
-            answers: the answers.
+            first: after how many timesteps the first of the frames is.
+            step: timesteps from one frame to the next.
+            timestep_s: how long a timestep is.
+            poses: where the robots are and believe to be, (k, robots, `PASSAGE_NUMBERS`).
+            state: one of the passage.
         """
-        for each in answers:
-            states = each.states
-            if states is not None:
-                count = len(states)
-                self.rows += count
-                self._heads.append((time_s, each.code, count))
-                self._robots += each.robots.tobytes()
-                self._clock_s += each.clock_s.tobytes()
-                self._states += states.tobytes()
+        parts = [_HEAD.pack(first, step, len(poses), timestep_s)]
+        if self._shape.objects:
+            bodies, robots = state.bodies, self._shape.robots
+            parts += [bodies.position_m[robots:].tobytes(), bodies.angle_rad[robots:].tobytes()]
+        self.heads.append(b"".join([*parts, state.presence.present.tobytes()]))
+        self.passed.append(poses.tobytes())
 
-    def since(self, number: int) -> tuple[int, Readings]:
-        """Return the answers from a number on, at least one, and the time of the first [ns]."""
-        heads = self._heads[number:]
-        counts = [count for _, _, count in heads]
-        first = self.rows - sum(counts)
-        return ns(heads[0][0]), Readings(
-            np.repeat([code for _, code, _ in heads], counts),
-            np.frombuffer(self._robots, np.intp)[first:].copy(),
-            np.frombuffer(self._clock_s)[first:].copy(),
-            np.frombuffer(self._states, np.int32).reshape(-1, STATE)[first:].copy(),
-        )
+    def frames(self) -> Frames:
+        """Return all frames; raise ValueError if they are not valid."""
+        if not len(self.heads):
+            return self._singles()
+        if not len(self.single):
+            return self._passages()
+        both = zip(self._singles(), self._passages(), strict=True)
+        frames = Frames(*(np.concatenate(columns) for columns in both))
+        return frames.of(np.argsort(frames.times_ns, kind="stable"))
+
+    def _singles(self) -> Frames:
+        rows = np.frombuffer(self.single.content()[0], self._single)
+        robots = self._shape.robots
+        poses = self._nowhere(len(rows))
+        poses[:, :2] = rows["position_m"].swapaxes(1, 2)
+        poses[:, 2] = rows["angle_rad"]
+        poses[:, 2, :robots] = rows["heading_rad"]
+        if self._shape.has_turret:
+            poses[:, 3, :robots] = rows["turret_rad"]
+        _leave_out(poses, rows["present"])
+        return Frames(_times_ns(rows["time_s"]), poses, rows["believed"].copy())
+
+    def _passages(self) -> Frames:
+        robots = self._shape.robots
+        heads = np.frombuffer(self.heads.content()[0], self._head)
+        rows = np.frombuffer(self.passed.content()[0], "<f8").reshape(-1, robots, PASSAGE_NUMBERS)
+        counts = heads["count"]
+        if (counts < 0).any() or (counts > len(rows)).any() or counts.sum() != len(rows):
+            raise ValueError("passages have another number of frames than they say")
+        passage = np.repeat(np.arange(len(heads)), counts)
+        number = np.arange(len(rows)) - np.repeat(np.cumsum(counts) - counts, counts)
+        after = heads["first"][passage] + number * heads["step"][passage]
+        poses = self._nowhere(len(rows))
+        poses[:, :, :robots] = rows[:, :, : poses.shape[1]].swapaxes(1, 2)
+        poses[:, :2, robots:] = heads["position_m"][passage].swapaxes(1, 2)
+        poses[:, 2, robots:] = heads["angle_rad"][passage]
+        _leave_out(poses, heads["present"][passage])
+        times_ns = _times_ns(after * heads["timestep_s"][passage])
+        return Frames(times_ns, poses, np.ascontiguousarray(rows[:, :, 4:].swapaxes(1, 2)))
+
+    def _nowhere(self, count: int) -> FloatArray:
+        columns = 4 if self._shape.has_turret else 3
+        return np.zeros((count, columns, self._shape.robots + self._shape.objects))
+
+
+def _single(shape: Shape) -> np.dtype[np.void]:
+    """Return what a frame is that was copied from a state."""
+    robots, bodies = shape.robots, shape.robots + shape.objects
+    return np.dtype(
+        [
+            ("time_s", "<f8"),
+            ("position_m", "<f8", (bodies, 2)),
+            ("angle_rad", "<f8", (bodies,)),
+            ("heading_rad", "<f8", (robots,)),
+            ("turret_rad", "<f8", (robots if shape.has_turret else 0,)),
+            ("believed", "<f8", (3, robots)),
+            ("present", "?", (robots,)),
+        ]
+    )
+
+
+def _head(shape: Shape) -> np.dtype[np.void]:
+    """Return what is kept once of a passage."""
+    return np.dtype(
+        [
+            ("first", "<i8"),
+            ("step", "<i8"),
+            ("count", "<i8"),
+            ("timestep_s", "<f8"),
+            ("position_m", "<f8", (shape.objects, 2)),
+            ("angle_rad", "<f8", (shape.objects,)),
+            ("present", "?", (shape.robots,)),
+        ]
+    )
+
+
+def _leave_out(poses: FloatArray, present: BoolArray) -> None:
+    """Make the poses of robots that are not in the world NaN."""
+    if not present.all():
+        poses.swapaxes(1, 2)[:, : present.shape[1]][~present] = np.nan
+
+
+def _times_ns(times_s: FloatArray) -> Int64Array:
+    """Return times as they are in a recording, see `mcap_records.ns`; raise ValueError if wrong."""
+    if not ((times_s >= 0.0) & (times_s < _ENDLESS_S)).all():
+        raise ValueError("the time of a frame is not valid")
+    return np.rint(times_s * NS).astype(np.int64)

@@ -19,11 +19,13 @@ import zstandard
 
 from crs_cc.core.errors import RecordingError
 from crs_cc.core.source import Location
+from crs_cc.recording.block import saved_messages
 from crs_cc.recording.mcap_records import (
     CHUNK_HEAD,
     MAGIC,
     MESSAGE_HEAD,
     PREFIX,
+    SAVED,
     SCHEMA,
     Message,
     Op,
@@ -64,6 +66,7 @@ class Chunk:
         last_ns: that of its last.
         size: its size when uncompressed.
         crc: of its records when uncompressed, 0 for unknown.
+        is_saved: whether it is what a run saved that was killed, see `crs_cc.recording.saved`.
     """
 
     place: Place
@@ -71,6 +74,7 @@ class Chunk:
     last_ns: int
     size: int
     crc: int
+    is_saved: bool = False
 
 
 class McapReader:
@@ -146,11 +150,20 @@ class McapReader:
     def messages(self, chunk: Chunk) -> Iterator[Message]:
         """Yield the messages in a chunk; raise RecordingError if it is damaged."""
         try:
-            content = self._content(chunk)
-            yield from self._messages(content)
+            if chunk.is_saved:
+                yield from self._saved(chunk)
+            else:
+                yield from self._messages(self._content(chunk))
         except (ValueError, struct.error, zstandard.ZstdError) as wrong:
             text = f"the chunk at byte {chunk.place.at} is damaged: {wrong}"
             raise self.error(text, "crs replay --recover writes what can be read") from None
+
+    def _saved(self, chunk: Chunk) -> Iterator[Message]:
+        if chunk.place.size > MAX_CHUNK_BYTES:
+            raise ValueError(f"it has {chunk.place.size} bytes (at most {MAX_CHUNK_BYTES})")
+        content = self._read(chunk.place)[CHUNK_HEAD.size :]
+        for channel, time_ns, data in saved_messages(content):
+            yield Message(channel.topic, time_ns, data)
 
     def raw(self, place: Place) -> bytes:
         """Return the content of a record."""
@@ -224,8 +237,8 @@ class McapReader:
     def _note(self, op: int, place: Place) -> bool:
         """Note a record; return whether it is intact as far as can be seen."""
         try:
-            if op == Op.CHUNK:
-                self._note_chunk(place)
+            if op in (Op.CHUNK, SAVED):
+                self._note_chunk(place, is_saved=op == SAVED)
             elif op == Op.ATTACHMENT:
                 cursor = _Cursor(self._read(Place(place.at, min(place.size, 2**16))), 16)
                 self.attachments[cursor.text()] = place
@@ -241,10 +254,10 @@ class McapReader:
             return False
         return True
 
-    def _note_chunk(self, place: Place) -> None:
+    def _note_chunk(self, place: Place, *, is_saved: bool) -> None:
         head = self._read(Place(place.at, CHUNK_HEAD.size))
         first_ns, last_ns, size, crc = CHUNK_HEAD.unpack(head)
-        self.chunks.append(Chunk(place, first_ns, last_ns, size, crc))
+        self.chunks.append(Chunk(place, first_ns, last_ns, size, crc, is_saved))
 
 
 class _Cursor:

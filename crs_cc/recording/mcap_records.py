@@ -30,6 +30,12 @@ CHUNK_HEAD: Final = struct.Struct("<QQQI")
 SCHEMA: Final = "schema"
 """What the metadata of a channel call the name of its schema."""
 
+HIDDEN: Final = 0x80
+"""The opcode of a record that is skipped: from 0x80 on they belong to applications."""
+
+SAVED: Final = 0x81
+"""That of what is saved until a chunk takes its place: a chunk's head, and what `saved` says."""
+
 NS: Final = 1_000_000_000
 
 

@@ -22,11 +22,14 @@ from typing import Final, Protocol
 import zstandard
 
 from crs_cc import __version__
+from crs_cc.recording.columns import Part
 from crs_cc.recording.mcap_records import (
     CHUNK_HEAD,
+    HIDDEN,
     MAGIC,
     MESSAGE_HEAD,
     PREFIX,
+    SAVED,
     SCHEMA,
     Channel,
     Op,
@@ -39,9 +42,6 @@ from crs_cc.recording.mcap_records import (
 PROFILE: Final = "crs"
 LEVEL: Final = 1  # of zstd: level 3 is 2 % smaller and takes twice the time
 SMALL_LEVEL: Final = 9  # for seconds of which many are one chunk: 12 % smaller
-HIDDEN: Final = 0x80
-"""The opcode of a record that is skipped: from 0x80 on they belong to applications."""
-
 MAX_CHUNK: Final = 256 * 1024
 """A chunk is cut when it is larger [bytes]."""
 
@@ -67,7 +67,7 @@ class Target(Protocol):
 class McapWriter:
     """Writes one file from start to end.
 
-    What is `saved` is in the file, but not as small as it can be: the next `cut` replaces it. The
+    What is saved is in the file, but not as small as it can be: the next `cut` replaces it. The
     file can be read at each moment in between, so nothing of it is lost when a run is killed.
 
     Attributes:
@@ -124,27 +124,29 @@ class McapWriter:
         self._pending.append((time_ns, len(self._pending), channel, data))
         self.pending += len(data)
 
-    def save(self, others: Iterable[tuple[Channel, int, bytes]]) -> None:
-        """Write the messages since the last time, to be replaced by the next `cut`.
+    def save(self, first_ns: int, last_ns: int, parts: Iterable[Part]) -> None:
+        """Write what is new since the last time, to be replaced by the next `cut`.
 
         Args:
-            others: further messages, which are not pending: what replaces them will be added.
+            first_ns: when it begins.
+            last_ns: when it ends.
+            parts: what is not pending: what replaces it will be added.
         """
-        messages = self._pending[self._saved :]
-        messages += [(time_ns, 0, channel, data) for channel, time_ns, data in others]
-        if not messages:
-            return
-        messages.sort(key=lambda each: each[:2])
-        content, _ = self._content(messages, dict(self._counts))
+        content = b"".join(parts)
+        head = CHUNK_HEAD.pack(first_ns, last_ns, len(content), 0)
+        written = PREFIX.pack(SAVED, len(head) + len(content)) + head + content
+        messages = sorted(self._pending[self._saved :], key=lambda each: each[:2])
+        if messages:
+            records, _ = self._content(messages, dict(self._counts))
+            written += _chunk(records, "", records, messages)
         end = self._saved_to or self._at
-        chunk = _chunk(content, "", content, messages)
         try:
-            self._file.write(chunk)
+            self._file.write(written)
         except OSError:
             with suppress(OSError):
                 self._file.truncate(end)
             raise
-        self._saved_to = end + len(chunk)
+        self._saved_to = end + len(written)
         self._saved = len(self._pending)
 
     def cut(self, level: int = LEVEL) -> None:

@@ -1,11 +1,10 @@
 """Records a run while it goes on.
 
-What happens is gathered, so the cost of a timestep is that of copying a few arrays, and encoded
-each second of simulated time, so a run that is killed loses its last second at most. Of a small
-world, a second is so little that most of a chunk would be its head and its index: it is saved, and
-all that has been saved in two minutes is then replaced by one chunk. Runs that are much faster than
-real time save only twice a second. A finished recording is the same however often it was saved.
-When the disk is full, the recording ends and the run goes on.
+What happens is gathered, of a passage of many timesteps at once where the session tells it so, and
+written each second of simulated time, so a run that is killed loses its last second at most. Of a
+small world, a second is so little that most of a chunk would be its head and its index: it is saved
+as it is, and all that has been saved in two minutes is then replaced by one chunk. When the disk is
+full, the recording ends and the run goes on.
 """
 
 from __future__ import annotations
@@ -14,7 +13,6 @@ import json
 import math
 import os
 import stat
-import time
 import zlib
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
@@ -29,6 +27,7 @@ from crs_cc.recording.content import as_fields
 from crs_cc.recording.digest import digest
 from crs_cc.recording.entries import SPAN_NS
 from crs_cc.recording.field_sketches import ChangedFields
+from crs_cc.recording.gathered import GatheredFrames, Passage, Shape
 from crs_cc.recording.hashes import STATE_DIGITS, Hash
 from crs_cc.recording.mcap_records import NS, Channel, ns
 from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
@@ -43,6 +42,7 @@ if TYPE_CHECKING:
     from crs_cc.session.result import RunResult
     from crs_cc.session.session import Session
     from crs_cc.sim.engine.step import Step
+    from crs_cc.sim.state.env_state import EnvState
 
 Sensors = Literal["none", "read", "all"]
 
@@ -53,16 +53,8 @@ BLOCK_S: Final = SPAN_NS / NS
 """A chunk holds at most so much simulated time: more would save little. What a second brings is
 saved before, so that a killed run loses no more."""
 
-SAVE_AFTER_S: Final = 0.5
-"""Real time between two savings at least: what is done in it is lost when a run is killed. A robot
-alone is simulated in less than a hundredth of the time; to save each of its seconds took 5 %, and
-ten times a second 2 % on a machine that is busy with other work."""
-
 MAX_ROWS: Final = 20_000
 """Readings that are gathered at most before they are encoded; some megabytes."""
-
-ODOMETRY_FRAMES: Final = 5
-"""Every so many frames, what the robots believe is recorded, too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,15 +114,15 @@ class Recorder:
         self._can_save = stat.S_ISREG(os.fstat(self._file.fileno()).st_mode)
         self._encoder = ReadingEncoder()
         self._fields = ChangedFields()
-        self._block = Block(0.0)
         self._output_crc = 0
         self._foxglove: FoxgloveView | None = None
         self._foxglove_sensors: FoxgloveSensors | None = None
         self._rosters = 0
+        self._needs_each = bool(options.foxglove or options.foxglove_robots) or (
+            options.sensors == "all"
+        )
         self._moved = True  # since the last frame
-        self._frames = 0
         self._stride = 1
-        self._saved_at_s = time.monotonic()
 
     def begin(self, session: Session) -> None:
         """Start with a session before its first timestep."""
@@ -139,7 +131,7 @@ class Recorder:
         self._timestep_s = session.environment.timestep_s
         self._per_second = max(1, round(1.0 / self._timestep_s))
         self._stride = max(1, round(self._options.every_s / self._timestep_s))
-        self._last = session.timesteps
+        self._last = self._sampled = session.timesteps
         self._next_hash = session.timesteps + self._per_second
         self._alive = session.state.alive.tobytes()
         self._hides_state = session.fleet.has_marks and not self._options.for_debugger
@@ -153,8 +145,8 @@ class Recorder:
             robots = session.environment.world.robots
             self._foxglove_sensors = FoxgloveSensors(robots, self._options.foxglove_robots)
         self._names: tuple[str, ...] = ()
+        self._block = Block(session.time_s, Shape(0, 0, has_turret=False))
         self._note_roster()
-        self._block = Block(session.time_s)
         self._add_frame()
         self._add_fields()
         self._add_hash()
@@ -163,11 +155,12 @@ class Recorder:
 
     def step(self, step: Step) -> None:
         """Record what happened in a timestep."""
-        if not self._moved:
-            self._last = self._state.timesteps - 1  # until then nothing moved
-            self._moved = True
         if self.failed is not None:
             return
+        timesteps = self._state.timesteps
+        if not self._moved:
+            self._last = timesteps - 1  # until then nothing moved
+            self._moved = True
         if len(step.contacts.robot) or step.events:
             for event in events_of(step):
                 self._add_json(topics.EVENT, ns(event.pop("time_s")), event)
@@ -177,9 +170,41 @@ class Recorder:
             if served.states is None:
                 self._note_served(step, served)
         if self._options.sensors != "none":
-            self._block.readings.add(step.time_s, step.served)
-            if self._block.readings.rows > MAX_ROWS:
+            readings = self._block.readings
+            readings.add(step.served)
+            if readings.count > MAX_ROWS:
                 self._shorten()
+        self._note_frame(timesteps)
+
+    def passed(self, passage: Passage) -> None:
+        """Record a passage of timesteps in which robots moved and had answers, and nothing else."""
+        if self.failed is not None:
+            return
+        if self._options.sensors != "none":
+            readings = self._block.readings
+            readings.add_passage(passage.answers)
+            if readings.count > MAX_ROWS:
+                self._shorten()
+        first, stride = passage.first + 1, self._stride
+        last = passage.first + len(passage.frames)
+        if self._needs_each:
+            self._moved, self._last = True, passage.first
+            self._note_frame(last)
+            return
+        begin = -first % stride
+        poses = passage.frames[begin::stride]
+        if len(poses):
+            state = self._session.environment.last_state
+            self._block.frames.add_passage(first + begin, stride, self._timestep_s, poses, state)
+        self._moved, self._last = last % stride != 0, last
+
+    def _note_frame(self, timesteps: int) -> None:
+        """Record where everything is after a timestep, if it has moved and a frame is due."""
+        if self._session.environment.names is not self._names:
+            self._note_roster()
+        if self._moved and timesteps // self._stride != self._last // self._stride:
+            self._add_frame()
+        self._last = timesteps
 
     def _note_served(self, step: Step, served: Served) -> None:
         """Record what became of requests that do not reply `State`."""
@@ -232,16 +257,13 @@ class Recorder:
     def sample(self) -> None:
         """Record what is there after one or more timesteps, of which only the last moved."""
         timesteps = self._state.timesteps
-        if self.failed is not None or timesteps == self._last:
+        if self.failed is not None or timesteps == self._sampled:
             return
-        environment = self._session.environment
-        if environment.names is not self._names:
-            self._note_roster()
-        if self._moved and timesteps // self._stride != self._last // self._stride:
-            self._add_frame()
-        self._last = timesteps
+        self._sampled = timesteps
+        self._note_frame(timesteps)
         if self._foxglove_sensors is not None:
-            for channel, time_ns, data in self._foxglove_sensors.messages(environment.last_state):
+            state = self._session.environment.last_state
+            for channel, time_ns, data in self._foxglove_sensors.messages(state):
                 self._writer.add(channel, time_ns, data)
         if timesteps >= self._next_hash:
             self._end_second()
@@ -277,11 +299,9 @@ class Recorder:
             self._complete()
             return
         block.seconds += 1
-        now_s = time.monotonic()
-        if now_s - self._saved_at_s >= SAVE_AFTER_S:
-            self._saved_at_s = now_s
-            self._try(lambda: self._writer.save(block.unsaved()))
-            self._note_written()
+        begin_ns, now_ns = ns(self.written_s), ns(session.time_s)
+        self._try(lambda: self._writer.save(begin_ns, now_ns, block.unsaved().parts()))
+        self._note_written()
 
     def _shorten(self) -> None:
         """Write what has become much, before the second is over."""
@@ -298,7 +318,7 @@ class Recorder:
         for message in self._block.messages(self._encoder):
             self._writer.add(*message)
         level = SMALL_LEVEL if self._block.seconds else LEVEL
-        self._block = Block(self._session.time_s)
+        self._block = Block(self._session.time_s, self._shape, self._block.frames_after)
         self._cut(level)
 
     def _cut(self, level: int) -> None:
@@ -310,22 +330,22 @@ class Recorder:
             self.written_s = self._session.time_s
 
     def _add_frame(self) -> None:
-        environment, block = self._session.environment, self._block
-        state = environment.last_state
+        state = self._session.environment.last_state
         time_s = state.cycle * self._timestep_s
-        if self._frames % ODOMETRY_FRAMES == 0:
-            block.odometry.add(time_s, state)
-        self._frames += 1
-        block.frames.add(time_s, state, has_turret=self._has_turret)
+        self._block.frames.add(time_s, state)
         self._moved = False
         if self._foxglove is not None:
-            names = self._robot_ids, self._object_names
-            time_ns = ns(time_s)
-            _, values = block.frames.since(len(block.frames) - 1)
-            channel, data = self._foxglove.frame(time_ns, values[0], *names)
-            self._writer.add(channel, time_ns, data)
+            self._add_scene(self._foxglove, time_s, state)
         if self._options.sensors == "all":
-            block.readings.add(time_s, [self._unasked()])
+            self._block.readings.add([self._unasked()])
+
+    def _add_scene(self, view: FoxgloveView, time_s: float, state: EnvState) -> None:
+        """Add a frame for Foxglove."""
+        alone = GatheredFrames(self._shape)
+        alone.add(time_s, state)
+        names, time_ns = (self._robot_ids, self._object_names), ns(time_s)
+        channel, data = view.frame(time_ns, alone.frames().poses[0], *names)
+        self._writer.add(channel, time_ns, data)
 
     def _add_fields(self) -> None:
         """Record the pheromone fields that are not what was recorded of them leads to."""
@@ -374,20 +394,22 @@ class Recorder:
 
     def _note_roster(self) -> None:
         """Record who and what is there from now on; a key frame follows."""
-        if self._block.frames:
+        if self._rosters:
             self._complete()
         environment = self._session.environment
         self._names = environment.names
         robots = environment.world.robots
-        self._has_turret = any("turret" in robot.model.drive.axis_names for robot in robots)
+        has_turret = any("turret" in robot.model.drive.axis_names for robot in robots)
         self._robot_ids = [robot.id for robot in robots]
         self._object_names = list(environment.pushables)
+        self._shape = Shape(len(robots), len(self._object_names), has_turret)
+        self._block = Block(environment.time_s, self._shape, self._block.frames_after)
         self._rosters += 1
         values = {
             "time_ns": str(ns(environment.time_s)),
             "robots": json.dumps(self._robot_ids),
             "objects": json.dumps(self._object_names),
-            "columns": "x y heading turret" if self._has_turret else "x y heading",
+            "columns": "x y heading turret" if has_turret else "x y heading",
         }
         self._try(lambda: self._writer.metadata(f"{topics.ROSTER}{self._rosters}", values))
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from crs_cc.core.errors import RecordingError
 from crs_cc.recording.foxglove.messages import known_channel
 from crs_cc.recording.mcap_records import NS
-from crs_cc.recording.mcap_writer import McapWriter
+from crs_cc.recording.mcap_writer import MAX_CHUNK, McapWriter
 from crs_cc.recording.topics import TOPICS
 
 if TYPE_CHECKING:
@@ -66,7 +66,8 @@ def recover(recording: Recording, target: Path) -> Recovered:
                     writer.add(channel, message.time_ns, message.data)
                     end_ns = max(end_ns, message.time_ns)
                     messages += 1
-            writer.cut()
+            if not chunk.is_saved or writer.pending > MAX_CHUNK:
+                writer.cut()
             chunks += 1
         writer.finish()
     lost = source.size - source.intact_bytes

@@ -5,19 +5,25 @@
 
 from __future__ import annotations
 
+import io
 import os
 import resource
 import time
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
+import pytest
 import zstandard
 
+from crs_cc.cli.main import main
 from crs_cc.cli.show_recording import state_at, summary
 from crs_cc.cli.tables import tables
 from crs_cc.core.errors import CrsError
+from crs_cc.recording.columns import Part
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_records import CHUNK_HEAD, MAGIC, Op, record, text
+from crs_cc.recording.mcap_writer import McapWriter
 from crs_cc.recording.recording import Recording
 from crs_cc.recording.recovery import recover
 
@@ -81,17 +87,38 @@ def use(path: Path, target: Path) -> str:
     return ""
 
 
-def test_mutated_recordings_give_one_error_or_a_result(recorded: Path, tmp_path: Path) -> None:
+def killed(recorded: Path, folder: Path, monkeypatch: pytest.MonkeyPatch) -> bytes:
+    """Return the recording of the same run as it is when that is killed in its sixth second."""
+    recording, path, kept = Recording(recorded), folder / "killed.mcap", list[bytes]()
+    recording.write_sources(folder)
+    recording.close()
+    save = McapWriter.save
+
+    def noted(writer: McapWriter, first_ns: int, last_ns: int, parts: Iterable[Part]) -> None:
+        save(writer, first_ns, last_ns, parts)
+        kept.append(path.read_bytes())
+
+    with monkeypatch.context() as patch:
+        patch.setattr(McapWriter, "save", noted)
+        patch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"go\n")))
+        files = [str(folder / name) for name in ("drive.c", "room.xml")]
+        main(["run", *files, "--record", str(path), "--quiet", "--max-time", "5.5"])
+    return kept[-1]
+
+
+def test_mutated_recordings_give_one_error_or_a_result(
+    recorded: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     whole = recorded.read_bytes()
     reader = McapReader(recorded)
-    plain = unpacked(whole, reader)
+    kinds = whole, unpacked(whole, reader), killed(recorded, tmp_path, monkeypatch)
     reader.close()
     random = np.random.default_rng(16)
     path, said = tmp_path / "mutated.mcap", set()
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     longest_s = 0.0
     for number in range(COUNT):
-        path.write_bytes(mutated(plain if number % 2 else whole, random))
+        path.write_bytes(mutated(kinds[number % len(kinds)], random))
         start = time.process_time()
         said.add(use(path, tmp_path / "mended.mcap")[-60:])
         longest_s = max(longest_s, time.process_time() - start)

@@ -15,8 +15,10 @@ from mcap.reader import NonSeekingReader, make_reader
 
 from crs_cc.cli.main import main
 from crs_cc.recording import frames, recorder, topics
-from crs_cc.recording.block import Encoded
+from crs_cc.recording.block import Block, saved_messages
+from crs_cc.recording.columns import Part
 from crs_cc.recording.frames import FrameDecoder, count_in, messages
+from crs_cc.recording.gathered import Shape
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_writer import McapWriter
 from crs_cc.recording.readings import STATE, ReadingDecoder, ReadingEncoder, Readings
@@ -141,19 +143,18 @@ def test_a_run_that_is_killed_loses_its_last_second_at_most(
     path, kept = tmp_path / "run.mcap", list[bytes]()
     save = McapWriter.save
 
-    def noted(writer: McapWriter, others: Iterable[Encoded]) -> None:
-        save(writer, others)
+    def noted(writer: McapWriter, first_ns: int, last_ns: int, parts: Iterable[Part]) -> None:
+        save(writer, first_ns, last_ns, parts)
         kept.append(path.read_bytes())
 
     monkeypatch.setattr(McapWriter, "save", noted)
     monkeypatch.setattr(recorder, "BLOCK_S", 3.0)
-    monkeypatch.setattr(recorder, "SAVE_AFTER_S", 0.0)
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"go\n")))
     files = [str(tmp_path / name) for name in ("drive.c", "room.xml")]
     main(["run", *files, "--record", str(path), "--quiet", "--max-time", "5.5"])
     assert len(kept) == 4  # at 1 and 2, 4 and 5 seconds
     often = path.read_bytes()
-    monkeypatch.setattr(recorder, "SAVE_AFTER_S", 1e9)
+    monkeypatch.setattr(McapWriter, "save", lambda _writer, _first_ns, _last_ns, _parts: None)
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"go\n")))
     main(["run", *files, "--record", str(path), "--quiet", "--max-time", "5.5"])
     assert len(kept) == 4
@@ -180,6 +181,13 @@ def test_a_run_that_is_killed_loses_its_last_second_at_most(
                 times.extend(
                     each.log_time for *_, each in found.iter_messages(log_time_order=False)
                 )
+
+
+def said(number: int) -> list[Part]:
+    """Return what is saved of a second in which nothing happens but an event."""
+    block = Block(0.0, Shape(1, 0, has_turret=False))
+    block.add_entry(topics.EVENT, 1000 * number, {"n": number})
+    return list(block.unsaved().parts())
 
 
 class StoppedFile(io.BytesIO):
@@ -217,11 +225,12 @@ def test_the_file_is_valid_whenever_the_writer_is_stopped(size: int, tmp_path: P
     sizes = []
     for number in range(9):
         writer.add(topics.OUTPUT, number, bytes([number]) + random.bytes(size))
-        writer.save([(topics.EVENT, number, bytes([number]))])
+        writer.save(number, number, said(number))
         sizes.append(len(file.getvalue()))
         if number % 4 == 3:
-            for time_ns in range(number - 3, number + 1):
-                writer.add(topics.EVENT, time_ns, bytes([time_ns]))
+            for each in range(number - 3, number + 1):
+                ((channel, time_ns, data),) = saved_messages(b"".join(said(each)))
+                writer.add(channel, time_ns, data)
             writer.cut()
             sizes.append(len(file.getvalue()))
     known = 0
@@ -231,7 +240,10 @@ def test_the_file_is_valid_whenever_the_writer_is_stopped(size: int, tmp_path: P
         found = [each for chunk in reader.chunks for each in reader.messages(chunk)]
         reader.close()
         for topic in ("/crs/output", "/crs/event"):
-            numbers = [each.data[0] for each in found if each.topic == topic]
+            all_data = [each.data for each in found if each.topic == topic]
+            if topic == "/crs/event":
+                all_data = [bytes([json.loads(each)["entries"][0]["n"]]) for each in all_data]
+            numbers = [data[0] for data in all_data]
             assert numbers == list(range(len(numbers)))
         assert len(numbers) >= known
         known = len(numbers)
@@ -247,7 +259,7 @@ def test_a_file_does_not_depend_on_when_seconds_were_saved() -> None:
         writer = McapWriter(file)
         writer.define(topics.TOPICS.values())
         if saves:
-            writer.save([(topics.OUTPUT, 2, b"{}")])
+            writer.save(1, 2, said(2))
         writer.add(topics.EVENT, 1, b"{}")
         writer.add(topics.OUTPUT, 2, b"{}")
         writer.finish()

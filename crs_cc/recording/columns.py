@@ -1,0 +1,59 @@
+"""Columns of bytes that grow by whole rows: quick to copy to, and little to keep.
+
+>>> columns = Columns(1, 2)
+>>> columns.extend([b"ab", b"1122"])
+>>> len(columns), [bytes(each) for each in columns.tail(1)]
+(2, [b'b', b'22'])
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+Part = bytes | memoryview
+Parts = Sequence[Part]
+
+
+class Columns:
+    """Some columns with the same number of rows."""
+
+    def __init__(self, *row_bytes: int) -> None:
+        """Create them without rows.
+
+        Args:
+            row_bytes: how many bytes each column has for a row, at least 1.
+        """
+        self._row_bytes = row_bytes
+        self._columns = tuple(bytearray() for _ in row_bytes)
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return len(self._columns[0]) // self._row_bytes[0]
+
+    def append(self, *parts: bytes) -> None:
+        """Add to each column the bytes of as many rows."""
+        for column, part in zip(self._columns, parts, strict=True):
+            column.extend(part)
+
+    def content(self) -> tuple[bytearray, ...]:
+        """Return the columns, which must not grow as long as they are looked at."""
+        return self._columns
+
+    def tail(self, number: int) -> list[memoryview]:
+        """Return the columns from a row on; none must grow as long as they are used."""
+        return [
+            memoryview(column)[size * number :]
+            for column, size in zip(self._columns, self._row_bytes, strict=True)
+        ]
+
+    def extend(self, columns: Parts) -> None:
+        """Add what was the tail of others; raise ValueError if it has no whole rows.
+
+        Args:
+            columns: the columns, and perhaps empty ones behind them.
+        """
+        own = len(self._columns)
+        rows = len(columns[0]) // self._row_bytes[0]
+        if any(columns[own:]) or [*map(len, columns[:own])] != [rows * n for n in self._row_bytes]:
+            raise ValueError("columns that were saved do not belong together")
+        self.append(*map(bytes, columns[:own]))

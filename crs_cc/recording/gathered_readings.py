@@ -1,0 +1,81 @@
+"""The `State` vectors that programs were given, as they are gathered while a run goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from crs_cc.recording.columns import Columns
+from crs_cc.recording.mcap_records import NS
+from crs_cc.recording.readings import STATE, Readings
+
+if TYPE_CHECKING:
+    from crs_cc.core.arrays import Records
+    from crs_cc.sim.engine.step import Served
+
+ANSWER: Final = np.dtype(
+    [("code", "<i4"), ("robot", "<i4"), ("clock_s", "<f8"), ("state", "<i4", (STATE,))]
+)
+"""What is kept of an answer in a passage of timesteps."""
+
+_ENDLESS_S: Final = 2.0**33  # no run takes so long
+_CODE: Final = 4  # bytes
+
+
+class GatheredReadings:
+    """Answers with a `State` vector.
+
+    Attributes:
+        count: how many.
+        single: code, robot, clock [s] and vector of the answers of single timesteps.
+        passed: those of passages of timesteps.
+    """
+
+    def __init__(self) -> None:
+        """Create one without readings."""
+        self.count = 0
+        self.single = Columns(_CODE, 8, 8, 4 * STATE)
+        self.passed = Columns(ANSWER.itemsize)
+
+    def add(self, answers: Iterable[Served]) -> None:
+        """Add answers, of which those without vectors are left out."""
+        codes, robots, clocks, vectors = self.single.content()
+        for each in answers:
+            states = each.states
+            if states is not None:
+                self.count += len(states)
+                codes += each.code.to_bytes(_CODE, "little") * len(states)
+                robots += each.robots.tobytes()
+                clocks += each.clock_s.tobytes()
+                vectors += states.tobytes()
+
+    def add_passage(self, answers: Records) -> None:
+        """Add the answers in a passage, which have the fields of `ANSWER` and others."""
+        found = np.empty(len(answers), ANSWER)
+        for name in ANSWER.names or ():
+            found[name] = answers[name]
+        self.count += len(found)
+        self.passed.append(found.tobytes())
+
+    def rows(self) -> tuple[int, Readings]:
+        """Return the answers, at least one, and a time not after any of them [ns].
+
+        Raises:
+            ValueError: they are not valid.
+        """
+        codes, robots, clocks, states = self.single.content()
+        passed = np.frombuffer(self.passed.content()[0], ANSWER)
+        vectors = np.frombuffer(states, "<i4").reshape(-1, STATE)
+        rows = Readings(
+            np.concatenate([np.frombuffer(codes, "<i4"), passed["code"]], dtype=np.int64),
+            np.concatenate([np.frombuffer(robots, np.intp), passed["robot"]], dtype=np.intp),
+            np.concatenate([np.frombuffer(clocks, "<f8"), passed["clock_s"]]),
+            np.concatenate([vectors, passed["state"]]),
+        )
+        if not ((rows.clock_s >= 0.0) & (rows.clock_s < _ENDLESS_S)).all():
+            raise ValueError("the time of a reading is not valid")
+        if len(self.single) and len(passed):
+            rows = rows.of(np.argsort(rows.clock_s, kind="stable"))
+        return int(rows.clock_s.min() * NS), rows

@@ -1,0 +1,132 @@
+r"""What a second brings, saved as it was gathered, until a chunk takes its place.
+
+It is part of a file only while a run goes on, or if it was killed. Nothing is encoded for it: a
+second of one robot takes a few copies. The form is little-endian, see `HEAD`, and no other program
+knows it; `crs replay --recover` makes chunks of it.
+
+>>> hashes = [(9, Hash(20, "0f3a99c1", 7, ""))]
+>>> second = Second(Shape(1, 0, False), 0, [], [(5_000, 0, 1, b"hi\n")], hashes, [])
+>>> unpacked(b"".join(second.parts())) == second
+True
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator, Sequence
+from typing import Final, NamedTuple
+
+from crs_cc.recording.columns import Part, Parts
+from crs_cc.recording.frames import MAX_ROWS
+from crs_cc.recording.gathered import Shape
+from crs_cc.recording.hashes import DIGITS, Hash
+
+Output = tuple[int, int, int, bytes]
+"""A piece of output: its time [ns], robot and stream, and what was printed."""
+
+Entry = tuple[str, int, bytes]
+"""An entry in JSON: its topic, its time [us], and its text."""
+
+HEAD: Final = struct.Struct("<IIBQ4I")
+"""Robots, movable objects, whether there are turrets, frames before; then the numbers of sets of
+columns, of pieces of output, of hashes and of entries, which follow."""
+
+_MOST_FRAMES: Final = 2**40
+_MOST: Final = 4  # columns of a set
+_SIZES: Final = struct.Struct(f"<{_MOST}I")  # of the columns of a set, before them
+_OUTPUT: Final = struct.Struct("<qIBI")  # time [ns], robot, stream, size of what follows
+_HASH: Final = struct.Struct(f"<qQ{DIGITS}sI16s")  # time [ns], timesteps, digest, output, state
+_ENTRY: Final = struct.Struct("<qBI")  # time [us], sizes of the topic and of the text
+
+
+class Second(NamedTuple):
+    """What is new since the last time.
+
+    Attributes:
+        shape: who is in its frames.
+        before: how many frames there were before.
+        columns: what was gathered in columns, for each set of columns.
+        output: pieces of output.
+        hashes: hashes, each with its time [ns].
+        entries: entries in JSON.
+    """
+
+    shape: Shape
+    before: int
+    columns: Sequence[Parts]
+    output: Sequence[Output]
+    hashes: Sequence[tuple[int, Hash]]
+    entries: Sequence[Entry]
+
+    def parts(self) -> Iterator[Part]:
+        """Yield its bytes."""
+        counts = (len(self.columns), len(self.output), len(self.hashes), len(self.entries))
+        yield HEAD.pack(*self.shape, self.before, *counts)
+        for columns in self.columns:
+            yield _SIZES.pack(*map(len, columns), *(0,) * (_MOST - len(columns)))
+            yield from columns
+        for time_ns, robot, stream, content in self.output:
+            yield _OUTPUT.pack(time_ns, robot, stream, len(content)) + content
+        for time_ns, found in self.hashes:
+            digest, state = found.digest.encode(), found.state.encode()
+            yield _HASH.pack(time_ns, found.timesteps, digest, found.output, state)
+        for topic, time_us, text in self.entries:
+            yield _ENTRY.pack(time_us, len(topic), len(text)) + topic.encode() + text
+
+
+def unpacked(data: bytes) -> Second:
+    """Return what was saved.
+
+    Raises:
+        struct.error, ValueError: it is not valid.
+    """
+    cursor = _Cursor(data)
+    robots, objects, turret, before, sets, outputs, hashes, entries = cursor.numbers(HEAD)
+    if robots + objects > MAX_ROWS or before > _MOST_FRAMES:
+        raise ValueError("what was saved has too many rows")
+    second = Second(
+        Shape(robots, objects, bool(turret)),
+        before,
+        [cursor.columns() for _ in range(sets)],
+        [cursor.output() for _ in range(outputs)],
+        [cursor.hash() for _ in range(hashes)],
+        [cursor.entry() for _ in range(entries)],
+    )
+    if cursor.at != len(data):
+        raise ValueError("what was saved is longer than its content")
+    return second
+
+
+class _Cursor:
+    """Reads fields, and raises struct.error or ValueError where there are no more."""
+
+    def __init__(self, data: bytes) -> None:
+        self.at = 0
+        self._data = data
+
+    def numbers(self, form: struct.Struct) -> tuple[int, ...]:
+        found = form.unpack_from(self._data, self.at)
+        self.at += form.size
+        return found
+
+    def take(self, size: int) -> bytes:
+        if size > len(self._data) - self.at:
+            raise ValueError("what was saved is shorter than its content")
+        self.at += size
+        return self._data[self.at - size : self.at]
+
+    def columns(self) -> list[bytes]:
+        return [self.take(size) for size in self.numbers(_SIZES)]
+
+    def output(self) -> Output:
+        time_ns, robot, stream, size = self.numbers(_OUTPUT)
+        return time_ns, robot, stream, self.take(size)
+
+    def hash(self) -> tuple[int, Hash]:
+        time_ns, timesteps, digest, output, state = _HASH.unpack(self.take(_HASH.size))
+        text = state.rstrip(b"\0").decode("ascii")
+        return time_ns, Hash(timesteps, digest.decode("ascii"), output, text)
+
+    def entry(self) -> Entry:
+        time_us, topic, size = self.numbers(_ENTRY)
+        return self.take(topic).decode("ascii"), time_us, self.take(size)

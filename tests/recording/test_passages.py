@@ -1,0 +1,177 @@
+"""Passages of many timesteps are recorded as the same timesteps one by one."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from mcap.reader import make_reader
+
+from crs_cc.core.arrays import FloatArray, Records
+from crs_cc.core.source import Diagnostics
+from crs_cc.recording.description import RunDescription
+from crs_cc.recording.gathered import PASSAGE_NUMBERS
+from crs_cc.recording.gathered_readings import ANSWER
+from crs_cc.recording.recorder import Recorder, RecorderOptions
+from crs_cc.recording.recording import Recording
+from crs_cc.session.build import build_executable
+from crs_cc.session.session import Session
+from crs_cc.sim.engine.step import Step
+from crs_cc.sim.files.world_xml import load_world
+from crs_cc.sim.model.world import Pose
+
+PROGRAM = """\
+#include <Nclient.h>
+
+int main(void)
+{
+    int i;
+    connect_robot(1);
+    for (i = 0; i < 20; i++) {
+        gs();
+        vm(100 + i, 20 * i, 0);
+        ws(1, 1, 1, 1);
+        if (i == 10)
+            sleep(2);
+    }
+    return 0;
+}
+"""
+WORLD = """<world version="1" timestep="50ms">
+  <area length="30m" width="20m"/>
+  <box x="3m" y="5m" length="0.3m" width="0.3m" mass="3kg"/>
+  <robot x="8m" y="10m"/><robot x="18m" y="10m"/>
+</world>
+"""
+
+
+class Passed(NamedTuple):
+    """Some timesteps."""
+
+    first: int
+    frames: FloatArray
+    answers: Records
+
+
+class Passages:
+    """Tells a recorder of timesteps some at a time, but of every seventh alone.
+
+    So it does of those in which something else happens, as a session does.
+    """
+
+    def __init__(self, recorder: Recorder) -> None:
+        self.recorder = recorder
+        self.passages = 0
+        self._last = 0
+        self._waiting: list[tuple[FloatArray, Records]] = []
+
+    def run(self, session: Session) -> None:
+        """Run a session to its end."""
+        self._session, self._last = session, session.timesteps
+        while session.advance(1):
+            is_quiet = self._last != session.timesteps
+            if is_quiet or session.timesteps % 20 == 0:
+                self.tell()
+                self.recorder.sample()
+        self.tell()
+
+    def step(self, step: Step) -> None:
+        timesteps = self._session.timesteps
+        alone = timesteps % 7 == 0 or any(each.states is None for each in step.served)
+        if alone or timesteps != self._last + 1:
+            self.tell()
+        self._last = timesteps
+        if alone:
+            self.recorder.step(step)
+            return
+        state = self._session.environment.last_state
+        pose = np.zeros((2, PASSAGE_NUMBERS))
+        pose[:, :2] = state.bodies.position_m[:2]
+        pose[:, 2] = state.heading_rad
+        odometry = state.odometry
+        pose[:, 4], pose[:, 5], pose[:, 6] = odometry.x_m, odometry.y_m, odometry.heading_rad
+        self._waiting.append((pose, answers(step)))
+
+    def tell(self) -> None:
+        """Tell of what is waiting."""
+        if self._waiting:
+            frames, found = zip(*self._waiting, strict=True)
+            first = self._last - len(frames)
+            self.recorder.passed(Passed(first, np.array(frames), np.concatenate(found)))
+            self.passages += 1
+        self._waiting = []
+
+
+def answers(step: Step) -> Records:
+    """Return the answers of a timestep that have a vector."""
+    found = []
+    for served in step.served:
+        if served.states is not None:
+            rows = np.zeros(len(served.robots), ANSWER)
+            rows["code"], rows["robot"] = served.code, served.robots
+            rows["clock_s"], rows["state"] = served.clock_s, served.states
+            found.append(rows)
+    return np.concatenate(found) if found else np.zeros(0, ANSWER)
+
+
+def test_a_robot_that_is_added_while_nothing_moves_is_recorded(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is saved has no frames then; who is there is written in its place, not behind it."""
+    monkeypatch.setattr("crs_cc.recording.recorder.BLOCK_S", 3.0)
+    (tmp_path / "wait.c").write_text("#include <unistd.h>\nint main(void) { sleep(9); return 0; }")
+    (tmp_path / "room.xml").write_text(WORLD)
+    world = load_world(tmp_path / "room.xml")
+    executable = build_executable([tmp_path / "wait.c"], Diagnostics())
+    path = tmp_path / "run.mcap"
+    recorder = Recorder(path, RecorderOptions(), RunDescription().metadata(), {})
+    session = Session(world, [executable] * 2, output=recorder.write, observer=recorder)
+    recorder.begin(session)
+    while session.advance(20):
+        recorder.sample()
+        if session.timesteps > 90 and len(session.fleet) == 2:
+            late = dataclasses.replace(world.robots[0], id="late", start=Pose(2.0, 2.0))
+            session.add_robot(late, executable)
+    recorder.finish(session.result())
+    with path.open("rb") as file:
+        summary = make_reader(file).get_summary()
+        assert summary is not None
+        for index in summary.metadata_indexes:
+            file.seek(index.offset)
+            assert index.name.encode() in file.read(index.length)
+    recording = Recording(path)
+    assert [len(each.robots) for each in recording.rosters] == [2, 3]
+    assert len({each.timesteps for each in recording.hashes()}) > 9
+    recording.close()
+
+
+@pytest.mark.parametrize("every_s", [0.05, 0.15])
+def test_passages_are_recorded_as_single_timesteps(every_s: float, tmp_path: Path) -> None:
+    (tmp_path / "drive.c").write_text(PROGRAM)
+    (tmp_path / "room.xml").write_text(WORLD)
+    world = load_world(tmp_path / "room.xml")
+    executable = build_executable([tmp_path / "drive.c"], Diagnostics())
+    made = []
+    for name, are_told in (("single.mcap", False), ("passages.mcap", True)):
+        options = RecorderOptions(every_s=every_s)
+        recorder = Recorder(tmp_path / name, options, RunDescription().metadata(), {})
+        passages = Passages(recorder)
+        observer = passages if are_told else recorder
+        session = Session(world, [executable] * 2, output=recorder.write, observer=observer)
+        recorder.begin(session)
+        if are_told:
+            passages.run(session)
+        else:
+            while session.advance(round(recorder.seconds_left() / world.timestep_s)):
+                recorder.sample()
+        recorder.finish(session.result())
+        made.append((tmp_path / name).read_bytes())
+    assert passages.passages > 10
+    assert made[0] == made[1]
+    recording = Recording(tmp_path / "passages.mcap")
+    assert len(list(recording.frames())) > 20
+    assert sum(len(each.robots) for each in recording.readings()) > 80
+    recording.close()
