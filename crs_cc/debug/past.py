@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from crs_cc.core.source import Location
+from crs_cc.debug.breakpoints import Breakpoint
 from crs_cc.debug.data.observation import UNREADABLE as UNREADABLE_NOW
 from crs_cc.debug.data.observation import Content
 from crs_cc.debug.data.values import Value
@@ -118,13 +119,75 @@ class Past:
         """
         run, found = self._run, list[Instant]()
         with self._moved(part):
-            for event in self._events(StopRequest(place.statements), part.end):
-                robot = run.session.state.halted
-                if event.kind == "statement" and robot is not None and (site := run.site(robot)):
+            for robot in self._visits(place, part.end):
+                if site := run.site(robot):
                     said = self._stop_points.logged(text, robot)
                     at = run.position, run.time_s(robot)
                     _keep(found, Instant(*at, said, None, site.location, robot))
         return found
+
+    def values_at(self, place: BreakpointLocation, expression: str, part: Range) -> list[Instant]:
+        """Return the values of an expression whenever a program was at a place.
+
+        Args:
+            place: where it is evaluated.
+            expression: the expression, in the scope of the function there.
+            part: when.
+        """
+        run, found = self._run, list[Instant]()
+        with self._moved(part):
+            for robot in self._visits(place, part.end):
+                text, number = self._value_here(expression, robot)
+                site = run.site(robot)
+                location = None if site is None else site.location
+                at = run.position, run.time_s(robot)
+                _keep(found, Instant(*at, text, number, location, robot))
+        return found
+
+    def hits(self, wanted: Breakpoint, part: Range) -> list[Instant]:
+        """Return when a breakpoint was hit, or would have been; ignored hits count.
+
+        Raises:
+            DebugError: it is a function of the robot, or its condition is invalid.
+        """
+        match wanted.kind:
+            case "watchpoint":
+                return self.values(wanted.text, part)[1:]
+            case "catchpoint":
+                robots = (-1, wanted.robot)
+                found = self.events(wanted.text, part)
+                return [each for each, _ in found if wanted.robot is None or each.robot in robots]
+        place, run, instants = wanted.place, self._run, list[Instant]()
+        if place is None or place.codes:
+            raise DebugError(f"the hits of '{wanted.text}' cannot be listed: it is no line")
+        with self._moved(part):
+            for robot in self._visits(place, part.end):
+                site = run.site(robot)
+                if wanted.robot not in {None, robot} or not self._holds(wanted.condition, robot):
+                    continue
+                location = None if site is None else site.location
+                at = run.position, run.time_s(robot)
+                _keep(instants, Instant(*at, wanted.text, None, location, robot))
+        return instants
+
+    def _holds(self, condition: str, robot: int) -> bool:
+        return not condition or self._view.evaluator(robot).holds(condition, None)
+
+    def _visits(self, place: BreakpointLocation, end: Position) -> Iterator[int]:
+        """Replay up to a position; yield the robot whenever its program is at a place."""
+        for event in self._events(StopRequest(place.statements), end):
+            robot = self._run.session.state.halted
+            if event.kind == "statement" and robot is not None:
+                yield robot
+
+    def _value_here(self, expression: str, robot: int) -> tuple[str, float | None]:
+        """Return the value of an expression where the run is, as text and as a number."""
+        try:
+            frame = self._view.first_own_frame(robot)
+            value = self._view.look_up(expression, robot=robot, frame=frame)
+        except DebugError as error:
+            return f"<{error}>", None
+        return value.text, value.number
 
     def printed(self, line: int) -> tuple[int, int]:
         """Return the robot that printed a line, and the number of the statement that did, from 1.

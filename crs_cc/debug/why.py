@@ -58,6 +58,21 @@ _COMMENT: Final = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
+class Beam:
+    """The beam of a sonar that a reading is from.
+
+    Attributes:
+        sonar: the number of the sonar.
+        echo_m: the distance of its echo, infinite for none.
+        met: the object that it met; empty if none was there.
+    """
+
+    sonar: int
+    echo_m: float
+    met: str
+
+
+@dataclass(frozen=True, slots=True)
 class Cause:
     """A node of the tree.
 
@@ -69,6 +84,8 @@ class Cause:
         robot: the robot.
         location: the location of the statement, if there is one.
         causes: what it was computed from.
+        expression: the expression whose value it is; empty for a fact.
+        beam: the beam that a reading is from, if it is of a sonar.
     """
 
     text: str
@@ -78,6 +95,8 @@ class Cause:
     robot: int = -1
     location: Location | None = None
     causes: tuple[Cause, ...] = ()
+    expression: str = ""
+    beam: Beam | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,7 +160,7 @@ class Why:
             raise DebugError("interrupted") from None
         finally:
             self._run.seek(here)
-        return found
+        return replace(found, expression=text)
 
     # -- values and their writes ---------------------------------------------------------------
 
@@ -152,7 +171,7 @@ class Why:
             self._run.seek(place.position)
             with contextlib.suppress(DebugError):  # a function, a macro's word, a member's name
                 cause = self._object(place, name, depth)
-                found += [] if cause is None else [cause]
+                found += [] if cause is None else [replace(cause, expression=name)]
         return tuple(found)
 
     def _object(self, place: _Place, name: str, depth: int) -> Cause | None:
@@ -297,7 +316,8 @@ class Why:
             run.seek(fired)
             met = object_met(environment, robot, ping.number, ping.echo_m)
             text = f"{field.name}: {ping.text(met)}"
-            yield Cause(text, position=fired, robot=robot)
+            beam = Beam(ping.number, ping.echo_m, met)
+            yield Cause(text, position=fired, robot=robot, beam=beam)
         for each in texts:
             yield Cause(f"{field.name}: {each}", position=place.position, robot=robot)
 

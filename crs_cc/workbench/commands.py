@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.workbench import console, sources, stops
+from crs_cc.workbench import console, questions, sources, stops
 from crs_cc.workbench.command import Command
 from crs_cc.workbench.messages import block_message, page_message
 from crs_cc.workbench.page import known_of, page_of
@@ -127,5 +127,20 @@ DEBUGGING: Final = (
             controls=False, needs="debug", asks=True),
 )  # fmt: skip
 
-TABLE: Final = {row.name: row for row in (*RUNNING, *DEBUGGING, *PANEL)}
+QUESTIONS: Final = (
+    Command("go", "Go to a place in the run, as another answer has it, and select a robot.",
+            questions.go, {"place": str, "robot": int}, needs="debug"),
+    Command("why", "Return where the value of an expression came from.", questions.why,
+            {"expression": str}, needs="debug"),
+    Command("changes", "Return the values that an expression has had.", questions.changes,
+            {"robot": int, "expression": str, "begin_s": float, "end_s": float}, needs="debug"),
+    Command("when", "Return when a condition became true.", questions.when,
+            {"condition": str}, needs="debug"),
+    Command("said", "Return what a log point at a line would have said.", questions.said,
+            {"file": str, "line": int, "text": str}, needs="debug"),
+    Command("hits", "Return when a breakpoint was hit, or would have been.", questions.hits,
+            {"number": int}, needs="debug"),
+)  # fmt: skip
+
+TABLE: Final = {row.name: row for row in (*RUNNING, *DEBUGGING, *QUESTIONS, *PANEL)}
 """All commands by name."""

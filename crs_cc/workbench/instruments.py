@@ -40,6 +40,8 @@ MAX_ROWS: Final = 100
 MAX_ELEMENTS: Final = 32
 """Of a reading that is shown; a laser has more."""
 
+_LONGEST: Final = 120  # characters of a value
+
 _LATEST_S: Final = 1.0  # frames are more frequent while anything moves
 
 NO_ECHO: Final = "no echo"
@@ -73,17 +75,19 @@ def inspect(screen: Context, robot: int, expressions: str) -> dict[str, Any]:
     environment = run.session().environment
     if not 0 <= robot < len(environment.world.robots):
         raise DebugError(f"no robot {robot}")
+    seen = [
+        (_clearance(screen, robot), None)
+        if each == CLEARANCE
+        else value(environment, debugger, robot, each)
+        for each in wanted
+    ]
     return {
         "t": run.time_s,
         "robot": robot,
         "state": [] if debugger is None else _state(debugger, robot),
         "sensors": readings(environment, robot),
-        "values": [
-            _clearance(screen, robot)
-            if each == CLEARANCE
-            else value(environment, debugger, robot, each)
-            for each in wanted
-        ],
+        "values": [number for number, _ in seen],
+        "texts": [text for _, text in seen],
         "units": [unit_of(environment, robot, each) for each in wanted],
     }
 
@@ -125,50 +129,26 @@ def near(screen: Context, robot: int) -> dict[str, Any]:
     return closest(screen.run.world, screen.feed, robot)
 
 
-def past(
-    screen: Context, *, robot: int, expressions: str, begin_s: float, end_s: float, count: int
-) -> dict[str, Any]:
-    """Return expressions of a robot at instants of the past: the run goes there and back."""
-    debugger, wanted = _debugger(screen, robot), _listed(expressions)
-    if not (0.0 <= begin_s <= end_s and 1 <= count <= MAX_SAMPLES):
-        raise DebugError(f"at most {MAX_SAMPLES} instants, from 0 on")
-    if screen.player.is_playing:
-        raise DebugError("the run goes on: pause it first")
-    here, stop, view = debugger.position, debugger.stop, debugger.view
-    looked_at, timestep_s = (view.robot, view.frame), screen.run.timestep_s
-    first, last = round(begin_s / timestep_s), round(min(end_s, screen.feed.end_s) / timestep_s)
-    timesteps = sorted({round(each) for each in np.linspace(first, max(first, last), count)})
-    found: list[list[Value]] = []
-    with screen.working():
-        for timestep in timesteps:
-            if debugger.run.interrupted:
-                break
-            debugger.goto_timestep(timestep)
-            if robot < len(debugger.names):
-                session = debugger.session
-                values = (value(session.environment, debugger, robot, each) for each in wanted)
-                found.append([session.time_s, *values])
-        debugger.goto(here)
-        debugger.stop, (view.robot, view.frame) = stop, looked_at
-    return {"rows": found}
-
-
 def value(
     environment: Environment, debugger: Debugger | None, robot: int, expression: str
-) -> Value:
-    """Return the value of an expression, or why it has none."""
+) -> tuple[Value, str | None]:
+    """Return the value of an expression, or why it has none.
+
+    The text is that of a value of the program; None for all else.
+    """
     found = _own(environment, robot, expression)
     if found is not None:
-        return found
+        return found, None
     if debugger is None:
-        return NOT_ASKED
+        return NOT_ASKED, None
     try:
-        seen = debugger.view.look_up(expression, robot=robot).number
+        seen = debugger.view.look_up(expression, robot=robot)
     except DebugError as error:
-        return str(error)
-    if seen is None:
-        return f"'{expression}' is not a number"
-    return float(seen) if math.isfinite(seen) else "not finite"
+        return str(error), None
+    number, text = seen.number, seen.text[:_LONGEST]
+    if number is None:
+        return f"'{expression}' is not a number", text
+    return float(number) if math.isfinite(number) else "not finite", text
 
 
 def _own(environment: Environment, robot: int, expression: str) -> Value | None:

@@ -1,7 +1,8 @@
 """Variables and watched expressions of a stopped program, its robot and its world, in rows.
 
 A row has a key that stays the same from stop to stop, so that a page can ask for the parts of the
-rows that its user has unfolded, and mark those that have changed.
+rows that its user has unfolded, and mark those that have changed. `ask` is the expression by which
+its past can be asked for, `last` whether it is an object that has been written.
 """
 
 from __future__ import annotations
@@ -115,7 +116,7 @@ class _Tree:
         view = self._debugger.view
         for row in self._rows(vendor_state_rows(view, view.robot), group):
             index = row["name"].partition("]")[0].removeprefix("[")
-            yield row | {"set": f"State[{index}]"}
+            yield row | {"set": f"State[{index}]", "ask": f"State[{index}]", "last": True}
 
     def _robot(self, group: str) -> Iterator[Row]:
         """Yield what is known of the robot."""
@@ -142,6 +143,8 @@ class _Tree:
         row: Row = {"key": key, "name": name, "value": value.text, "type": str(value.type)}
         if expression and not isinstance(value.type, ArrayType | RecordType):
             row["set"] = expression
+        if expression:
+            row |= {"ask": expression, "last": value.address is not None}
         if value.child_count:
             is_open = key in self._unfolded and self._left > 0
             children = list(self._parts(key, value, expression, 0)) if is_open else []

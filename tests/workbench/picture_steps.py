@@ -83,6 +83,22 @@ def at_an_error(page: Any) -> None:
     wait(page, "crs.model.state.halt.reason === 'error'")
 
 
+def why_and_histories(page: Any) -> None:
+    """Ask why the robot turns away from a wall, go to the beam of which that came, and plot it."""
+    go_to(page, 4.4)
+    for expression in ("mode", "steer", "State[21]"):
+        page.evaluate(f"crs.plot('{expression}')")
+        page.wait_for_selector(f".chips .chip b:text-is('{expression}')")
+    page.click(".chip:has-text('speed') .close")
+    page.evaluate("crs.why('steer')")
+    page.wait_for_selector(".why-row.measured")
+    wait(page, "!crs.instruments.isFilling && !crs.model.state.busy")
+    page.evaluate("crs.instruments.fill(['mode', 'steer', 'State[21]'], 0, crs.model.state.end)")
+    wait(page, "!crs.instruments.isFilling && !crs.model.state.busy")
+    page.locator(".why-row.measured").first.click()
+    wait(page, "crs.look.beam && crs.model.state.t === crs.look.beam.t")
+
+
 def table_of_robots(page: Any) -> None:
     """Look at all robots and at what can be done with one; a wheel of robot1 slips."""
     go_to(page, 4.0)

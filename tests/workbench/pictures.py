@@ -94,6 +94,10 @@ PICTURES: Final = {
     "workbench-debugger": Picture(
         partial(run_of, PICTURED / "fault.c", WORLDS / "room.xml"), steps.at_an_error, 860
     ),
+    "workbench-why": Picture(
+        partial(run_of, PICTURED / "follow.c", PICTURED / "follow.xml"),
+        steps.why_and_histories, 860,
+    ),
     "workbench-robots": Picture(three_robots, steps.table_of_robots),
     "workbench-faults": Picture(three_robots, steps.faults_and_plot),
     "workbench-messages": Picture(

@@ -129,7 +129,7 @@ def the_run_stops_at_events_and_changes(page: Any) -> None:
     page.locator(".listing").focus()
     page.keyboard.press("Shift+F5")
     wait(page, "crs.model.state.halt.reason === 'watchpoint'")
-    page.locator(".stop-row", has_text="readings[5]").locator("button.small").click()
+    page.locator(".stop-row", has_text="readings[5]").locator("button.small[title^=Remove]").click()
     wait(page, "crs.model.where.breakpoints.length === 2")
 
 

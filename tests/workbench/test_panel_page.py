@@ -171,7 +171,8 @@ def an_expression_is_plotted_back_to_the_start(page: Any) -> None:
     values = page.evaluate("crs.instruments.series.of('1 i').values")
     known = [each for each in values if each is not None]
     assert known == sorted(known)
-    page.keyboard.press("Escape")
+    page.keyboard.press("g")  # what is plotted is read again while the run stands
+    page.wait_for_selector("#panel-plot", state="hidden")
 
 
 def a_click_on_an_approach_goes_there(page: Any, debugger: Debugger) -> None:

@@ -2,6 +2,7 @@
 import { SocketChannel } from "crs/channel.js";
 import { button, el, part } from "crs/dom.js";
 import { Drawer } from "crs/drawer.js";
+import { Found } from "crs/found.js";
 import { Instruments } from "crs/instruments.js";
 import { listenToKeys } from "crs/keys.js";
 import { Layout } from "crs/layout.js";
@@ -20,12 +21,22 @@ const look = new Look(model);
 /** @type {any} what panels may use of each other */
 const page = { model, look };
 page.views = new Views(part("world"), model, look);
-page.timeline = new Timeline(part("time"), model, look);
+page.timeline = new Timeline(part("time"), model, look, page);
 page.drawer = new Drawer(part("time"), model);
 page.instruments = new Instruments(model);
+page.found = new Found(model, page);
 page.layout = new Layout(model, look, page);
 listenToKeys(page);
 new Pointing(model, page.views);
+
+/** Go to a place in the run, as answers have it, and select a robot. @param {string} place @param {number} robot */
+page.go = (place, robot = -1) => {
+  model.clock.held = null;
+  if (model.state.busy) model.ask("pause");
+  return model.ask("go", { place, robot });
+};
+/** Go to a happening: to its place, if it is known, or else to its time. @param {any[]} happening */
+page.goTo = ([time, , robot, , , , , place]) => (place && model.can("debug") ? page.go(place, robot) : page.timeline.seek(time));
 
 const start = button({ icon: "play", text: "Run", title: "Let the run begin", className: "start", onclick: () => model.ask("play") });
 start.hidden = true;

@@ -2,8 +2,8 @@
  * What the instruments of a robot show, now and since the run began. Panels say what they want
  * (`want`), listen to `instruments`, and read `series`.
  *
- * The server keeps the history of what robots did and measured (`history`); what programs computed
- * is read at instants of the past, to which the run goes and comes back (`fill`).
+ * The server keeps the history of what robots did and measured (`history`). Of what programs computed
+ * the debugger finds each change, running that part of the past again (`fill`).
  *
  * @typedef {{isShown: boolean, expressions: string[], since?: number}} Wish
  *   since: from which time on; by default from the start
@@ -12,9 +12,9 @@ import { oneAtATime } from "crs/one_at_a_time.js";
 import { Series } from "crs/series.js";
 
 const SPAN = 20; // how far back sparklines go [s]
-const SAMPLES = 120; // of an expression, over a whole run
-const PIECE = 12; // samples that are read at once
+const PIECES = 10; // in which a history is read
 const MOST = 1000; // samples of a history that are asked for at once
+const GIVEN_UP = /^interrupted|the run goes on|the run is busy/; // and not wrong for ever
 const NO_VALUE = ["no echo", "not finite"]; // of expressions that may have one at other times
 
 export class Instruments {
@@ -32,6 +32,8 @@ export class Instruments {
     this.untraced = new Set();
     /** @type {Map<string, [number, number]>} the spans of those that have been filled in */
     this.filled = new Map();
+    /** @type {Map<string, string>} why the history of a series is not known */
+    this.wrong = new Map();
     this.isFilling = false;
     /** @type {any} the last answer, of the selected robot */
     this.now = null;
@@ -41,13 +43,14 @@ export class Instruments {
     model.on("forget", ({ time_s }) => this.forget(time_s));
     model.on("hello", () => {
       this.series.clear();
-      for (const each of [this.known, this.untraced, this.filled]) each.clear();
+      for (const each of [this.known, this.untraced, this.filled, this.wrong]) each.clear();
       this.now = null;
     });
   }
 
   forget(time) {
     this.series.forget(time);
+    this.wrong.clear();
     for (const [name, until] of this.known) this.known.set(name, Math.min(until, time));
     for (const [name, [begin, end]] of this.filled) this.filled.set(name, [Math.min(begin, time), Math.min(end, time)]);
   }
@@ -71,7 +74,8 @@ export class Instruments {
     const wishes = this.shownWishes();
     if (!wishes.length || !this.model.run?.can.includes("change") || !this.model.isConnected) return;
     const { robot } = this.model.state;
-    const expressions = [...new Set(["speed", "battery", ...wishes.flatMap((wish) => wish.expressions)])].slice(0, 40);
+    const wanted = wishes.flatMap((wish) => wish.expressions).filter((each) => !isAtLine(each));
+    const expressions = [...new Set(["speed", "battery", ...wanted])].slice(0, 40);
     try {
       this.note(await this.model.channel.ask("inspect", { robot, expressions: expressions.join("\n") }), expressions);
       for (const wish of this.shownWishes()) await this.catchUp(robot, wish); // it may want what the answer has named
@@ -83,15 +87,17 @@ export class Instruments {
   }
 
   note(answer, expressions) {
-    const { t, robot, sensors, values, units } = answer;
+    const { t, robot, sensors, values, texts, units } = answer;
     for (const [device, { elements }] of Object.entries(sensors)) {
       for (const [element, , value] of elements) this.series.add(this.name(`${device}.${element}`, robot), t, value);
     }
     expressions.forEach((expression, at) => {
-      this.series.add(this.name(expression, robot), t, values[at]);
-      this.units.set(expression, units[at]);
+      const isStep = texts[at] !== null;
+      if (isStep) this.series.of(this.name(expression, robot)).isStep = true;
+      this.series.add(this.name(expression, robot), t, values[at], texts[at] ?? undefined);
+      this.units.set(expression, units[at] || (isStep ? unitIn(texts[at]) : ""));
     });
-    this.now = { ...answer, byName: new Map(expressions.map((each, at) => [each, values[at]])) };
+    this.now = { ...answer, byName: new Map(expressions.map((each, at) => [each, texts[at] ?? values[at]])) };
   }
 
   /** Ask for the history of what a panel shows, as far as it is not known. @param {number} robot @param {Wish} wish */
@@ -114,11 +120,17 @@ export class Instruments {
 
   /** What is wrong with an expression; empty if it can be plotted. */
   async check(expression) {
+    const { robot, t } = this.model.state;
     try {
-      const { values } = await this.model.channel.ask("inspect", { robot: this.model.state.robot, expressions: expression });
+      if (isAtLine(expression)) {
+        await this.model.channel.ask("changes", { robot, expression, begin_s: t, end_s: t });
+        return "";
+      }
+      const { values, texts } = await this.model.channel.ask("inspect", { robot, expressions: expression });
       const [value] = values;
-      return typeof value === "string" && !NO_VALUE.includes(value) ? value : "";
-    } catch {
+      return typeof value === "string" && texts[0] === null && !NO_VALUE.includes(value) ? value : "";
+    } catch (error) {
+      if (isAtLine(expression)) return error.message;
       return ""; // it is not known while the programs stand elsewhere
     }
   }
@@ -126,7 +138,8 @@ export class Instruments {
   /** The part of a span in which an expression of the program has not been read; null for none. */
   missing(expression, begin, end) {
     const name = this.name(expression);
-    if (!this.untraced.has(name)) return null;
+    if (isAtLine(expression)) this.untraced.add(name);
+    if (!this.untraced.has(name) || this.wrong.has(name)) return null;
     const [from, to] = this.filled.get(name) ?? [end, end];
     if (end > to + 0.1) return [Math.max(begin, to), end];
     return begin < from - 0.1 ? [begin, from] : null;
@@ -146,18 +159,35 @@ export class Instruments {
     const until = performance.now() + patience;
     const isFree = () => !model.state.playing && model.state.robot === robot && performance.now() < until;
     for (let parts = this.parts(expressions, begin, end); parts && isFree(); parts = this.parts(expressions, begin, end)) {
-      const [wanted, from, to] = parts;
-      const answer = await model.channel.ask("past", { robot, expressions: wanted.join("\n"), begin_s: from, end_s: to, count: PIECE }).catch(() => null);
-      if (!answer?.rows.length) break;
-      for (const [time, ...values] of answer.rows) wanted.forEach((each, at) => this.series.add(this.name(each, robot), time, values[at]));
-      for (const each of wanted) {
-        const [first, last] = this.filled.get(this.name(each, robot)) ?? [to, to];
-        this.filled.set(this.name(each, robot), [Math.min(first, from), Math.max(last, to)]);
-      }
+      let goesOn = true;
+      for (const each of parts[0]) if (goesOn && isFree()) goesOn = await this.read(each, robot, parts[1], parts[2]);
+      if (!goesOn) break;
       model.tell("instruments", this.now);
     }
     this.isFilling = false;
     model.tell("instruments", this.now);
+  }
+
+  /**
+   * Read the history of an expression between two times.
+   * @param {string} expression @param {number} robot @param {number} from @param {number} to
+   * @returns {Promise<boolean>} whether more can be read
+   */
+  async read(expression, robot, from, to) {
+    const name = this.name(expression, robot);
+    try {
+      const { rows, is_at } = await this.model.channel.ask("changes", { robot, expression, begin_s: from, end_s: to });
+      const series = this.series.of(name);
+      series.isStep = !is_at;
+      this.series.replace(name, from, to, rows);
+      if (rows.length && !this.units.get(expression)) this.units.set(expression, unitIn(rows[0][2]));
+      const [first, last] = this.filled.get(name) ?? [to, to];
+      this.filled.set(name, [Math.min(first, from), Math.max(last, to)]);
+    } catch (error) {
+      if (!this.model.isConnected || GIVEN_UP.test(error.message)) return false;
+      this.wrong.set(name, error.message);
+    }
+    return true;
   }
 
   /** The next piece to be read: expressions, and from when to when. */
@@ -166,7 +196,7 @@ export class Instruments {
     if (!found.length) return null;
     const [from, to] = found[0][1];
     const wanted = found.filter(([, part]) => part[0] === from && part[1] === to).map(([each]) => each);
-    return [wanted, Math.max(from, to - Math.max(0.5, ((end - begin) * PIECE) / SAMPLES)), to];
+    return [wanted, Math.max(from, to - Math.max(2, (end - begin) / PIECES)), to];
   }
 
   /** The span that sparklines show. */
@@ -175,3 +205,12 @@ export class Instruments {
     return [Math.max(0, t - SPAN), Math.max(t, 1)];
   }
 }
+
+/** Quantities of the robot itself, which stand before variables of the same name. */
+export const OWN = ["speed", "turn", "battery", "clearance", "pose.x", "pose.y", "pose.heading", "sonar.0", "sonar.1"];
+
+/** Whether an expression is that of a line: `error at go.c:12`. @param {string} expression */
+export const isAtLine = (expression) => / at \S+$/.test(expression);
+
+/** The unit in a value's text: `115 in = 2.921 m`. @param {string} text */
+const unitIn = (text) => /^-?[\d.]+ ([a-zA-Z°]+)/.exec(text)?.[1] ?? "";

@@ -66,7 +66,7 @@ function table(page) {
     { keys: ["u"], text: "the frame of the caller", does: () => run("up") },
     { keys: ["j"], text: "the frame of the callee", does: () => run("down") },
     { keys: ["z"], text: "a wide side for the code", does: () => page.code?.zoom() },
-    ...PANELS.filter((panel) => panel.side === "below").map((panel) => ({ keys: [panel.key], text: panel.summary.toLowerCase(), does: () => page.drawer.toggle(panel.id) })),
+    ...PANELS.filter((panel) => panel.key).map((panel) => ({ keys: [panel.key], text: panel.summary.toLowerCase(), does: () => page.drawer.toggle(panel.id) })),
     { keys: ["6"], text: "the selected robot", does: () => layout.open("robot") },
     { keys: ["7"], text: "faults", does: () => layout.open("faults") },
     { keys: ["8"], text: "changes", does: () => layout.open("changes") },

@@ -41,7 +41,7 @@ export class Layout {
     right.append(tabs);
     for (const panel of panels) {
       const root = el("section.panel", { id: `panel-${panel.id}` });
-      if (panel.side === "below") page.drawer.add(panel, root);
+      if (panel.side === "below" || panel.side === "under") page.drawer.add(panel, root);
       else if (panel.side === "left") left.append(el("h2", {}, panel.title), root);
       else {
         root.setAttribute("role", "tabpanel");

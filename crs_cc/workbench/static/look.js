@@ -20,6 +20,8 @@ export class Look {
     this.light = new Lighting();
     /** @type {any} the run that this one is compared with */
     this.other = null;
+    /** @type {{sonar: number, echo: number | null, met: string, robot: number, t: number} | null} the beam that a reading is from */
+    this.beam = null;
     this.time = 0;
     this.version = 0; // rises when something must be drawn anew
     for (const kind of ["status", "event", "forget", "hello", "look"]) model.on(kind, () => this.version++);

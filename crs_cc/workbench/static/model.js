@@ -3,7 +3,8 @@
  *
  * Kinds: `hello` (all is new), `state` (time, playing, selected robot), `status` (the table of
  * robots), `where` (line, stack, variables), `event`, `output`, `forget`, `link` (connected or not),
- * `panel` (changes, faults, links), `look` (what the user looks at has changed: selection, overlays, theme).
+ * `panel` (changes, faults, links), `found` (instants that were asked for), `part` (the part of the time
+ * line that is shown), `look` (what the user looks at has changed: selection, overlays, theme).
  */
 import { Approaches } from "crs/approaches.js";
 import { Clock } from "crs/clock.js";
@@ -25,6 +26,8 @@ export class Model {
     this.where = null;
     /** @type {any} */
     this.panel = null;
+    /** @type {{title: string, rows: any[][]}} instants that a question has found */
+    this.found = { title: "", rows: [] };
     this.isConnected = false;
     /** @type {import("./scene.js").Scene | null} */
     this.scene = null;
@@ -171,14 +174,15 @@ export class Model {
     this.tell("link");
   }
 
-  /** All that has happened: events, close approaches, and what was changed by hand; like events. @returns {any[][]} */
+  /** All that has happened: events, close approaches, what was changed by hand, what was found (with its place); like events. @returns {any[][]} */
   get happenings() {
     const changes = (this.panel?.changes ?? []).map(({ t, text }) => [t, "change", -1, text, null, null]);
     const known = this.run?.events ?? [];
     const recorded = new Set(known.filter(([, kind]) => kind === "note").map(([t, , , text]) => `${t} ${text}`));
     const notes = (this.panel?.notes ?? []).filter(({ t, text }) => !recorded.has(`${t} ${text}`))
       .map(({ t, robot, text }) => [t, "note", robot, text, null, null]);
-    return [...known, ...this.approaches.events, ...changes, ...notes];
+    const found = this.found.rows.map(([t, , text, place, robot]) => [t, "found", robot, text, null, null, null, place]);
+    return [...known, ...this.approaches.events, ...changes, ...notes, ...found];
   }
 
   /** The number and name of the selected robot. */

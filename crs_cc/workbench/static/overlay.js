@@ -6,7 +6,7 @@ import { fieldScale } from "crs/field_map.js";
 import { heatColour, mostHeat } from "crs/heat.js";
 import { degraded, laser, ranges } from "crs/overlay_devices.js";
 import { movable } from "crs/overlay_things.js";
-import { cameraStrip, heatRange, infraredBeams } from "crs/overlay_sensors.js";
+import { askedBeam, cameraStrip, heatRange, infraredBeams } from "crs/overlay_sensors.js";
 import { angleText, gridStep, lengthText } from "crs/units.js";
 
 const MANY = 60; // robots: of more, only the selected one is annotated
@@ -64,6 +64,7 @@ export class Overlay {
     this.several = this.scene.bodies.length <= MANY;
     for (const part of PARTS) if (look.show[part.name]) part.draw(this);
     this.selection();
+    if (look.beam) askedBeam(this, look.beam);
     if (look.other) otherPaths(this);
     if (look.heat) heatScale(this);
   }

@@ -1,5 +1,6 @@
-/** What the selected robot's camera, infrared ring and heat sensor have measured last. */
+/** What the selected robot's camera, infrared ring and heat sensor have measured last, and a beam that was asked for. */
 import { heatColour } from "crs/heat.js";
+import { lengthText } from "crs/units.js";
 
 const STRIP = { height: 26, most: 420, top: 62 }; // of the picture [pixels]
 const SIDES = 64; // of a circle
@@ -89,4 +90,42 @@ export function heatRange(o) {
   pen.font = "11px system-ui, sans-serif";
   pen.textAlign = "center";
   if (w > 0) pen.fillText(`heat sensor: ${reading === null ? "not read yet" : reading}`, x, y + 13);
+}
+
+/** The beam of a sonar that a value came from, at the instant at which it was fired. */
+export function askedBeam(o, { sonar, echo, met, robot, t }) {
+  const { pen, look } = o;
+  const body = o.scene.body(robot);
+  const about = body?.kind?.sonars?.[sonar];
+  if (!about || Math.abs(look.time - t) > (look.model.run.timestep_s ?? 0) + 1e-6) return;
+  const [ahead, left] = [about.x, about.y];
+  const z = body.height * 0.7;
+  const from = placed(body, ahead, left, z);
+  const reach = echo ?? 6;
+  const arc = Array.from({ length: 9 }, (_, at) => {
+    const angle = about.direction + (at / 4 - 1) * about.half_angle;
+    return placed(body, ahead + reach * Math.cos(angle), left + reach * Math.sin(angle), z);
+  });
+  pen.fillStyle = pen.strokeStyle = look.colours.accent;
+  pen.beginPath();
+  o.path([from, ...arc, from]);
+  pen.globalAlpha = 0.3;
+  pen.fill();
+  pen.globalAlpha = 1;
+  pen.lineWidth = 2;
+  pen.stroke();
+  pen.lineWidth = 4;
+  pen.beginPath();
+  if (echo !== null) o.path(arc);
+  pen.stroke();
+  const [x, y, w] = o.project(...arc[4]);
+  if (w <= 0) return;
+  const text = echo === null ? `sonar ${sonar}: no echo` : `sonar ${sonar}: ${lengthText(echo)}${met ? `, ${met}` : ""}`;
+  pen.font = "600 12.5px system-ui, sans-serif";
+  pen.textAlign = "center";
+  pen.lineWidth = 4;
+  pen.lineJoin = "round";
+  pen.strokeStyle = look.colours.panel;
+  pen.strokeText(text, x, y - 24);
+  pen.fillText(text, x, y - 24);
 }

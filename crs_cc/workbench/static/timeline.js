@@ -14,6 +14,7 @@ export const MARKS = [
   { name: "message", title: "Messages", colour: "#8250df", is: (kind) => kind.startsWith("message") },
   { name: "print", title: "Prints", colour: "#1a7f37", is: (kind) => kind === "print" },
   { name: "note", title: "Notes", colour: "accent", is: (kind) => kind === "note" },
+  { name: "found", title: "Found", colour: "#c2255c", is: (kind) => kind === "found" },
   { name: "change", title: "Changes", colour: "#0c8599", is: (kind) => kind === "change" },
   { name: "other", title: "Other events", colour: "muted", is: () => true },
 ];
@@ -22,12 +23,17 @@ export const MARKS = [
 export const markOf = (kind) => MARKS.find((mark) => mark.is(kind)) ?? MARKS[MARKS.length - 1];
 
 export class Timeline {
-  /** @param {HTMLElement} root @param {any} model @param {any} look */
-  constructor(root, model, look) {
+  /** @param {HTMLElement} root @param {any} model @param {any} look @param {any} page */
+  constructor(root, model, look, page) {
     this.model = model;
+    this.page = page;
     this.look = look;
     this.kind = "any";
     this.askedAt = 0;
+    /** @type {number[] | null} the part that is shown; all of it for none */
+    this.range = null;
+    /** How many of the last seconds are shown; 0 for all. */
+    this.last = 0;
     this.clock = el("output", { "aria-label": "simulated time" });
     this.clockButton = el("button.clock", { type: "button", title: "Simulated time: click to type one to go to (.)", onclick: () => this.enter() }, this.clock);
     this.wanted = el("input.clock", { type: "text", hidden: true, "aria-label": "time to go to, in seconds, or by so many: -10", onkeydown: (event) => this.take(event), onblur: () => this.leave() });
@@ -39,6 +45,7 @@ export class Timeline {
       el("option", { value: "any" }, "any event"), ...MARKS.map((each) => el("option", { value: each.name }, each.title.toLowerCase())));
     this.loopButton = button({ icon: "loop", title: "Repeat the last five seconds, or stop repeating; Shift and drag on the line repeats any span", key: "L", onclick: () => this.loop() });
     this.live = button({ text: "Back to now", title: "Look at where the run stands", key: "End", className: "chip", onclick: () => this.release() });
+    this.whole = button({ text: "Whole run", title: "Show all of the time line again; the wheel on it comes nearer", className: "chip", onclick: () => this.showPart(null) });
     this.canvas = el("canvas");
     this.track = el("div.track", { tabIndex: 0, role: "slider", "aria-label": "time line", "aria-valuemin": 0 }, this.canvas);
     fill(root,
@@ -50,7 +57,7 @@ export class Timeline {
           button({ icon: "previous", title: "A timestep back", key: "←", onclick: () => this.step(-1) }),
           this.playButton,
           button({ icon: "next", title: "A timestep on", key: "→", onclick: () => this.step(1) })),
-        this.speed, this.rate, this.loopButton, this.live,
+        this.speed, this.rate, this.loopButton, this.live, this.whole,
         el("span.spacer"),
         el("div.group.jump", {},
           button({ text: "‹", title: "To the event before", key: "P", onclick: () => this.jump(-1) }),
@@ -58,15 +65,20 @@ export class Timeline {
           button({ text: "›", title: "To the next event", key: "N", onclick: () => this.jump(1) }))),
       this.track);
     this.listen();
-    for (const kind of ["state", "hello", "forget", "event", "output", "look", "near", "panel"]) model.on(kind, () => (this.isStale = true));
+    for (const kind of ["state", "hello", "forget", "event", "output", "look", "near", "panel", "found"]) model.on(kind, () => (this.isStale = true));
     this.isStale = true;
   }
 
   listen() {
     const at = (event) => {
       const box = this.track.getBoundingClientRect();
-      return Math.min(1, Math.max(0, (event.clientX - box.left) / box.width)) * this.end;
+      return this.timeAt(event.clientX - box.left, box.width);
     };
+    this.track.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) this.pan(event.deltaX / this.track.clientWidth);
+      else this.zoom(at(event), event.deltaY > 0 ? 1.25 : 0.8);
+    }, { passive: false });
     this.track.addEventListener("pointerdown", (event) => {
       this.track.setPointerCapture(event.pointerId);
       this.spanFrom = event.shiftKey && this.model.can("seek") ? at(event) : null;
@@ -140,11 +152,56 @@ export class Timeline {
     return run?.kind === "recorded" ? known : Math.max(10, known * (state.playing ? 1.08 : 1.0));
   }
 
+  /** The part that is shown: from when to when. @returns {number[]} */
+  get shownPart() {
+    if (this.range) return this.range;
+    const t = Math.max(this.model.state.t, this.last);
+    return this.last ? [t - this.last, t] : [0, this.end];
+  }
+
+  /** The time at a place of the line. @param {number} x @param {number} width [pixels] */
+  timeAt(x, width) {
+    const [begin, end] = this.shownPart;
+    return begin + Math.min(1, Math.max(0, x / width)) * (end - begin);
+  }
+
+  /** Show a part, or all for none. @param {number[] | null} range @param {number} last */
+  showPart(range, last = 0) {
+    [this.range, this.last] = [range, last];
+    this.isStale = true;
+    this.model.tell("part");
+  }
+
+  /** Come nearer at a time, or go away from it. @param {number} time @param {number} factor */
+  zoom(time, factor) {
+    const [begin, end] = this.shownPart;
+    const next = [Math.max(0, time - (time - begin) * factor), Math.min(this.end, time + (end - time) * factor)];
+    if (next[0] <= 0 && next[1] >= this.end) this.showPart(null);
+    else if (next[1] - next[0] > 0.05) this.showPart(next);
+  }
+
+  /** Move the part that is shown. @param {number} share of its length */
+  pan(share) {
+    const [begin, end] = this.shownPart;
+    if (!this.range && !this.last) return;
+    const by = Math.max(-begin, Math.min(this.end - end, share * (end - begin)));
+    this.showPart([begin + by, end + by]);
+  }
+
+  /** Have a time in the part that is shown. @param {number} time */
+  follow(time) {
+    if (!this.range || (time >= this.range[0] - 1e-9 && time <= this.range[1] + 1e-9)) return;
+    const length = this.range[1] - this.range[0];
+    const begin = Math.max(0, time > this.range[1] ? time - 0.1 * length : time - 0.5 * length);
+    this.showPart([begin, begin + length]);
+  }
+
   hover(event) {
     const box = this.track.getBoundingClientRect();
-    const width = box.width / this.end;
+    const [begin, end] = this.shownPart;
+    const width = box.width / (end - begin);
     const x = event.clientX - box.left;
-    const near = this.model.happenings.filter((each) => Math.abs(each[0] * width - x) < 4).slice(0, 6);
+    const near = this.model.happenings.filter((each) => Math.abs((each[0] - begin) * width - x) < 4).slice(0, 6);
     this.track.title = near.map((each) => `${each[0].toFixed(3)} s  ${each[3]}`).join("\n");
   }
 
@@ -221,8 +278,14 @@ export class Timeline {
     return this.model.happenings.map((each) => [each[0], each[1]]).concat(this.model.run.output.map((each) => [each[0], "print"]));
   }
 
+  /** Choose what the arrows jump to. @param {string} kind */
+  jumpTo(kind) {
+    this.kind = this.jumps.value = kind;
+  }
+
   /** Go to the next event, or the one before. @param {number} way 1 or -1 */
   jump(way) {
+    if (this.kind === "found" && this.model.found.rows.length && this.model.can("debug")) return this.page.found.step(way);
     const now = this.model.clock.held ?? this.model.state.t;
     const least = this.model.run.timestep_s ? 1e-6 + this.model.run.timestep_s * (way > 0 ? 1 : 0) : 1e-6;
     const all = this.marks()
@@ -237,6 +300,7 @@ export class Timeline {
   /** Show the time and, if something has changed, everything else. @param {number} time */
   show(time) {
     const { model } = this;
+    if (time !== this.shown) this.follow(time);
     const { clientWidth, clientHeight } = this.track; // read before anything is written: no layout is needed for it
     this.clock.textContent = clockText(time);
     const isMoved = Math.abs(time - (this.shown ?? -1)) > 1e-6;
@@ -254,6 +318,7 @@ export class Timeline {
       this.speed.value = String(state.speed ?? 0);
       this.rate.textContent = state.playing && state.rate ? `${state.rate.toFixed(state.rate < 10 ? 2 : 0)} × real` : "";
       this.loopButton.setAttribute("aria-pressed", String(Boolean(state.span)));
+      this.whole.hidden = !this.range && !this.last;
       this.live.hidden = model.clock.held === null || model.can("seek");
       const mayPlay = model.can("play") || model.clock.held !== null;
       this.playButton.disabled = this.speed.disabled = !mayPlay;
@@ -271,44 +336,47 @@ export class Timeline {
     const { colours } = this.look;
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, width, height);
-    const k = width / this.end;
+    const [begin, end] = this.shownPart;
+    const k = width / (end - begin);
+    const x = (at) => Math.min(width, Math.max(0, (at - begin) * k));
     const [state, line] = [this.model.state, height - 22];
     pen.fillStyle = colours.track;
     pen.fillRect(0, line, width, 6);
     pen.fillStyle = colours.known;
-    pen.fillRect(0, line, state.end * k, 6);
+    pen.fillRect(0, line, x(state.end), 6);
     pen.fillStyle = colours.accent;
-    pen.fillRect(0, line, time * k, 6);
+    pen.fillRect(0, line, x(time), 6);
     const span = this.marked ?? state.span;
     if (span) {
       pen.globalAlpha = 0.25;
-      pen.fillRect(span[0] * k, 0, (span[1] - span[0]) * k, height - 12);
+      pen.fillRect(x(span[0]), 0, x(span[1]) - x(span[0]), height - 12);
       pen.globalAlpha = 1;
     }
-    this.drawMarks(pen, k, line);
+    this.drawMarks(pen, begin, end, k, line);
     pen.fillStyle = colours.muted;
     pen.font = "10px system-ui, sans-serif";
     pen.textAlign = "center";
     const step = gridStep(90 / k);
-    for (let at = step; at * k < width - 12; at += step) {
-      pen.fillRect(Math.round(at * k), line + 6, 1, 3);
-      pen.fillText(`${+at.toPrecision(6)} s`, at * k, height - 1);
+    for (let at = Math.floor(begin / step + 1) * step; x(at) < width - 12; at += step) {
+      pen.fillRect(Math.round(x(at)), line + 6, 1, 3);
+      if (x(at) > 12) pen.fillText(`${+at.toPrecision(6)} s`, x(at), height - 1);
     }
     pen.fillStyle = colours.accent;
     pen.beginPath();
-    pen.arc(Math.min(width - 7, Math.max(7, time * k)), line + 3, 7, 0, 2 * Math.PI);
+    pen.arc(Math.min(width - 7, Math.max(7, x(time))), line + 3, 7, 0, 2 * Math.PI);
     pen.fill();
     this.track.setAttribute("aria-valuemax", this.end.toFixed(2));
     this.track.setAttribute("aria-valuenow", time.toFixed(3));
   }
 
-  drawMarks(pen, k, line) {
+  drawMarks(pen, begin, end, k, line) {
     const taken = new Set();
     const rank = new Map(MARKS.map((each, row) => [each, row]));
     for (const [at, kind] of this.marks()) {
       const mark = markOf(kind);
-      const [x, row] = [Math.round(at * k), rank.get(mark)];
-      const key = x * 8 + row;
+      if (at < begin || at > end) continue;
+      const [x, row] = [Math.round((at - begin) * k), rank.get(mark)];
+      const key = x * MARKS.length + row;
       if (taken.has(key)) continue; // thousands of them may share a pixel
       taken.add(key);
       pen.fillStyle = this.look.colours[mark.colour] ?? mark.colour;

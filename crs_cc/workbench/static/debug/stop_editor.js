@@ -39,6 +39,11 @@ export function stopEditor(model, page, file, line, point) {
     close();
     page.console(`until ${file}:${line}`);
   };
+  const said = async () => {
+    if (!log.value.trim()) wrong.textContent = "say what it would print: speed is {speed}";
+    else wrong.textContent = await page.found.ask("said", { file, line, text: log.value }, `line ${line}`);
+    if (!wrong.textContent) page.layout.open("events");
+  };
   const form = el("form.stop-editor", { "aria-label": `breakpoint at line ${line}`, onsubmit: save, onkeydown: (event) => {
     event.stopPropagation();
     if (event.key === "Escape") close();
@@ -48,6 +53,7 @@ export function stopEditor(model, page, file, line, point) {
     field("Then do", commands),
     el("div.row", {},
       el("button.primary", { type: "submit" }, point ? "Change" : "Set"),
+      button({ text: "Print the past", title: "List what this line would have printed in the run so far, without running it by hand", onclick: said }),
       button({ text: "Run to here", title: "Let the program run to this line", onclick: here }),
       point ? button({ text: "Remove", title: "Remove the breakpoint", onclick: remove }) : null,
       button({ text: "Cancel", title: "Change nothing", key: "Esc", onclick: close })));

@@ -72,6 +72,12 @@ export class Stops {
     fill(this.list, ...(rows.length ? rows : [el("p.hint", {}, "None. Click a line number, or add one below.")]));
   }
 
+  /** Mark when a breakpoint was hit, or would have been. */
+  async find({ number }, title) {
+    const error = await this.page.found.ask("hits", { number }, title);
+    if (error) this.model.say(error, true);
+  }
+
   row(point, robots) {
     const file = point.file.split("/").at(-1);
     const [title, what] = point.kind === "watchpoint" ? [point.text, ACCESS[point.access]] : point.kind === "catchpoint" ? [point.text, "happens"] : [point.line ? `${file}:${point.line}` : point.text, point.line ? "" : "is called"];
@@ -80,6 +86,7 @@ export class Stops {
     return el("div.stop-row", { role: "listitem" },
       el("input", { type: "checkbox", checked: point.enabled, "aria-label": `breakpoint ${point.number} is on`, onchange: () => this.page.console(`${point.enabled ? "disable" : "enable"} ${point.number}`) }),
       shown,
+      this.model.can("debug") ? button({ text: "hits", title: `Mark all hits of breakpoint ${point.number} in the run so far on the time line`, className: "small", onclick: () => this.find(point, title) }) : null,
       button({ text: "×", title: `Remove breakpoint ${point.number}`, className: "small", onclick: () => this.page.console(`delete ${point.number}`) }));
   }
 }

@@ -1,5 +1,6 @@
-/** Variables, watched expressions, `State[]`, robot and world: rows that unfold, and can be set. */
+/** Variables, watched expressions, `State[]`, robot and world: rows that unfold, can be set, and asked of their past. */
 import { button, el, fill } from "crs/dom.js";
+import { OWN } from "crs/instruments.js";
 
 export class Values {
   /** @param {any} model @param {any} page */
@@ -93,15 +94,31 @@ export class Values {
       value.title += "  double-click to set";
       value.addEventListener("dblclick", () => this.set(row, value));
       value.addEventListener("keydown", (event) => {
-        if (event.key !== "Enter") return;
+        const question = element.querySelector(`.questions [data-key="${event.key.toUpperCase()}"]`);
+        if (event.key !== "Enter" && !question) return;
         event.preventDefault();
         event.stopPropagation();
-        this.set(row, value);
+        if (question) question.click();
+        else this.set(row, value);
       });
     }
+    if (row.ask && this.model.can("debug")) element.append(this.questions(row));
     if (row.number) element.append(button({ text: "×", title: `Watch ${row.name} no more`, className: "small", onclick: () => this.page.console(`undisplay ${row.number}`) }));
     const parts = isOpen ? (row.children ?? []).flatMap((part) => this.rows(part, level + 1)) : [];
     return [element, ...parts];
+  }
+
+  /** What can be asked of the past of a value; keys while the focus is in its row. */
+  questions(row) {
+    const { page } = this;
+    const small = (text, title, key, onclick) => el("button.small", { type: "button", tabIndex: -1, title: `${title} (${key})`, "aria-label": `${title}: ${row.name}`, "data-key": key, onclick }, text);
+    const isOwn = row.scope === "local" || row.scope === "parameter";
+    const line = isOwn ? page.code.passing : "";
+    return el("span.questions", {},
+      row.last ? small("‹", "Back to its last write", "<", () => page.console(`last ${row.ask}`)) : null,
+      row.last ? small("›", "On to its next write", ">", () => page.console(`next ${row.ask}`)) : null,
+      small("why", "Where this value came from", "?", () => page.why(row.ask)),
+      small("plot", "Its history, under the time line", "G", () => page.plot(line ? `${row.ask} at ${line}` : OWN.includes(row.ask) ? `(${row.ask})` : row.ask)));
   }
 
   fold(key) {

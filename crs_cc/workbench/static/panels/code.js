@@ -1,5 +1,6 @@
 /** The debugger: source, steps either way, variables, stack and breakpoints of the selected robot. */
 import { button, el, fill } from "crs/dom.js";
+import { offerNames } from "crs/debug/name_menu.js";
 import { Source } from "crs/debug/source.js";
 import { Stops } from "crs/debug/stops.js";
 import { Values } from "crs/debug/values.js";
@@ -28,6 +29,7 @@ export const code = {
     const run = (line) => page.console(line);
     const steps = (rows) => el("div.group", {}, ...rows.map(([line, name, title, key]) => button({ icon: name, title, key, onclick: () => run(line) })));
     const source = new Source(model, page);
+    offerNames(source.element, model, page);
     const values = new Values(model, page);
     const stops = new Stops(model, page, async (file, line) => {
       await source.open(file, 0);
@@ -109,6 +111,15 @@ export const code = {
     };
 
     page.code = {
+      get file() {
+        return source.file;
+      },
+      /** Where the selected function stands, if it is one that is called again and again: its variables come and go. */
+      get passing() {
+        const frames = (model.where?.frames ?? []).filter((each) => !each.library);
+        const at = frames.findIndex((each) => each.current);
+        return at >= 0 && at < frames.length - 1 ? `${model.where.file}:${frames[at].line}` : "";
+      },
       toggle: () => source.cursor && source.toggle(source.file, source.cursor),
       edit: () => source.cursor && source.edit(source.cursor),
       runTo: () => source.cursor && run(`until ${source.file}:${source.cursor}`),

@@ -1,5 +1,6 @@
 /** What has happened: collisions, messages, errors; a click goes there. */
-import { el, fill } from "crs/dom.js";
+import { entry } from "crs/change.js";
+import { button, el, fill } from "crs/dom.js";
 import { MARKS, markOf } from "crs/timeline.js";
 
 const MOST = 400; // rows
@@ -21,15 +22,28 @@ export const events = {
     const isWanted = el("input", { type: "checkbox", onchange: () => (isStale = true) });
     const only = el("label.only-robot", { title: "Events of the selected robot, and of no robot" }, isWanted, name);
     filters.append(only);
+    const condition = entry({ placeholder: "when: speed > 0 && $world.distance(a, b) < 1", title: "A condition on the program and the world: the instants at which it became true are marked on the time line", "aria-label": "condition to find in the run" });
+    const wrong = el("p.field-error", { role: "alert" });
+    const find = async () => {
+      const text = condition.value.trim();
+      if (text) wrong.textContent = await page.found.ask("when", { condition: text }, text);
+    };
+    const clear = button({ text: "Clear", title: "Remove what was found from the time line", onclick: () => page.found.clear() });
+    const finder = el("form.finder", { onkeydown: (event) => event.stopPropagation(), onsubmit: (event) => {
+      event.preventDefault();
+      find();
+    } }, condition, button({ text: "Find", title: "Mark when this became true", onclick: () => finder.requestSubmit() }), clear, wrong);
+    finder.hidden = !model.can("debug");
     const closest = el("button.event.closest", { type: "button", title: "Go there", onclick: () => page.timeline.seek(first[0]) });
     const list = el("div.events");
-    root.append(filters, closest, list);
+    root.append(finder, filters, closest, list);
     let isStale = true;
     let first = null; // the closest approach
 
     const draw = () => {
       if (!isStale || !model.run || !root.offsetParent) return;
       isStale = false;
+      clear.hidden = !model.found.rows.length;
       const { number, id } = model.selected;
       only.hidden = (model.run.rosters.at(-1)?.robots.length ?? 0) < 2;
       name.textContent = `Only ${id}`;
@@ -41,15 +55,16 @@ export const events = {
         .filter(([, kind, row]) => chosen.has(markOf(kind).name) && !(isOnly && row >= 0 && row !== number))
         .sort((one, other) => one[0] - other[0]).slice(-MOST);
       if (!found.length) return fill(list, el("p.hint", {}, "Nothing has happened yet."));
-      fill(list, ...found.reverse().map(([time, kind, , text]) => {
+      fill(list, ...found.reverse().map((each) => {
+        const [time, kind, , text] = each;
         const dot = el("i.dot");
         dot.style.background = look.colours[markOf(kind).colour] ?? markOf(kind).colour;
-        return el("button.event", { type: "button", title: "Go there", onclick: () => page.timeline.seek(time) },
+        return el("button.event", { type: "button", title: "Go there", onclick: () => page.goTo(each) },
           dot, el("span.when", {}, `${time.toFixed(3)} s`), el("span", {}, text));
       }));
     };
 
-    for (const kind of ["hello", "event", "forget", "near", "look", "roster", "panel"]) model.on(kind, () => (isStale = true));
+    for (const kind of ["hello", "event", "forget", "near", "look", "roster", "panel", "found"]) model.on(kind, () => (isStale = true));
     model.on("tick", draw);
   },
 };

@@ -4,7 +4,7 @@
  * which fills its element and listens to the model. One that `asks` the server is not in pages that
  * hold a run.
  *
- * @typedef {{id: string, title: string, side: "left" | "right" | "below",
+ * @typedef {{id: string, title: string, side: "left" | "right" | "below" | "under",
  *   summary?: string, key?: string, needs?: string, asks?: boolean, recorded?: boolean,
  *   make: (root: HTMLElement, model: any, look: any, page: any) => void}} Panel
  */
@@ -20,6 +20,7 @@ import { plot } from "crs/panels/plot.js";
 import { robot } from "crs/panels/robot.js";
 import { robotTable } from "crs/panels/robot_table.js";
 import { robots } from "crs/panels/robots.js";
+import { why } from "crs/panels/why.js";
 
 /** @type {Panel[]} */
-export const PANELS = [robots, overlays, code, robot, faults, output, events, changes, commandLine, robotTable, plot, messages];
+export const PANELS = [robots, overlays, code, robot, faults, output, events, changes, commandLine, robotTable, messages, why, plot];
