@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
-from crs_cc.ir.instruction import Call, Constant, LongJump, Operand, Register, SetJump
+from crs_cc.ir.instruction import ByteState, Call, Constant, LongJump, Operand, Register, SetJump
 from crs_cc.ir.liveness import all_instructions, writes
 from crs_cc.ir.program import Function, Parameter
-from crs_cc.ir.value_type import MemoryType
+from crs_cc.ir.value_type import MEMORY_SIZE, MemoryType
 from crs_cc.requests import SUSPENDED
-from crs_cc.runtime.codegen import failing, frame_states, jumps, spill_slots, stopping
+from crs_cc.runtime.codegen import failing, frame_states, jumps, shadow, spill_slots, stopping
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.call_checks import NO_VALUE
 from crs_cc.runtime.codegen.convention import NARROW, convention_of
@@ -47,6 +47,7 @@ class Activation:
         registers: Registers,
         *,
         homes: Mapping[Register, Register],
+        members: Iterable[Register],
         watching: Watchpoints | None,
     ) -> None:
         """Set what the code depends on.
@@ -57,6 +58,7 @@ class Activation:
             writer: its writer.
             registers: its registers by lifetime.
             homes: the registers that live in the frame.
+            members: the registers that are in the place of members of structs.
             watching: reports accesses to watchpoints; None in builds without watchpoints.
         """
         self.function = function
@@ -65,6 +67,7 @@ class Activation:
         self.frame = writer.frame
         self.registers = registers
         self.homes = list(homes.values())
+        self.members = members
         self.watching = watching
         self.shadowed = build.checked and not function.trusted
         self.stamped = build.debug and not function.trusted
@@ -256,7 +259,12 @@ class Activation:
     def failed(self) -> list[Instr]:
         """Return the code on a failed check, before the epilogue."""
         note = failing.note(("local.get", SITE), ("local.get", ADDRESS))
-        return [*note, ("global.set", STATUS_GLOBAL), ("i32.const", 0), ("local.set", LABEL)]
+        code = [*note, ("global.set", STATUS_GLOBAL), ("i32.const", 0), ("local.set", LABEL)]
+        if self.shadowed:  # what the epilogue writes to the homes of members is shown
+            for member in self.members:
+                offset, size = self.frame.offsets[member], MEMORY_SIZE[member.type]
+                code += shadow.fill(("local.get", SP), offset, size, ByteState.WITH_VALUE)
+        return code
 
     def epilogue(self) -> list[Instr]:
         """Save the registers of a suspended function, and push its fuel, as one that stops."""

@@ -26,6 +26,7 @@ class Body:
         assigned: which of its registers may be uninitialised: none.
         deferred: its loads whose checks are deferred.
         can_fail: whether it has a check that can fail.
+        can_fail_inside: whether it has one that is not of a struct which it takes or returns.
         has_effects: whether it changes memory.
     """
 
@@ -36,6 +37,7 @@ class Body:
     assigned: Assignments
     deferred: DeferredChecks
     can_fail: bool = False
+    can_fail_inside: bool = False
     has_effects: bool = False
 
     @property

@@ -30,7 +30,7 @@ from crs_cc.ir.instruction import (
 from crs_cc.ir.program import Function, Parameter, renumber
 from crs_cc.ir.value_type import MemoryType
 from crs_cc.runtime.codegen.body import Body
-from crs_cc.runtime.codegen.scalar_replacement import Readable
+from crs_cc.runtime.codegen.scalar_replacement import Readable, Writable
 
 _EXTENSIONS: Final[dict[MemoryType, str]] = {"i8": "i32.extend8_s", "i16": "i32.extend16_s"}
 _MASKS: Final[dict[MemoryType, int]] = {"u8": 255, "u16": 65535}
@@ -44,11 +44,13 @@ class Expanded:
         function: the function.
         fuel: the fuel of each block, as with calls.
         deferred: for each load of an expanded call, whether its check is deferred in the callee.
+        checks: the checks of structs that expanded calls take and return, with the calls.
     """
 
     function: Function
     fuel: dict[Block, int] = field(default_factory=dict)
     deferred: dict[Load, bool] = field(default_factory=dict)
+    checks: dict[Instruction, Call] = field(default_factory=dict)
 
 
 def expand(function: Function, calls: Mapping[Call, Body | None]) -> Expanded | None:
@@ -60,11 +62,11 @@ def expand(function: Function, calls: Mapping[Call, Body | None]) -> Expanded | 
 
 
 def expand_some(function: Function, calls: Mapping[Call, Body]) -> Expanded:
-    """Return a function without those of these calls in which nothing can fail."""
+    """Return a function without those of these calls in which nothing but structs can fail."""
     chosen = {
         call: body
         for call, body in calls.items()
-        if not body.can_fail and _is_expandable(call, body)
+        if not body.can_fail_inside and _is_expandable(call, body)
     }
     return _Expansion(function, chosen).run() if chosen else _unchanged(function)
 
@@ -127,6 +129,9 @@ class _Expansion:
             if not isinstance(each.terminator, Return):
                 copy.terminator = renumber(copy.terminator, copied.__getitem__)
         block.terminator = Jump(call.location, copied[body.function.blocks[0]])
+        for it in (it for each in [block, *copied.values()] for it in each.instructions):
+            if isinstance(it, Readable | Writable):
+                self.made.checks.setdefault(it, call)
 
     def _renamed(self, it: Instruction, names: dict[Register, Register], body: Body) -> Instruction:
         renamed = _renamed(it, names)

@@ -62,7 +62,6 @@ from crs_cc.runtime.codegen.passing import arguments_size, pass_arguments
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.rotation import rotated_loops
-from crs_cc.runtime.codegen.scalar_replacement import Partly
 from crs_cc.runtime.codegen.selection import Selector
 from crs_cc.runtime.codegen.stop_marks import begin, going_on, has_statements, stop_if_marked
 from crs_cc.runtime.codegen.struct_registers import with_structs_in_registers
@@ -92,9 +91,7 @@ def generate(function: Function, names: Symbols, build: Build) -> tuple[Code, Fu
 class _FunctionCode:
     def __init__(self, function: Function, names: Symbols, build: Build) -> None:
         self.original = function
-        partly = Partly(function, {block: block.fuel for block in function.blocks}, {})
-        if not build.passes_in_memory:
-            partly = with_structs_in_registers(function, names.bodies)
+        partly = with_structs_in_registers(function, None if build.debug else names.bodies)
         function = self.function = partly.function
         self.fields = partly.homes
         self.build = build
@@ -109,7 +106,7 @@ class _FunctionCode:
         more: list[Register] = []
         if self.shadowed:
             self.deferred = DeferredChecks(function, liveness, keep=self.debug)
-            more = self.deferred.registers if self.debug else []
+            more = [*(self.deferred.registers if self.debug else []), *self.fields]
         self.flags = self.assigned.flags if self.assigned else {}
         more = [*self.flags.values(), *more]
         inlined = {} if self.debug else inlined_calls(function.blocks, names.bodies)
@@ -122,7 +119,7 @@ class _FunctionCode:
         self.memory, self.selector = self._selection(inlined)
         self.activation = Activation(
             function, build, self.writer, self.registers,
-            homes=self.homes, watching=self.watching,
+            homes=self.homes, members=self.fields, watching=self.watching,
         )  # fmt: skip
         self.inlined = InlinedCalls(
             self.writer, inlined, checked=build.checked, traps_overflow=build.trap_overflow

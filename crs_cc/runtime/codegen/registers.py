@@ -69,7 +69,7 @@ class Registers:
                 for instruction, bits in zip(block.instructions, before, strict=False):
                     alive |= bits if isinstance(instruction, Statement) else 0
         saved = [each for each in function.registers if alive >> each.index & 1 or each.variable]
-        self.saved = [*saved, *more]
+        self.saved = list(dict.fromkeys([*saved, *more]))
         shared = [each for each in function.registers if liveness.shared >> each.index & 1]
         self.lasting = dict.fromkeys([*self.saved, *shared])
         self.charge = sum(CHARGES[register.type] for register in self.lasting)

@@ -3,12 +3,15 @@
 It applies to functions that are inlined, so that nobody sees their frames: to all their slots,
 parameters and local variables, if none is used but by loads and stores of 4 or 8 bytes and copies
 of whole members. A copy out of a slot becomes stores of its members.
+
+In other functions it applies to those slots that need no memory. In checked builds these have their
+values before they are read, and none is stored in them whose check is deferred.
 """
 
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Final
 
 from crs_cc.core.source import Location
@@ -35,8 +38,11 @@ from crs_cc.ir.instruction import (
 from crs_cc.ir.liveness import Liveness, all_instructions, reads, writes
 from crs_cc.ir.program import Function, Parameter, renumber
 from crs_cc.ir.types import INT
-from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE, MemoryType
+from crs_cc.ir.value_type import VALUE_TYPE, MemoryType
+from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.fuel_charges import FREE_BYTES
+from crs_cc.runtime.codegen.known_values import judged_in_memory, read_unassigned
+from crs_cc.runtime.codegen.slot_uses import NotReplaceableError, Place, Uses
 
 MOST_FIELDS: Final = 32
 """The limit on the registers that replace the slots of a function."""
@@ -46,8 +52,6 @@ MOST_BYTES: Final = 128
 
 _UNKNOWN: Final = Variable("", INT, Location(""))
 """The variable of fields that are not passed, of which `Assignments` finds early reads."""
-
-_Place = tuple[Slot, int]
 
 
 @dataclass(slots=True, eq=False)
@@ -105,14 +109,6 @@ class Partly:
     homes: dict[Register, tuple[Slot, int]]
 
 
-class NotReplaceableError(Exception):
-    """A slot is used in a way that needs memory; None if there is too much to replace."""
-
-    def __init__(self, slot: Slot | None) -> None:
-        super().__init__()
-        self.slot = slot
-
-
 def replace_slots(function: Function, fuel: Mapping[Block, int]) -> Replaced | None:
     """Return a function without its slots; None if there is one that must be in memory.
 
@@ -126,20 +122,20 @@ def replace_slots(function: Function, fuel: Mapping[Block, int]) -> Replaced | N
         return None
 
 
-def replace_some(function: Function, fuel: Mapping[Block, int]) -> Partly | None:
+def replace_some(function: Function, fuel: Mapping[Block, int], *, checked: bool) -> Partly | None:
     """Return a function without those slots that need no memory; None if all do.
-
-    What was copied into them may have no value, so it is for unchecked builds.
 
     Args:
         function: the function.
         fuel: the fuel of each block.
+        checked: whether it is for a checked build, which tests that what is read has a value.
     """
+    deferred = DeferredChecks(function, Liveness(function), keep=False) if checked else None
     kept: set[Slot] = {VARARGS}
     kept.update(each.place for each in function.parameters if isinstance(each.place, Slot))
     kept.update(slot for slot in function.slots if slot.size > MOST_BYTES)
     while not kept.issuperset(function.slots):
-        replacement = _Replacement(function, fuel, kept=kept, loads=True)
+        replacement = _Replacement(function, fuel, kept=kept, loads=not checked, deferred=deferred)
         try:
             replaced = replacement.run()
         except NotReplaceableError as error:
@@ -152,77 +148,16 @@ def replace_some(function: Function, fuel: Mapping[Block, int]) -> Partly | None
     return None
 
 
-@dataclass(slots=True)
-class _Uses:
-    """What is done with the slots: accesses, and copies between them."""
-
-    fields: dict[Slot, dict[int, MemoryType]] = field(default_factory=dict)
-    copies: list[tuple[_Place, _Place, int]] = field(default_factory=list)
-    whole: list[tuple[_Place, int]] = field(default_factory=list)
-
-    def access(self, slot: Slot, offset: int, memory: MemoryType) -> None:
-        """Note an access; all accesses of a field have the same type."""
-        if MEMORY_SIZE[memory] < 4 or slot is VARARGS:
-            raise NotReplaceableError(slot)
-        if self.fields.setdefault(slot, {}).setdefault(offset, memory) != memory:
-            raise NotReplaceableError(slot)
-
-    def close(self) -> None:
-        """Give both sides of each copy the same fields, and check that none overlap."""
-        self._spread()
-        for (slot, start), size in self.whole:
-            self._fill(slot, start, start + size)
-        self._spread()
-        for slot, rows in self.fields.items():
-            ends = [at + MEMORY_SIZE[rows[at]] for at in sorted(rows)]
-            if any(end > at for end, at in zip(ends, sorted(rows)[1:], strict=False)):
-                raise NotReplaceableError(slot)
-        for (slot, start), size in self.whole:
-            inside = self.within(slot, start, size)
-            if sum(MEMORY_SIZE[memory] for _, memory in inside) != size:
-                raise NotReplaceableError(slot)
-
-    def _spread(self) -> None:
-        """Give both sides of each copy the same fields."""
-        grown = True
-        while grown:
-            before = sum(map(len, self.fields.values()))
-            for (left, left_at), (right, right_at), size in self.copies:
-                self._share(left, left_at, right, right_at, size)
-                self._share(right, right_at, left, left_at, size)
-            grown = sum(map(len, self.fields.values())) != before
-
-    def _fill(self, slot: Slot, start: int, end: int) -> None:
-        """Add fields for what is copied only; their type does not matter."""
-        for at, memory in [*self.within(slot, start, end - start), (end, "i32")]:
-            while start < at:
-                is_long = start % 8 == 0 and at - start >= 8
-                if at - start < 4 or start % 4:
-                    raise NotReplaceableError(slot)
-                self.access(slot, start, "i64" if is_long else "i32")
-                start += 8 if is_long else 4
-            start = at + MEMORY_SIZE[memory]
-
-    def _share(self, source: Slot, start: int, target: Slot, to: int, size: int) -> None:
-        for at, memory in self.within(source, start, size):
-            self.access(target, at - start + to, memory)
-
-    def within(self, slot: Slot, start: int, size: int) -> list[tuple[int, MemoryType]]:
-        """Return the fields in a part of a slot, in order."""
-        rows = sorted(self.fields.get(slot, {}).items())
-        return [(at, memory) for at, memory in rows if start <= at < start + size]
-
-
-def _held_everywhere(function: Function, kept: Container[Slot]) -> dict[Register, _Place]:
+def _held_everywhere(function: Function, kept: Container[Slot]) -> dict[Register, Place]:
     """Return the registers that hold the address of a slot wherever they are used.
 
     These are the parameters of expanded calls: they are assigned once, the address in the same
     block, or another of these registers.
     """
     count: dict[Register, int] = {}
-    moves: list[tuple[Register, Register | _Place]] = []
+    moves: list[tuple[Register, Register | Place]] = []
     for block in function.blocks:
-        holding: dict[Register, _Place] = {}
+        holding: dict[Register, Place] = {}
         for it in all_instructions(block):
             target = writes(it)
             if target is None:
@@ -235,7 +170,7 @@ def _held_everywhere(function: Function, kept: Container[Slot]) -> dict[Register
             if isinstance(it, Address) and isinstance(it.base, Slot) and it.base not in kept:
                 holding[target] = it.base, it.offset
     passed = {each.place for each in function.parameters}
-    held: dict[Register, _Place] = {}
+    held: dict[Register, Place] = {}
     for target, source in moves:  # callers before their callees
         place = held.get(source) if isinstance(source, Register) else source
         if place is not None and count[target] == 1 and target not in passed:
@@ -244,7 +179,7 @@ def _held_everywhere(function: Function, kept: Container[Slot]) -> dict[Register
 
 
 def _check_lifetime(
-    it: Instruction, holding: Mapping[Register, _Place], ended: set[Register]
+    it: Instruction, holding: Mapping[Register, Place], ended: set[Register]
 ) -> None:
     """Refuse the use of an address whose object has ended, which is an error to be found."""
     if isinstance(it, Lifetime) and not it.begins:
@@ -265,6 +200,7 @@ class _Replacement:
         *,
         kept: Container[Slot] = (),
         loads: bool = False,
+        deferred: DeferredChecks | None = None,
     ) -> None:
         """Set what to replace.
 
@@ -273,14 +209,17 @@ class _Replacement:
             fuel: the fuel of each block.
             kept: the slots that stay in memory.
             loads: whether what is copied into a slot may be loaded, though it may have no value.
+            deferred: the loads whose checks are deferred; None unless what is read in the function
+                must be known to have a value.
         """
         self.function = function
         self.fuel = fuel
         self.kept = kept
         self.loads = loads
+        self.deferred = deferred
         self.held = _held_everywhere(function, kept)
-        self.uses = _Uses()
-        self.places: dict[Instruction, dict[Register, _Place]] = {}
+        self.uses = Uses()
+        self.places: dict[Instruction, dict[Register, Place]] = {}
         self.registers: dict[tuple[Slot, int], Register] = {}
 
     def run(self) -> Replaced:
@@ -292,7 +231,8 @@ class _Replacement:
         registers = list(function.registers)
         passed = {parameter.place for parameter in function.parameters}
         for slot, rows in self.uses.fields.items():
-            variable = None if slot in passed or self.loads else _UNKNOWN
+            is_assigned = slot in passed or self.loads or self.deferred is not None
+            variable = None if is_assigned else _UNKNOWN
             for at, memory in sorted(rows.items()):
                 made = Register(len(registers), VALUE_TYPE[memory], variable)
                 self.registers[slot, at] = made
@@ -303,6 +243,10 @@ class _Replacement:
         for block, copy in copied.items():
             copy.instructions = [made for it in block.instructions for made in self._rewrite(it)]
             copy.terminator = renumber(block.terminator, copied.__getitem__)
+        if self.deferred is not None:
+            self._refuse(read_unassigned(list(copied.values()), self.registers))
+            for copy in copied.values():
+                copy.instructions = [it for it in copy.instructions if not self._begins(it)]
         changed = replace(
             function,
             slots=[each for each in function.slots if each in self.kept],
@@ -334,6 +278,8 @@ class _Replacement:
         ended: set[Register] = set()
         for it in all_instructions(block):
             _check_lifetime(it, holding, ended)
+            if self.deferred is not None:
+                self._refuse(judged_in_memory(it, holding, self.deferred))
             self._use(it, holding)
             target = writes(it)
             if target is not None and target not in self.held:
@@ -347,7 +293,11 @@ class _Replacement:
             if alive >> each.index & 1 and each not in self.held:
                 raise NotReplaceableError(slot)
 
-    def _use(self, it: Instruction, holding: dict[Register, _Place]) -> None:
+    def _refuse(self, slot: Slot | None) -> None:
+        if slot is not None and slot not in self.kept:
+            raise NotReplaceableError(slot)
+
+    def _use(self, it: Instruction, holding: dict[Register, Place]) -> None:
         if self._use_held(it, holding) or (isinstance(it, Bounds | SameObject) and self.loads):
             return
         match it:
@@ -369,7 +319,7 @@ class _Replacement:
             if register in holding:
                 raise NotReplaceableError(holding[register][0])
 
-    def _use_held(self, it: Instruction, holding: dict[Register, _Place]) -> bool:
+    def _use_held(self, it: Instruction, holding: dict[Register, Place]) -> bool:
         """Note a use that only expanded calls make of an address, and return whether it is one."""
         match it:
             case Load(base=Register() as base) | Store(base=Register() as base) if base in holding:
@@ -384,7 +334,7 @@ class _Replacement:
                 return target in self.held
         return False
 
-    def _use_copy(self, it: Copy, size: int, holding: dict[Register, _Place]) -> None:
+    def _use_copy(self, it: Copy, size: int, holding: dict[Register, Place]) -> None:
         target, source = self._held(it.target, holding), self._held(it.source, holding)
         for slot, _ in (each for each in (target, source) if each is not None):
             if size >= FREE_BYTES:
@@ -401,7 +351,7 @@ class _Replacement:
             self.uses.whole.append((target, size))
         self.places[it] = {each: holding[each] for each in reads(it) if each in holding}
 
-    def _held(self, operand: Operand, holding: dict[Register, _Place]) -> _Place | None:
+    def _held(self, operand: Operand, holding: dict[Register, Place]) -> Place | None:
         return holding.get(operand) if isinstance(operand, Register) else None
 
     # -- the new instructions ----------------------------------------------------------------------
@@ -440,8 +390,14 @@ class _Replacement:
                 return [Move(it.location, self._field(it, base), it.source)]
         return []
 
+    def _begins(self, it: Instruction) -> bool:
+        """Return whether an instruction is the start of an object that is replaced."""
+        return isinstance(it, Lifetime) and it.begins and it.slot not in self.kept
+
     def _stays(self, it: Instruction) -> bool:
-        """Return whether an instruction is about a slot that stays in memory."""
+        """Return whether an instruction remains: about a slot in memory, or a start."""
+        if self.deferred is not None and self._begins(it):
+            return True
         match it:
             case Lifetime(slot=slot) | Address(base=Slot() as slot):
                 return slot in self.kept
@@ -476,7 +432,7 @@ class _Replacement:
         for at, memory in rows:
             yield Store(it.location, it.target, at - start, self.registers[source, at], memory)
 
-    def _clear(self, location: Location, place: _Place, size: int) -> Iterator[Instruction]:
+    def _clear(self, location: Location, place: Place, size: int) -> Iterator[Instruction]:
         slot, start = place
         for at, memory in self.uses.within(slot, start, size):
             kind = VALUE_TYPE[memory]

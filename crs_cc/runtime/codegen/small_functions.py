@@ -173,6 +173,7 @@ class Bodies:
                 if fails and has_changed:
                     return False
                 body.can_fail |= fails
+                body.can_fail_inside |= fails and not isinstance(it, Readable | Writable)
                 has_changed |= changes
                 places.follow(it)
             body.has_effects |= has_changed

@@ -1,8 +1,12 @@
-"""Structs of a function that is not inlined in registers, in unchecked run builds.
+"""Structs of a function that is not inlined in registers, in run builds.
 
 The calls of small functions, in which nothing can fail, are expanded first: to these structs
 are mostly passed. What stays in registers has a home in the frame all the same, where it is written
 when the program is suspended, so that it is found there.
+
+A checked build tests the structs that are passed and returned. These tests must be of structs that
+stay in registers, which have all their values: else the call is not expanded, so that it fails with
+a frame on the stack.
 """
 
 from __future__ import annotations
@@ -20,12 +24,31 @@ MOST_SLOTS: Final = 16
 """Functions with more are left as they are: each slot that stays in memory is found by a pass."""
 
 
-def with_structs_in_registers(function: Function, bodies: Bodies) -> Partly:
-    """Return a function with structs in registers, or unchanged."""
-    is_large = len(function.blocks) > MOST_BLOCKS or len(function.slots) > MOST_SLOTS
-    if function.slots and not is_large:
-        expanded = expand_some(function, inlined_calls(function.blocks, bodies))
-        replaced = replace_some(expanded.function, expanded.fuel)
+def with_structs_in_registers(function: Function, bodies: Bodies | None) -> Partly:
+    """Return a function with structs in registers; unchanged in debug builds.
+
+    Args:
+        function: the function.
+        bodies: the small functions; None in a debug build.
+    """
+    is_small = len(function.blocks) <= MOST_BLOCKS and len(function.slots) <= MOST_SLOTS
+    if bodies is not None and function.slots and is_small:
+        replaced = _replaced(function, bodies)
         if replaced is not None:
             return replaced
     return Partly(function, {block: block.fuel for block in function.blocks}, {})
+
+
+def _replaced(function: Function, bodies: Bodies) -> Partly | None:
+    """Return a function with structs in registers; None if there are none."""
+    calls = inlined_calls(function.blocks, bodies)
+    while True:
+        expanded = expand_some(function, calls)
+        replaced = replace_some(expanded.function, expanded.fuel, checked=bodies.checked)
+        if replaced is None or not bodies.checked:
+            return replaced
+        blocks, checks = replaced.function.blocks, expanded.checks
+        tested = {checks[it] for block in blocks for it in block.instructions if it in checks}
+        if not tested:
+            return replaced
+        calls = {call: body for call, body in calls.items() if call not in tested}

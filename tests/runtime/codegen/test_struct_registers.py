@@ -80,11 +80,11 @@ def test_structs_in_registers_do_what_structs_in_memory_do(tmp_path: Path, check
         assert (outcome.output, outcome.fuel) == (plain.output, plain.fuel)
 
 
-def replaced(body: str) -> set[str]:
+def replaced(body: str, *, checked: bool = False) -> set[str]:
     """Return the names of the variables of a function that are in registers."""
     text = TYPES.replace("#include <stdio.h>", "int use(void *p);")
     program = compile_text(f"{text} int f(int n) {{ {body} }}", "f.c", Options(), Diagnostics())
-    bodies = Bodies(small_functions(program.functions), checked=False, traps_overflow=False)
+    bodies = Bodies(small_functions(program.functions), checked=checked, traps_overflow=False)
     homes = with_structs_in_registers(program.functions["f"], bodies).homes
     return {slot.name for slot, _ in homes.values()}
 
@@ -92,6 +92,25 @@ def replaced(body: str) -> set[str]:
 def test_structs_passed_to_small_functions_are_in_registers() -> None:
     body = "struct point a = { 1, n }, b = sum(a, a); add(&b, swapped(a)); return b.x;"
     assert replaced(body) >= {"a", "b"}
+    assert replaced(body.replace("add(&b, swapped(a));", ""), checked=True) >= {"a", "b"}
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "struct point b; b.x = n; return b.x;",
+        "struct point b; if (n) b.x = 1; b.y = n; return b.y + b.x;",
+        "while (n--) { struct point b; if (n > 2) b.x = b.y = n; else n -= b.x + b.y; } return 0;",
+        "struct point *p = use(0) ? 0 : 0, b = *p; return b.x + b.y;",
+        "int v[2]; struct point b; use(v); b.x = v[0]; b.y = v[1]; return b.x + b.y;",
+        "struct point b, c; b.x = n; c = b; return sizeof c;",
+    ],
+    ids=["half", "on_one_path", "of_last_pass", "from_memory", "of_deferred_values", "copied_half"],
+)
+def test_what_may_have_no_value_stays_in_memory_in_checked_builds(body: str) -> None:
+    body = f"struct point a = {{ n, 1 }}; n = a.y; {body}"
+    assert replaced(body) >= {"a", "b"}
+    assert replaced(body, checked=True) == {"a"}
 
 
 @pytest.mark.parametrize(
@@ -124,3 +143,18 @@ def test_a_failure_in_a_function_that_is_passed_a_struct_is_reported_as_ever(
     assert len(reports) == 2
     assert reports[0] == reports[1]
     assert b"by=0)" in reports[0]
+
+
+def test_a_report_shows_structs_in_registers(tmp_path: Path) -> None:
+    path = tmp_path / "fails.c"
+    path.write_text(
+        TYPES
+        + "int main(void) { int cells[9] = { 0 }; struct point at = { 3, 4 }, step = { 2, 5 };\n"
+        + "    while (at.x) { struct point next = sum(at, step);\n"
+        + "        cells[next.x]++; at = next; } return 0; }\n"
+    )
+    failures = [Run(build(path, debug=debug)).to_end().failure for debug in (False, True)]
+    reports = [shown(failure, tmp_path) for failure in failures if failure is not None]
+    assert len(reports) == 2
+    assert reports[0] == reports[1]
+    assert b"next = {x = 9, y = 19}" in reports[0]
