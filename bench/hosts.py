@@ -4,8 +4,9 @@ Two programs, one that waits for its robot and one that computes all the time, o
 and in the session's own process (one thread): real time of a timestep of 50 ms, processor time of
 the thread that runs it, rounds that hosts are asked for, and what a round costs more real time than
 at home, by the median of the timesteps. The latter needs as many idle processors as hosts, and one
-more. With `--real-time`, which needs Linux and root, whatever else the machine does waits while
-timesteps are measured.
+more. As its limit, the same number of bytes goes to as many processes that do nothing but answer,
+and back, over plain sockets. With `--real-time`, which needs Linux and root, whatever else the
+machine does waits while timesteps are measured.
 
     python bench/hosts.py [--steps N] [--hosts N ...] [--real-time] [ROBOTS ...]
 """
@@ -15,6 +16,7 @@ from __future__ import annotations
 import argparse
 import math
 import os
+import socket
 import subprocess
 import sys
 import tempfile
@@ -22,11 +24,13 @@ import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.net.access import Access
+from crs_cc.net.channel import Channel, Kind, Message
 from crs_cc.net.distant_fleet import DistantFleet
 from crs_cc.net.gate import Gate, bound
 from crs_cc.net.host_link import HostLink
@@ -66,7 +70,29 @@ int main(void)
 }
 """,
 }
+IDLE = """
+import os, sys
+processor, parent = map(int, sys.argv[1:])
+os.sched_setaffinity(0, [processor])
+os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))
+while os.getppid() == parent:
+    for _ in range(10000):
+        pass
+"""
+"""Keeps a processor from other work, after whatever has a higher priority."""
+ECHO = """
+import socket, sys
+port, received, sent = map(int, sys.argv[1:])
+answer = bytes(sent)
+with socket.create_connection(("127.0.0.1", port)) as connection:
+    connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    while connection.recv(received, socket.MSG_WAITALL):
+        connection.sendall(answer)
+"""
+"""Answers so many bytes by so many others, until the other side goes."""
 WARM_STEPS = 5
+ECHO_ROUNDS = 300
+HEAD_BYTES = 20
 MILLISECONDS = 1e3
 
 
@@ -118,15 +144,23 @@ def _no_other(link: HostLink, reason: str) -> None:  # type: ignore[misc]
 
 @contextmanager
 def real_time(*, wanted: bool) -> Iterator[None]:
-    """Run this process and its children before all others, if that is wanted."""
+    """Run this process and its children before all others, if that is wanted.
+
+    While they wait, each processor does nothing: other work would empty its caches.
+    """
     if not wanted:
         yield
         return
-    _schedule(os.SCHED_FIFO, 1)
-    try:
+    _schedule(os.SCHED_FIFO, 2)
+    with ExitStack() as stack:
+        stack.callback(_schedule, os.SCHED_OTHER, 0)
+        for processor in os.sched_getaffinity(0):
+            words = [sys.executable, "-S", "-c", IDLE, str(processor), str(os.getpid())]
+            idle = subprocess.Popen(words)
+            stack.callback(idle.wait)
+            stack.callback(idle.kill)
+        time.sleep(0.2)
         yield
-    finally:
-        _schedule(os.SCHED_OTHER, 0)
 
 
 def _schedule(policy: int, priority: int) -> None:
@@ -138,9 +172,16 @@ def _schedule(policy: int, priority: int) -> None:
 
 
 def step_s(
-    world: WorldModel, executable: Executable, fleet: Fleet, steps: int, *, first: bool
+    world: WorldModel,
+    executable: Executable,
+    fleet: Fleet,
+    asked: argparse.Namespace,
+    sizes: dict[Kind, list[int]],
 ) -> tuple[float, float, float, str]:
-    """Return real and processor time of a timestep here [s], its rounds, and the state hash."""
+    """Return real and processor time of a timestep here [s], its rounds, and the state hash.
+
+    Notes the sizes of messages that cross.
+    """
     rounds = 0
     run = fleet.run_rounds
 
@@ -152,16 +193,66 @@ def step_s(
 
     fleet.run_rounds = counted  # type: ignore[method-assign]
     session = Session(world, [executable] * len(world.robots), fleet=fleet)
-    while session.timesteps < WARM_STEPS:
-        session.advance(1)
+    with noting(sizes):
+        while session.timesteps < WARM_STEPS:
+            session.advance(1)
     rounds, times_s = 0, []
-    with real_time(wanted=first):
-        while session.timesteps < WARM_STEPS + steps:
+    with real_time(wanted=asked.real_time):
+        while session.timesteps < WARM_STEPS + asked.steps:
             begin_s, begin_cpu_s = time.perf_counter(), time.thread_time()
             session.advance(1)
             times_s.append((time.perf_counter() - begin_s, time.thread_time() - begin_cpu_s))
     took_s, cpu_s = np.median(times_s, axis=0)
-    return float(took_s), float(cpu_s), rounds / steps, session.state_hash()
+    return float(took_s), float(cpu_s), rounds / asked.steps, session.state_hash()
+
+
+@contextmanager
+def echoing(count: int, sizes: tuple[int, int]) -> Iterator[list[socket.socket]]:
+    """Yield connections to processes that answer so many bytes by so many others."""
+    with ExitStack() as stack:
+        listener = stack.enter_context(socket.create_server(("127.0.0.1", 0)))
+        connections = []
+        for _ in range(count):
+            words = map(str, (listener.getsockname()[1], *sizes))
+            process = subprocess.Popen([sys.executable, "-S", "-c", ECHO, *words])
+            stack.callback(process.wait)
+            connection = stack.enter_context(listener.accept()[0])
+            connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            connections.append(connection)
+        yield connections
+
+
+def echo_s(count: int, sizes: tuple[int, int], *, first: bool) -> float:
+    """Return what it takes to send to all processes that only answer, and to hear them [s]."""
+    sent, received = sizes
+    content, times_s = bytes(sent), []
+    with echoing(count, sizes) as connections, real_time(wanted=first):
+        for _ in range(ECHO_ROUNDS):
+            begin_s = time.perf_counter()
+            for connection in connections:
+                connection.sendall(content)
+            for connection in connections:
+                connection.recv(received, socket.MSG_WAITALL)
+            times_s.append(time.perf_counter() - begin_s)
+    return float(np.median(times_s))
+
+
+@contextmanager
+def noting(sizes: dict[Kind, list[int]]) -> Iterator[None]:
+    """Note the sizes of messages of some kinds, with their heads [bytes]."""
+    send, receive = Channel.send, Channel.receive
+
+    def counted_send(channel: Channel, kind: Kind, content: bytes = b"") -> None:
+        sizes.get(kind, []).append(HEAD_BYTES + len(content))
+        send(channel, kind, content)
+
+    def counted_receive(channel: Channel, *allowed: Kind, within_s: float | None = None) -> Message:
+        found = receive(channel, *allowed, within_s=within_s)
+        sizes.get(found.kind, []).append(HEAD_BYTES + len(found.content))
+        return found
+
+    with mock.patch.multiple(Channel, send=counted_send, receive=counted_receive):
+        yield
 
 
 def measure(name: str, source: Path, robots: int, asked: argparse.Namespace) -> None:
@@ -172,17 +263,21 @@ def measure(name: str, source: Path, robots: int, asked: argparse.Namespace) -> 
     for count in (0, *asked.hosts):
         if count > robots:
             continue
+        sizes: dict[Kind, list[int]] = {Kind.GRANT: [], Kind.RAN: []}
         with hosts(world, executable, source, count) as fleet:
-            found = step_s(world, executable, fleet, asked.steps, first=asked.real_time)
+            found = step_s(world, executable, fleet, asked, sizes)
         took_s, cpu_s, rounds, state = found
         if home_s is None:
             known, home_s = state, took_s
         assert state == known, "another state than at home"
-        more_ms = (took_s - home_s) / max(rounds, 1e-9) * MILLISECONDS
-        more = f"{more_ms:14.3f}" if count else " " * 14
         row = f"{robots:7} {count or 'none':>6} {took_s * MILLISECONDS:12.2f}"
         row += f" {cpu_s * MILLISECONDS:8.2f} {rounds:7.1f}"
-        print(f"{name:10} {row} {more}", flush=True)
+        if count:
+            more_ms = (took_s - home_s) / max(rounds, 1e-9) * MILLISECONDS
+            sent, received = (int(np.median(each)) for each in sizes.values())
+            least_s = echo_s(count, (sent, received), first=asked.real_time)
+            row += f" {more_ms:14.3f} {least_s * MILLISECONDS:10.3f}"
+        print(f"{name:10} {row}", flush=True)
 
 
 def main() -> None:
@@ -194,7 +289,7 @@ def main() -> None:
     parser.add_argument("--real-time", action="store_true")
     asked = parser.parse_args()
     head = f"{'program':10} {'robots':>7} {'hosts':>6} {'ms/timestep':>12}"
-    print(f"{head} {'cpu here':>8} {'rounds':>7}  ms/round more")
+    print(f"{head} {'cpu here':>8} {'rounds':>7}  ms/round more  echo only")
     with tempfile.TemporaryDirectory() as folder:
         for name, text in PROGRAMS.items():
             source = Path(folder, f"{name}.c")

@@ -12,10 +12,11 @@ import errno
 import ntpath
 import os
 import stat
+import struct
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path, PureWindowsPath
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
     import socket
@@ -128,6 +129,29 @@ def _user_of_peer(client: socket.socket) -> int | None:
 def _as_in_table(address: tuple[str, int]) -> str:
     host = int.from_bytes(bytes(map(int, address[0].split("."))), sys.byteorder)
     return f"{host:08X}:{address[1]:04X}"
+
+
+def limit_waits(connection: Any, longest_s: float) -> None:
+    """Limit how long each call for a connection waits.
+
+    Where the system itself can do so, Python need not ask it before each call whether it would
+    wait, which takes as long as the call: then a call that has waited so long raises
+    BlockingIOError, elsewhere TimeoutError.
+
+    Args:
+        connection: a socket, or what stands for one.
+        longest_s: the limit [s].
+    """
+    import socket
+
+    if sys.platform != "linux" or type(connection) is not socket.socket:
+        connection.settimeout(longest_s)
+        return
+    seconds, part_s = divmod(longest_s, 1.0)
+    limit = struct.pack("@ll", int(seconds), round(part_s * 1e6))  # timeval, see `socket(7)`
+    connection.settimeout(None)
+    for option in (socket.SO_RCVTIMEO, socket.SO_SNDTIMEO):
+        connection.setsockopt(socket.SOL_SOCKET, option, limit)
 
 
 def is_input_waiting() -> bool:

@@ -18,6 +18,7 @@ import zlib
 from enum import IntEnum
 from typing import Final, NamedTuple, Self
 
+from crs_cc.core.host_system import limit_waits
 from crs_cc.net.tls import Connection
 
 SILENCE_S: Final = 1.5
@@ -29,7 +30,7 @@ ALIVE_S: Final = 0.4
 MAGIC: Final = b"CRS slots\r\n\x1a"
 """The first bytes of a connection: no request of HTTP and no greeting of TLS begins so."""
 
-PROTOCOL: Final = 2
+PROTOCOL: Final = 3
 """The version of what is said here."""
 
 
@@ -53,6 +54,7 @@ class Kind(IntEnum):
     STARTED = 15  # a host: it can run its programs
 
 
+_KINDS: Final = {int(kind): kind for kind in Kind}
 _SMALL, _LARGE = 64 * 2**10, 256 * 2**20
 _MOST: Final = {
     Kind.GRANT: _LARGE,
@@ -102,7 +104,7 @@ class Channel:
         """Store a connection."""
         with contextlib.suppress(OSError):  # a socket of another family
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        connection.settimeout(SILENCE_S)
+        limit_waits(connection, SILENCE_S)
         self.is_closed = False
         self._connection = connection
         self._sending, self._receiving = threading.Lock(), threading.Lock()
@@ -118,12 +120,12 @@ class Channel:
         """
         with self._sending:
             head = _HEAD.pack(kind, len(content), self._sent, zlib.crc32(content))
-            head += _CHECKSUM.pack(zlib.crc32(head))
+            message = b"".join((head, _CHECKSUM.pack(zlib.crc32(head)), content))
             self._sent = (self._sent + 1) & 0xFFFFFFFF
-            rest = memoryview(head + content)
             try:
-                while rest:  # as long as something is taken, however slowly
-                    rest = rest[self._connection.send(rest) :]
+                sent = self._connection.send(message)
+                while sent < len(message):  # as long as something is taken, however slowly
+                    sent += self._connection.send(memoryview(message)[sent:])
             except OSError as error:
                 raise ConnectionLostError(_reason(error)) from None
             self._sent_s = time.monotonic()
@@ -156,24 +158,51 @@ class Channel:
         """
         rest, end_s = self._rest, None if within_s is None else time.monotonic() + within_s
         while True:
-            self._await(_HEAD_BYTES, end_s)
-            kind, size, number, checksum = _HEAD.unpack_from(rest)
-            is_whole = _CHECKSUM.unpack_from(rest, _HEAD.size) == (zlib.crc32(rest[: _HEAD.size]),)
-            if not is_whole or number != self._received:
-                raise ConnectionLostError(_DAMAGED)
-            if kind != Kind.ALIVE and kind not in allowed:
-                raise ConnectionLostError(f"unexpected message of kind {kind}")
-            if size > _MOST.get(kind, _SMALL):
-                raise ConnectionLostError(f"message of {size} bytes is too long")
-            end = _HEAD_BYTES + size
-            self._await(end, end_s)
-            content = bytes(rest[_HEAD_BYTES:end])
-            del rest[:end]
+            content: bytes | None = None if end_s is not None or rest else self._next_message()
+            if content is not None:
+                kind, _, checksum = self._head(content, allowed)
+                content = content[_HEAD_BYTES:]
+            else:
+                self._await(_HEAD_BYTES, end_s)
+                kind, size, checksum = self._head(rest, allowed)
+                end = _HEAD_BYTES + size
+                self._await(end, end_s)
+                content = bytes(rest[_HEAD_BYTES:end])
+                del rest[:end]
             if zlib.crc32(content) != checksum:
                 raise ConnectionLostError(_DAMAGED)
             self._received = (self._received + 1) & 0xFFFFFFFF
             if kind != Kind.ALIVE:
-                return Message(Kind(kind), content)
+                return Message(_KINDS[kind], content)
+
+    def _head(self, message: bytes | bytearray, allowed: tuple[Kind, ...]) -> tuple[int, int, int]:
+        """Return kind, size and checksum of what begins with a head, which is checked."""
+        *found, number, checksum = _HEAD.unpack_from(message)
+        is_whole = _CHECKSUM.unpack_from(message, _HEAD.size) == (
+            zlib.crc32(message[: _HEAD.size]),
+        )
+        if not is_whole or number != self._received:
+            raise ConnectionLostError(_DAMAGED)
+        kind, size = found
+        if kind != Kind.ALIVE and kind not in allowed:
+            raise ConnectionLostError(f"unexpected message of kind {kind}")
+        if size > _MOST.get(kind, _SMALL):
+            raise ConnectionLostError(f"message of {size} bytes is too long")
+        return kind, size, checksum
+
+    def _next_message(self) -> bytes | None:
+        """Wait for something, and return it if it has the size of one message.
+
+        Nearly every message comes so, and need not be put together of parts.
+        """
+        with self._receiving:
+            if self._rest:  # somebody has listened meanwhile
+                return None
+            part = self._part(_LEAST)
+            if len(part) >= _HEAD_BYTES and len(part) == _HEAD_BYTES + _HEAD.unpack_from(part)[1]:
+                return part
+            self._rest += part
+            return None
 
     def _await(self, size: int, end_s: float | None) -> None:
         """Wait until so many bytes have come that are not read; memory is taken as they come."""
@@ -194,7 +223,7 @@ class Channel:
         """Return some bytes, of so many that are wanted."""
         try:
             part = self._connection.recv(min(max(size, _LEAST), _CHUNK))
-        except TimeoutError:
+        except (TimeoutError, BlockingIOError):  # by Python, or by the operating system
             raise ConnectionLostError(f"nothing heard for {SILENCE_S:g} s") from None
         except OSError as error:
             raise ConnectionLostError(_reason(error)) from None
@@ -262,4 +291,6 @@ class Pulse:
 
 
 def _reason(error: OSError) -> str:
+    if isinstance(error, BlockingIOError):
+        return "timed out"
     return error.strerror or str(error) or "the connection is closed"

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.source import Location
+from crs_cc.net import changed_words
 from crs_cc.net.host_link import HostGoneError, HostLink
 from crs_cc.requests import FAILED
 from crs_cc.runtime.driver import SLOTS
@@ -61,6 +62,8 @@ class DistantFleet(Fleet):
         self._lost: dict[int, str] = {}
         self._resize_slots(0, len(executables))
         self._table = self.table()
+        self._alive, self._clock_s = self.timing["alive"], self.timing["clock_s"]
+        self._due_s = self.timing["due_s"]
         self._end_s = _NOT_YET
         self._round = 0
 
@@ -104,16 +107,19 @@ class DistantFleet(Fleet):
 
     def _run_hosts(self, end_s: float) -> None:
         """Let all hosts that have something to run, and whose requests are answered, run."""
-        timing = self.timing
-        runs = timing["alive"] & (timing["clock_s"] < end_s) & (timing["due_s"] == np.inf)
-        granted = []
-        for link in self.links:
-            if link.ended or link.is_ahead or not runs[link.selection].any():
-                continue
-            if self._try(link, functools.partial(link.grant, end_s, self._table)):
-                granted.append(link)
+        runs = self._alive & (self._clock_s < end_s) & (self._due_s == np.inf)
+        granted = [
+            link
+            for link in self.links
+            if not link.ended and not link.is_ahead and runs[link.selection].any()
+        ]
+        granted = [link for link in granted if self._try(link, link.shorten_log)]
+        changes = changed_words.pack_all([link.tables(self._table) for link in granted])
+        for link, changed in zip(granted, changes, strict=True):
+            self._try(link, functools.partial(link.grant, end_s, changed))
         for link in granted:
-            self._try(link, link.collect)
+            if not link.ended:
+                self._try(link, link.collect)
 
     def _try(self, link: HostLink, action: Callable[[], object]) -> bool:
         """Do something with a host; stop its programs and return False if it is lost for good."""

@@ -18,11 +18,11 @@ import numpy as np
 
 from crs_cc.core.arrays import IndexArray
 from crs_cc.net import changed_words, memories
-from crs_cc.net.changed_words import WORDS, Changes, Table
+from crs_cc.net.changed_words import WORDS, Table
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import report_of
 from crs_cc.net.memories import Memory
-from crs_cc.net.slot_rules import check
+from crs_cc.net.slot_rules import QUIET, RULES
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
@@ -87,7 +87,6 @@ class HostLink:
         self._channel = channel
         self._replace = replace
         self._known: Table = np.zeros((len(robots), WORDS), np.uint64)
-        self._changes: Changes | None = None  # which have not been entered
         self._log: list[bytes] = []
         self._log_bytes = 0
         self._number = 0
@@ -99,19 +98,26 @@ class HostLink:
 
     # -- rounds ----------------------------------------------------------------------------------
 
-    def grant(self, end_s: float, table: Table) -> None:
-        """Let the programs run until a time, with what has been changed in the table."""
+    def shorten_log(self) -> None:
+        """Fetch the programs' memories if much has been granted since the last time."""
         most_bytes = max(LEAST_LOG_BYTES, len(self._start))
         if len(self._log) >= MAX_LOG_GRANTS or self._log_bytes >= most_bytes:
             self.memories()
-        changes = changed_words.pack(self._known, table[self.selection])
+
+    def tables(self, table: Table) -> tuple[Table, Table]:
+        """Return the rows of the programs as the host knows them, and as they are in a table."""
+        return self._known, table[self.selection]
+
+    def grant(self, end_s: float, changes: bytes) -> None:
+        """Let the programs run until a time, with what has been changed in their rows."""
         self._saved = None
         self._number += 1
-        self._log.append(GRANT.pack(self._number, end_s, True) + changes)
-        self._log_bytes += len(self._log[-1])
+        grant = GRANT.pack(self._number, end_s, True) + changes
+        self._log.append(grant)
+        self._log_bytes += len(grant)
         self._waits = True
         try:
-            self._channel.send(Kind.GRANT, self._log[-1])
+            self._channel.send(Kind.GRANT, grant)
         except ConnectionLostError as error:
             self._renew(str(error))  # which sends this grant, too
 
@@ -135,11 +141,8 @@ class HostLink:
         number, rounds = RAN.unpack_from(content)
         if number != self._number or rounds > MAX_ROUNDS:
             raise ValueError("answer to another grant")
-        changes = changed_words.unpack(content[RAN.size :], len(self._known))
-        self.asks = check(self._known, changes)
-        if self.asks and not rounds:
-            raise ValueError("requests without a round")
-        self._changes = changes
+        rules = RULES if rounds else QUIET
+        self.asks = changed_words.enter(content[RAN.size :], self._known, rules)
         self.round += rounds
 
     def _note_failure(self, data: Any) -> None:
@@ -151,8 +154,6 @@ class HostLink:
     def enter(self, table: Table) -> None:
         """Enter what the programs have done into the table."""
         self.is_ahead = False
-        assert self._changes is not None
-        self._changes.enter(self._known)
         table[self.selection] = self._known
 
     # -- memories and input ----------------------------------------------------------------------

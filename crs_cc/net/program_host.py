@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from crs_cc.core.arrays import IndexArray
 from crs_cc.net import changed_words, memories
 from crs_cc.net.changed_words import WORDS, Table
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
@@ -77,8 +78,8 @@ class ProgramHost:
         self._table = self.fleet.table()
         self._known: Table = np.zeros((len(executables), WORDS), np.uint64)
         self._asks, self._alive = self.fleet.timing["asks"], self.fleet.timing["alive"]
-        self._status = self.fleet.slots["status"]
-        self._asking = self._asks.nonzero()[0]
+        self._status, self._codes = self.fleet.slots["status"], self.fleet.codes
+        self._asking: IndexArray = np.zeros(0, np.intp)
 
     def serve(self, channel: Channel) -> Any:
         """Do what the environment asks for until the run ends; return what it says then.
@@ -112,20 +113,20 @@ class ProgramHost:
         if len(content) < GRANT.size:
             raise ValueError("a grant ends early")
         number, end_s, is_wanted = GRANT.unpack_from(content)
-        changes = changed_words.unpack(content[GRANT.size :], len(self._table))
         writers = self._writers()
-        changes.enter(self._table)
-        changes.enter(self._known)
+        changed_words.enter(content[GRANT.size :], self._known)
+        self._table[...] = self._known
         if number > self.shown:
             self.shown = number
             for robot, stream, text in writers:
                 self._streams.write(robot, stream, text)
         rounds = self._run(end_s)
         self._asking = self._asks.nonzero()[0]
-        if is_wanted:
-            self._tell_failures(channel)
-        answer = RAN.pack(number, rounds) + changed_words.pack(self._known, self._table)
-        return (Kind.RAN, answer) if is_wanted else None
+        changes = changed_words.pack(self._known, self._table)
+        if not is_wanted:
+            return None
+        self._tell_failures(channel)
+        return Kind.RAN, RAN.pack(number, rounds) + changes
 
     def _run(self, end_s: float) -> int:
         """Run rounds; return how many."""
@@ -138,11 +139,13 @@ class ProgramHost:
 
     def _writers(self) -> list[tuple[int, int, bytes]]:
         """Return what programs have asked to be written: robot, stream and content."""
-        slots, asking = self.fleet.slots, self._asking
-        writers = asking[(self.fleet.codes[asking] == _WRITE) & self._alive[asking]]
+        writes = self._codes[self._asking] == _WRITE
+        if not np.count_nonzero(writes):
+            return []
         found = []
-        for robot in writers.tolist():
-            message = slots["message"][robot]
+        writers = self._asking[writes]
+        for robot in writers[self._alive[writers]].tolist():
+            message = self.fleet.slots["message"][robot]
             stream, size = int(message["i"][0]), int(message["size"])
             if stream in (1, 2) and 0 <= size <= DATA_SIZE:
                 found.append((robot, stream, message["data"][:size].tobytes()))
@@ -150,6 +153,8 @@ class ProgramHost:
 
     def _tell_failures(self, channel: Channel) -> None:
         failed = self._status[self._asking] == FAILED
+        if not np.count_nonzero(failed):
+            return
         for robot in self._asking[failed].tolist():
             data = data_of(self.fleet.report(robot)) | {"robot": robot}
             channel.send(Kind.FAILED, json.dumps(data).encode())

@@ -1,8 +1,8 @@
 """What a host may change in the slots and clocks of its programs.
 
 Each word of a row has bits that never change, a greatest value, and perhaps never falls. Words are
-compared as whole numbers, since this is done in every round; floating-point numbers that are not
-negative are ordered as their bits are.
+compared as whole numbers; floating-point numbers that are not negative are ordered as their bits
+are.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.net.changed_words import WORDS, Changes, Table
+from crs_cc.net.word_kernel import WORDS, Rules
 from crs_cc.requests import ERROR_KINDS, FAILED, slot_offset, timing_offset
 
 _ALL: Final = 2**64 - 1
@@ -45,23 +45,8 @@ _MOST: Final = _of_words(
 _RISING: Final = _of_words(0, clock_s=_ALL, fuel=_ALL)
 _ASKING: Final = _of_words(0, alive=_ASKS)
 
+RULES: Final = Rules(_FIXED, _MOST, _RISING, wanted=_ASKING)
+"""What a host may change; what is looked for is whether a program asks for anything."""
 
-def check(known: Table, changes: Changes) -> bool:
-    """Check what a host has changed; return whether any program asks for something.
-
-    Args:
-        known: the rows before.
-        changes: what has changed in them.
-
-    Raises:
-        ValueError: it has changed what is not its own, or a clock goes back.
-    """
-    before, after = known.take(changes.places), changes.words
-    word, count = changes.places % WORDS, np.count_nonzero
-    if (
-        count((before ^ after) & _FIXED[word])
-        or count(after > _MOST[word])
-        or count(after < (before & _RISING[word]))
-    ):
-        raise ValueError("it has changed what is not its own, or a clock goes back")
-    return bool(count(after & _ASKING[word]))
+QUIET: Final = RULES._replace(fixed=_FIXED | _ASKING)
+"""What it may change if it has run no round, in which no program asks for anything."""

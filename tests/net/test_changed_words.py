@@ -7,9 +7,20 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from crs_cc.net.changed_words import WORDS, pack, unpack
+from crs_cc.net.changed_words import WORDS, enter, pack, pack_all
+from crs_cc.net.slot_rules import QUIET, RULES
+from crs_cc.net.word_kernel import ROWS, Rules
+from crs_cc.requests import timing_offset
 
 COUNT = 7
+ALL = 2**64 - 1
+ASKS = timing_offset("alive") // 8
+
+
+def free() -> Rules:
+    """Return rules that allow everything."""
+    nothing = np.zeros(WORDS, np.uint64)
+    return Rules(nothing, nothing + np.uint64(ALL), nothing.copy(), nothing.copy())
 
 
 @given(
@@ -21,43 +32,114 @@ def test_both_tables_are_equal_after_changes(changes: list[tuple[int, int, int]]
     there, known = here.copy(), here.copy()
     for row, word, value in changes:
         here[row, word] = value
-    changes = unpack(pack(known, here), COUNT)
-    changes.enter(there)
+    content = pack(known, here)
+    assert len(content) in (0, 8 * (COUNT + np.count_nonzero(here)))
+    enter(content, there)
     assert (there == here).all()
     assert (known == here).all()
-    assert changes.places.tolist() == np.flatnonzero(here).tolist()
 
 
-@given(st.binary(max_size=200), st.integers(0, 60), st.integers(0, 255))
+@given(st.binary(max_size=200), st.integers(0, 200), st.integers(0, 255))
 @settings(max_examples=200, deadline=None)
 def test_any_bytes_are_valid_changes_or_refused(noise: bytes, at: int, value: int) -> None:
     here = np.zeros((COUNT, WORDS), np.uint64)
     here[2, 5], here[4, :3] = 7, 1
     valid = bytearray(pack(np.zeros_like(here), here))
     valid[at % len(valid)] = value
-    for content in (noise, bytes(valid), bytes(valid[:-1])):
-        try:
-            changes = unpack(content, COUNT)
-        except ValueError:
-            continue
+    for content in (noise, bytes(valid), bytes(valid[:-1]), bytes(valid) + bytes(8)):
         table = np.zeros_like(here)
-        changes.enter(table)
-        assert len(changes.places) == len(changes.words) <= len(content) // 8
+        try:
+            enter(content, table)
+        except ValueError:
+            assert not table.any()
+            continue
+        masks = np.frombuffer(content, np.uint64, COUNT if content else 0)
+        announced = sum(int(mask).bit_count() for mask in masks)
+        assert len(content) == 8 * (len(masks) + announced)
 
 
 def test_nothing_is_sent_twice() -> None:
     here = np.ones((COUNT, WORDS), np.uint64)
     known = np.zeros_like(here)
-    assert len(pack(known, here)) == COUNT * WORDS // 8 + COUNT * WORDS * 8
+    assert len(pack(known, here)) == COUNT * (1 + WORDS) * 8
     assert pack(known, here) == b""
 
 
 def test_changes_of_another_number_of_words_than_declared_are_refused() -> None:
     here = np.ones((COUNT, WORDS), np.uint64)
     content = pack(np.zeros_like(here), here)
-    for wrong in (content[:-8], content + bytes(8)):
-        with pytest.raises(ValueError, match="another size"):
-            unpack(wrong, COUNT)
-    for wrong in (content[:-1], content[:10]):
-        with pytest.raises(ValueError, match="end early"):
-            unpack(wrong, COUNT)
+    for wrong, reason in (
+        (content[:-8], "end early"),
+        (content[:-1], "end early"),
+        (content[:16], "end early"),
+        (content + bytes(8), "another size"),
+        (b"\xff" * 8 + content[8:], "not there"),
+    ):
+        table = np.zeros_like(here)
+        with pytest.raises(ValueError, match=reason):
+            enter(wrong, table)
+        assert not table.any()
+
+
+@pytest.mark.parametrize("counts", [(1, 3, 5), (ROWS, 1), (ROWS + 1,), (3, 2 * ROWS + 7, 2, ROWS)])
+def test_tables_of_any_size_are_packed_as_if_alone(counts: tuple[int, ...]) -> None:
+    random_ = np.random.default_rng(sum(counts))
+    tables = [random_.integers(0, 3, (count, WORDS)).astype(np.uint64) for count in counts]
+    tables[0][:] = 0
+    known = [np.zeros_like(table) for table in tables]
+    whole = pack_all(list(zip(known, tables, strict=True)))
+    alone = [pack(np.zeros_like(table), table) for table in tables]
+    assert whole == alone
+    assert whole[0] == b""
+    for content, table, here in zip(whole, tables, known, strict=True):
+        there = np.zeros_like(table)
+        enter(content, there)
+        assert (there == table).all()
+        assert (here == table).all()
+
+
+def test_one_bad_row_behind_many_keeps_all_from_being_entered() -> None:
+    count = 2 * ROWS + 5
+    here = np.ones((count, WORDS), np.uint64)
+    content = pack(np.zeros_like(here), here)
+    rules, table = free(), np.zeros_like(here)
+    enter(content, table, rules)
+    assert (table == here).all()
+    here[-1, 9] = 8
+    content = pack(np.zeros_like(here), here)
+    rules.most[9] = 7
+    table = np.zeros_like(here)
+    with pytest.raises(ValueError, match="not its own"):
+        enter(content, table, rules._replace(most=rules.most))
+    assert not table.any()
+
+
+@given(st.integers(0, ALL), st.integers(0, ALL), st.integers(0, ALL), st.integers(0, ALL))
+def test_rules_hold_to_the_last_bit(before: int, after: int, fixed: int, most: int) -> None:
+    rules = free()
+    rules.fixed[3], rules.most[3], rules.rising[3] = fixed, most, ALL if fixed % 2 else 0
+    known = np.zeros((2, WORDS), np.uint64)
+    known[1, 3] = before
+    here, there = known.copy(), known.copy()
+    here[1, 3] = after
+    content = pack(known.copy(), here)
+    is_allowed = (before ^ after) & fixed == 0 and after <= most
+    is_allowed = is_allowed and (not fixed % 2 or after >= before)
+    if is_allowed or before == after:
+        enter(content, there, rules)
+        assert (there == here).all()
+    else:
+        with pytest.raises(ValueError, match="not its own"):
+            enter(content, there, rules)
+        assert (there == known).all()
+
+
+def test_who_asks_is_found_and_must_have_run() -> None:
+    here, there = np.zeros((2, COUNT, WORDS), np.uint64)
+    here[3, 2] = 9
+    assert not enter(pack(there.copy(), here), there, RULES)
+    here[5, ASKS] = 1 << 32
+    content = pack(there.copy(), here)
+    with pytest.raises(ValueError, match="not its own"):
+        enter(content, there.copy(), QUIET)
+    assert enter(content, there, RULES)

@@ -160,7 +160,7 @@ def test_what_a_host_says_is_believed_of_its_own_programs_only(field: str, value
         table = np.zeros((1, WORDS), np.uint64)
         rows = table.view(RECORD)[:, 0]
         rows["timing"]["clock_s"], rows["timing"]["fuel"], rows["timing"]["alive"] = 1.0, 7, True
-        link.grant(2.0, table)
+        link.grant(2.0, pack(*link.tables(table)))
         known, said = table.copy(), table.copy()
         part = "timing" if field in RECORD["timing"].names else "slot"
         said.view(RECORD)[:, 0][part][field] = value
@@ -174,7 +174,7 @@ def test_a_grant_is_not_sent_twice_to_the_host_that_replaces_a_lost_one() -> Non
     link = HostLink(("robot0",), np.arange(1), Channel(lost[0]), lambda *_: Channel(here[0]))
     for each in lost:
         each.close()
-    link.grant(2.0, np.zeros((1, WORDS), np.uint64))
+    link.grant(2.0, b"")
     link.close()
     other = Channel(here[1])
     received = [other.receive(Kind.RESTORE, Kind.GRANT).kind for _ in range(2)]
