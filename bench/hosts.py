@@ -6,9 +6,10 @@ the thread that runs it, rounds that hosts are asked for, and what a round costs
 at home, by the median of the timesteps. The latter needs as many idle processors as hosts, and one
 more. As its limit, the same number of bytes goes to as many processes that do nothing but answer,
 and back, over plain sockets. With `--real-time`, which needs Linux and root, whatever else the
-machine does waits while timesteps are measured.
+machine does waits while timesteps are measured. With `--dask`, hosts are on the cluster of a
+scheduler, such as `tcp://127.0.0.1:8786`.
 
-    python bench/hosts.py [--steps N] [--hosts N ...] [--real-time] [ROBOTS ...]
+    python bench/hosts.py [--steps N] [--hosts N ...] [--real-time] [--dask ADDRESS] [ROBOTS ...]
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from pathlib import Path
 from unittest import mock
 
@@ -31,6 +32,7 @@ import numpy as np
 from crs_cc.core.source import Diagnostics
 from crs_cc.net.access import Access
 from crs_cc.net.channel import Channel, Kind, Message
+from crs_cc.net.cluster_fleet import ClusterFleet
 from crs_cc.net.distant_fleet import DistantFleet
 from crs_cc.net.gate import Gate, bound
 from crs_cc.net.host_link import HostLink
@@ -108,10 +110,18 @@ def world_of(robots: int) -> WorldModel:
 
 
 @contextmanager
-def hosts(world: WorldModel, executable: Executable, source: Path, count: int) -> Iterator[Fleet]:
-    """Yield a fleet on a number of hosts; none is a fleet in this process."""
+def hosts(
+    world: WorldModel, executable: Executable, source: Path, count: int, dask: str
+) -> Iterator[Fleet]:
+    """Yield a fleet on a number of hosts, on a cluster if one is named; none is a fleet here."""
+    executables = [executable] * len(world.robots)
     if not count:
-        yield Fleet([executable] * len(world.robots), build_driver(), threads=1)
+        yield Fleet(executables, build_driver(), threads=1)
+        return
+    if dask:
+        per_host = -(-len(world.robots) // count)
+        with closing(ClusterFleet(world.robots, executables, dask, per_host)) as placed:
+            yield placed
         return
     with ExitStack() as stack:
         roster, access = Roster(world.robots), Access.made()
@@ -132,7 +142,7 @@ def hosts(world: WorldModel, executable: Executable, source: Path, count: int) -
             assert channel
             robots = np.array([names.index(name) for name in seat.names], np.intp)
             links.append(HostLink(seat.names, robots, channel, _no_other))
-        fleet = DistantFleet([executable] * len(names), links)
+        fleet = DistantFleet(executables, links)
         yield fleet
         fleet.outcome = lambda _robot: {"exit_status": 0, "failed": False}
         fleet.dismiss(everyone=True)
@@ -264,7 +274,7 @@ def measure(name: str, source: Path, robots: int, asked: argparse.Namespace) -> 
         if count > robots:
             continue
         sizes: dict[Kind, list[int]] = {Kind.GRANT: [], Kind.RAN: []}
-        with hosts(world, executable, source, count) as fleet:
+        with hosts(world, executable, source, count, asked.dask) as fleet:
             found = step_s(world, executable, fleet, asked, sizes)
         took_s, cpu_s, rounds, state = found
         if home_s is None:
@@ -287,6 +297,7 @@ def main() -> None:
     parser.add_argument("--steps", type=int, default=100)
     parser.add_argument("--hosts", nargs="*", type=int, default=[1, 2, 4])
     parser.add_argument("--real-time", action="store_true")
+    parser.add_argument("--dask", default="", help="address of a scheduler, for hosts there")
     asked = parser.parse_args()
     head = f"{'program':10} {'robots':>7} {'hosts':>6} {'ms/timestep':>12}"
     print(f"{head} {'cpu here':>8} {'rounds':>7}  ms/round more  echo only")

@@ -85,7 +85,9 @@ def join(
     if any(map(is_net_address, words[:2])):
         at = next(index for index, word in enumerate(words) if is_net_address(word))
     else:
-        raise click.UsageError("no address HOST:PORT of an environment.")
+        named = words[0 if every else 1 :][:1]
+        text = f"{named[0]!r} is not an" if named else "no"
+        raise click.UsageError(f"{text} address HOST:PORT of an environment.")
     if every == bool(at):
         raise click.UsageError("name the robots before the address, or give --all.")
     files = words[at + 1 :]

@@ -98,7 +98,10 @@ def _gate(
     if not (is_own_name(host) or secure or options.insecure):
         text = f"--listen {host} is open to other machines, which could read tokens and programs"
         raise click.UsageError(f"{text}: --tls, or --insecure if the network is yours alone.")
-    listener = bound(host, port)
+    try:
+        listener = bound(host, port)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, shown_address((host, port))) from None
     with token_left(listener.getsockname()[1], access.token("robot")):
         gate = Gate(listener, access, roster, secure.secure if secure else lambda plain: plain)
         try:

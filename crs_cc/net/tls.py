@@ -173,6 +173,9 @@ class Client:
             raise UntrustedError(
                 f"{text}: give --fingerprint, which crs serve has printed"
             ) from None
+        except ssl.SSLError as error:
+            text = f"it does not encrypt as TLS does ({error.reason or error})"
+            raise OSError(f"{text}: is it served without --tls?") from None
         found = _fingerprint(inner.getpeercert(binary_form=True) or b"")
         if self._expected and not hmac.compare_digest(found.encode(), self._expected.encode()):
             inner.close()

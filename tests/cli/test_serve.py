@@ -313,6 +313,9 @@ def test_hosts_that_do_not_fit_are_refused_with_the_reason(folder: Path) -> None
     folder.joinpath("tokens").write_text("robot 0123456789abcdef\n")
     with served(folder, "--tokens", "tokens") as environment:
         at = environment.address
+        again = command("serve", "world.xml", "--listen", at)
+        done = subprocess.run(again, cwd=folder, capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stderr) == (1, f"crs: error: Address already in use: {at}\n")
         token = "--token", "0123456789abcdef"
         kept = join(folder, "left", at, "echo.c", *token)
         refused = [
@@ -328,8 +331,26 @@ def test_hosts_that_do_not_fit_are_refused_with_the_reason(folder: Path) -> None
             assert host.returncode == 2
             assert reason in said
             assert "Traceback" not in said
+        host = join(folder, "left", at, "echo.c", *token, "--tls", "--retry", "0")
+        _, said = host.communicate(timeout=MOST_S)
+        assert host.returncode == 1
+        assert "it does not encrypt as TLS does" in said
+        assert "is it served without --tls?" in said
         kept.kill()
         kept.communicate()
+
+
+def test_an_address_without_a_port_is_named(folder: Path) -> None:
+    for words, text in (
+        (("left", "8000", "echo.c"), "'8000' is not an address HOST:PORT"),
+        (("--all", "procyon", "echo.c"), "'procyon' is not an address HOST:PORT"),
+        (("left",), "no address HOST:PORT"),
+    ):
+        done = subprocess.run(
+            command("join", *words), cwd=folder, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 2
+        assert text in done.stderr
 
 
 def test_pages_look_at_the_run_on_the_same_port_with_a_token_only(folder: Path) -> None:
