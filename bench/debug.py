@@ -9,7 +9,7 @@ touches. Then the user goes back. Then a breakpoint with a condition is passed a
 deep recursion, and last the user asks where a value came from that is a minute old; the goals are
 printed with these figures.
 
-    python bench/debug.py [--minutes M] [--minute S] [ROBOTS ...]
+    python bench/debug.py [--minutes M] [--minute S] [--depth N] [ROBOTS ...]
 """
 
 from __future__ import annotations
@@ -86,18 +86,17 @@ int main(void)
     }
 }
 """
-DEPTH = 10_000
-RECURSION = f"""
+RECURSION = """
 static int down(int n)
-{{
+{
     if (n == 0)
         return 0;
     return 1 + down(n - 1);
-}}
+}
 int main(void)
-{{
-    return down({DEPTH});
-}}
+{
+    return down(DEPTH);
+}
 """
 ASKED = r"""
 #include <unistd.h>
@@ -244,10 +243,10 @@ def goal(what: str, figure: str, most: str) -> None:
     print(f"{'':7} {what:32}{figure:>12} (goal {most})", flush=True)
 
 
-def deep(folder: Path) -> None:
+def deep(folder: Path, depth: int) -> None:
     """Measures stops in a recursion, each deeper than the last, and steps at its end."""
     source = folder / "down.c"
-    source.write_text(RECURSION)
+    source.write_text(RECURSION.replace("DEPTH", str(depth)))
     executable = build_executable([source], Diagnostics(), debug=True)
     program = DebugProgram(executable, [source], Options((), (HEADERS,)))
     debugger = Debugger(empty_world(), [program])
@@ -257,7 +256,7 @@ def deep(folder: Path) -> None:
     seconds = timed(debugger.resume)
     if debugger.stop.reason != "breakpoint":
         sys.exit(f"stopped: {debugger.stop}")
-    goal(f"break if, {DEPTH:,} deep", f"{seconds:.2f} s", "1 s")
+    goal(f"break if, {depth:,} deep", f"{seconds:.2f} s", "1 s")
     seconds = statistics.median(timed(lambda: debugger.step(backward=True)) for _ in range(AGAIN))
     goal("reverse-step there", f"{1e3 * seconds:.0f} ms", "50 ms")
     evaluator = debugger.view.evaluator(0)
@@ -265,14 +264,14 @@ def deep(folder: Path) -> None:
     goal("a condition", f"{1e6 * seconds:.0f} us", "20 us")
 
 
-def asked(folder: Path) -> None:
+def asked(folder: Path, minute_s: int) -> None:
     """Measures questions about the past, at first with the builds that they need."""
     source = folder / "asked.c"
     source.write_text(ASKED)
     executable = build_executable([source], Diagnostics(), debug=True)
     program = DebugProgram(executable, [source], Options((), (HEADERS,)))
     debugger = Debugger(empty_world(), [program])
-    debugger.goto_time(60.5)
+    debugger.goto_time(minute_s + 0.5)
 
     def why() -> None:
         cause = Why(debugger.view, debugger.navigator).explain("gap")
@@ -292,14 +291,15 @@ def main() -> None:
     parser.add_argument("robots", nargs="*", type=int, default=[1, 100])
     parser.add_argument("--minutes", type=int, default=10, help="whole ones (default 10)")
     parser.add_argument("--minute", type=int, default=60, help="seconds of one (default 60)")
+    parser.add_argument("--depth", type=int, default=10_000, help="of the recursion (10000)")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         for robots in options.robots:
             table = Table(robots)
             bench = Bench(Path(folder), robots, options.minutes, options.minute)
             backward(bench, table, *forward(bench, table))
-        deep(Path(folder))
-        asked(Path(folder))
+        deep(Path(folder), options.depth)
+        asked(Path(folder), options.minute)
 
 
 if __name__ == "__main__":

@@ -1,11 +1,12 @@
 """Runs a sweep in several ways, kills what can be killed, and compares the tables.
 
-Each run is two robots for 0.2 s; every tenth run fails. The ways: on this machine; again, with
-a worker killed now and then; killed by SIGKILL in the middle, and resumed; and with --dask on a
-cluster of three workers, one of which is killed. What is told is the time for each run, the most
-memory of the process that runs the sweep, and whether the table has the bytes of the first one.
+Each run is two robots for 0.2 s, with one of ten programs, of which the first fails. The ways: on
+this machine; again, with a worker killed now and then; killed by SIGKILL in the middle, and
+resumed; and with --dask on a cluster of three workers, one of which is killed. What is told is the
+time for each run, the most memory of the process that runs the sweep, and whether the table has
+the bytes of the first one.
 
-    python bench/sweep.py [--dask] [RUNS]    # -P: a script beside it is called distributed
+    python bench/sweep.py [--dask] [--programs N] [RUNS]
 """
 
 from __future__ import annotations
@@ -24,6 +25,8 @@ from contextlib import suppress
 from pathlib import Path
 
 from crs_cc.jobs.pool import Worker
+from crs_cc.sweeps.experiment_file import parse
+from crs_cc.sweeps.plan import runs_of
 from crs_cc.sweeps.sweep import Progress, Sweep
 
 WORLD = """<world version="1" duration="0.2s"><area length="6m" width="4m"/>
@@ -38,19 +41,18 @@ int main(void)
     return SPEED == 10 ? 1 / (SPEED - 10) : 0;
 }
 """
-SPEEDS = 10
 JOBS = 2
 
 
-def experiment(folder: Path, runs: int) -> Path:
-    """Write an experiment of so many runs; return its file."""
+def experiment(folder: Path, runs: int, programs: int) -> Path:
+    """Write an experiment of so many runs, each of one of so many programs; return its file."""
     folder.mkdir()
     (folder / "hall.xml").write_text(WORLD)
     (folder / "drive.c").write_text(PROGRAM)
     path = folder / "trial.toml"
-    speeds = [10 * number for number in range(1, SPEEDS + 1)]
+    speeds = [10 * number for number in range(1, programs + 1)]
     path.write_text(
-        f'world = "hall.xml"\nprograms = ["drive.c"]\nseeds = {max(1, runs // SPEEDS)}\n'
+        f'world = "hall.xml"\nprograms = ["drive.c"]\nseeds = {max(1, runs // programs)}\n'
         f"[parameters]\ndefine.SPEED = {speeds}\n"
     )
     return path
@@ -112,7 +114,7 @@ def on_dask(path: Path, out: Path) -> None:
 
 
 def _runs(path: Path) -> int:
-    return int(path.read_text().split("seeds = ")[1].split()[0]) * SPEEDS
+    return sum(1 for _ in runs_of(parse(path.read_text(), path)))
 
 
 def _rows(out: Path) -> int:
@@ -124,6 +126,7 @@ def main() -> None:
     """Run in all ways, and compare."""
     parser = argparse.ArgumentParser(description="Compare the tables of sweeps that are disturbed.")
     parser.add_argument("runs", type=int, nargs="?", default=600)
+    parser.add_argument("--programs", type=int, default=10, help="of the runs (default 10)")
     parser.add_argument("--dask", action="store_true", help="also on a Dask cluster")
     options = parser.parse_args()
     ways: list[Callable[[Path, Path], None]] = [local, workers_killed, resumed]
@@ -133,7 +136,7 @@ def main() -> None:
     tables = []
     with tempfile.TemporaryDirectory() as folder:
         for way in ways:
-            path = experiment(Path(folder, way.__name__), options.runs)
+            path = experiment(Path(folder, way.__name__), options.runs, options.programs)
             out = path.parent / "out"
             started_s = time.monotonic()
             way(path, out)

@@ -14,7 +14,7 @@ SMALLEST = {
     "builder.py": ["--no-browser", "20", "2"],
     "c_speed.py": ["--repeat", "1", "fib"],
     "compile.py": ["--lines", "80", "--repeat", "1", "--stages"],
-    "debug.py": ["--minutes", "2", "--minute", "2", "1"],
+    "debug.py": ["--minutes", "2", "--minute", "2", "--depth", "100", "1"],
     "hosts.py": ["--steps", "1", "--hosts", "1", "--", "2"],
     "environment.py": ["--seconds", "0", "--scouts", "1", "1"],
     "fields.py": ["--robots", "4", "--timesteps", "2"],
@@ -27,7 +27,7 @@ SMALLEST = {
     "quiet_time.py": ["--steps", "20", "--repeat", "1", "bits"],
     "requests.py": ["--steps", "3", "gs"],
     "start.py": ["--repeat", "1"],
-    "sweep.py": ["10"],
+    "sweep.py": ["--programs", "2", "4"],
     "workbench.py": ["--no-browser", "--pages", "2", "--seconds", "0.1", "4"],
 }
 """Of each script, the arguments with which it measures least."""
