@@ -468,6 +468,9 @@ class LongJump(Instruction):
     value: Operand
 
 
+_FREE: Final = frozenset({Statement, Lifetime, Seal, Bounds, SameObject, Passed})
+"""The instructions that generate no code; looking up the class is faster than `isinstance`."""
+
 Terminator: TypeAlias = Jump | Branch | Switch | Return | Call | Request | Stop | SetJump | LongJump
 
 
@@ -482,10 +485,7 @@ class Block:
     @property
     def fuel(self) -> int:
         """The cost of the block: one unit, and one for each instruction that generates code."""
-        return 1 + sum(
-            not isinstance(each, Statement | Lifetime | Seal | Bounds | SameObject | Passed)
-            for each in self.instructions
-        )
+        return 1 + len([each for each in self.instructions if each.__class__ not in _FREE])
 
     def successors(self) -> list[Block]:
         """Return the blocks that may follow, in a fixed order, each once."""

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from operator import attrgetter
-from typing import Final
+from typing import Any, Final
 
 from crs_cc.ir import instruction as ir
 from crs_cc.ir.program import Function
@@ -23,7 +23,6 @@ _OPERANDS: Final[dict[type[ir.Instruction], tuple[str, ...]]] = {
     ir.Binary: ("left", "right"),
     ir.Load: ("base", "within"),
     ir.Address: ("base",),
-    ir.Bounds: ("index", "base"),
     ir.SameObject: ("left", "right"),
     ir.Passed: ("address",),
     ir.Store: ("base", "source", "within"),
@@ -37,12 +36,11 @@ _OPERANDS: Final[dict[type[ir.Instruction], tuple[str, ...]]] = {
     ir.Branch: ("condition",),
     ir.Switch: ("value",),
     ir.Return: ("value",),
-    ir.Call: ("callee",),
     ir.Request: ("code", "message"),
     ir.SetJump: ("buffer", "activation"),
     ir.LongJump: ("activation", "place", "value"),
 }
-"""The fields of instructions with the operands that they read, except a call's arguments."""
+"""The fields of instructions with the operands that they read."""
 
 _ASSIGNING: Final = frozenset(
     {ir.Move, ir.Unary, ir.Binary, ir.Load, ir.Address, ir.State, ir.Call, ir.Request, ir.SetJump}
@@ -59,21 +57,27 @@ def _reader(names: tuple[str, ...]) -> Callable[[ir.Instruction], list[ir.Regist
     return lambda it: [value for value in fields(it) if isinstance(value, ir.Register)]
 
 
-_READERS: Final = {kind: _reader(names) for kind, names in _OPERANDS.items()}
+def _read_by_call(call: ir.Call) -> list[ir.Register]:
+    values = [call.callee, *[argument.value for argument in call.arguments]]
+    return [value for value in values if isinstance(value, ir.Register)]
+
+
+def _read_by_bounds(bounds: ir.Bounds) -> list[ir.Register]:
+    values = [bounds.index, bounds.base, bounds.element and bounds.element[0]]
+    return [value for value in values if isinstance(value, ir.Register)]
+
+
+_READERS: Final[dict[type[ir.Instruction], Callable[[Any], list[ir.Register]]]] = {
+    **{kind: _reader(names) for kind, names in _OPERANDS.items()},
+    ir.Bounds: _read_by_bounds,
+    ir.Call: _read_by_call,
+}
 
 
 def reads(instruction: ir.Instruction) -> list[ir.Register]:
     """Return the registers that the instruction reads."""
     reader = _READERS.get(instruction.__class__)
-    if reader is None:
-        return []
-    found = reader(instruction)
-    if isinstance(instruction, ir.Call):
-        values = [argument.value for argument in instruction.arguments]
-        found += [value for value in values if isinstance(value, ir.Register)]
-    elif isinstance(instruction, ir.Bounds) and instruction.element is not None:
-        found.append(instruction.element[0])
-    return found
+    return reader(instruction) if reader else []
 
 
 def writes(instruction: ir.Instruction) -> ir.Register | None:

@@ -22,13 +22,14 @@ def postorder(entry: AnyNode) -> list[AnyNode]:
     work = [(entry, iter(entry.successors()))]
     while work:
         node, rest = work[-1]
-        target = next((each for each in rest if each not in seen), None)
-        if target is None:
+        for target in rest:
+            if target not in seen:
+                seen.add(target)
+                work.append((target, iter(target.successors())))
+                break
+        else:
             order.append(node)
             work.pop()
-        else:
-            seen.add(target)
-            work.append((target, iter(target.successors())))
     return order
 
 

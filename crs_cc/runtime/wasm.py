@@ -165,7 +165,7 @@ class Code:
         for instr in self.body:
             if instr is UNLIKELY:
                 hints.append(len(content))
-            content += encode(instr)
+            content += encode(instr) if instr[0] in _FLOATING else _encode(instr)
         content += b"\x0b"
         return unsigned(len(content)) + content, hints
 

@@ -209,18 +209,18 @@ def _components(region: list[Node]) -> list[list[Node]]:
                 counter += 1
                 stack.append(node)
                 on_stack.add(node)
-            child = next((t for t in rest if t in index and (index[t] < 0 or t in on_stack)), None)
-            if child is not None and index[child] < 0:
-                work.append((child, iter(child.targets)))
-                continue
-            if child is not None:
-                low[node] = min(low[node], index[child])
-                continue
-            work.pop()
-            if work:
-                low[work[-1][0]] = min(low[work[-1][0]], low[node])
-            if low[node] == index[node]:
-                found += _pop_component(node, stack, on_stack)
+            for child in rest:
+                if index.get(child, 0) < 0:
+                    work.append((child, iter(child.targets)))
+                    break
+                if child in on_stack:
+                    low[node] = min(low[node], index[child])
+            else:
+                work.pop()
+                if work:
+                    low[work[-1][0]] = min(low[work[-1][0]], low[node])
+                if low[node] == index[node]:
+                    found += _pop_component(node, stack, on_stack)
     return found
 
 

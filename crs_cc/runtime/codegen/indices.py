@@ -31,6 +31,8 @@ four, or of eight, bytes."""
 FIXED_LOCALS: Final[tuple[ValueType, ...]] = ("i32", "i32", "i32", "i32", "i32", "i64")
 """The types of those that are not parameters."""
 
+_OF_LOCALS: Final = frozenset({"local.get", "local.set", "local.tee"})
+
 
 def passed(number: int) -> int:
     """Return the index of what is passed in a register, until `with_parameters` has run."""
@@ -47,7 +49,7 @@ def with_parameters(body: list[tuple[Any, ...]], count: int) -> list[tuple[Any, 
         return body
     return [
         (each[0], FUEL - each[1] if each[1] < 0 else each[1] + count)
-        if each[0].startswith("local.") and not 0 <= each[1] <= FUEL
+        if each[0] in _OF_LOCALS and not 0 <= each[1] <= FUEL
         else each
         for each in body
     ]

@@ -98,8 +98,11 @@ class Registers:
         last: list[list[Register]] = [[] for _ in instructions]
         seen: set[Register] = set()
         for number in range(len(instructions) - 1, -1, -1):
+            registers = reads(instructions[number])
             target = writes(instructions[number])
-            for register in [*reads(instructions[number]), *([target] if target else [])]:
+            if target:
+                registers.append(target)
+            for register in registers:
                 if register not in seen and register not in self.lasting:
                     seen.add(register)
                     last[number].append(register)
