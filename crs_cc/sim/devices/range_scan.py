@@ -47,7 +47,7 @@ def alike(kinds: IndexArray) -> Iterator[tuple[int, IndexArray]]:
     if len(kinds) and (kinds == kinds[0]).all():
         yield int(kinds[0]), np.arange(len(kinds))
         return
-    for kind in np.unique(kinds).tolist():
+    for kind in sorted(set(kinds.tolist())):
         yield kind, np.flatnonzero(kinds == kind)
 
 

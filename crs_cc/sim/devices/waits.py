@@ -37,7 +37,7 @@ class Wait:
 def when(waits: Mapping[int, Wait], state: EnvState, rows: IndexArray) -> FloatArray:
     """Return when the waits of robots will end, as far as is known now, shape (k,)."""
     ends_s, codes = np.full(len(rows), np.inf), state.waits.code[rows]
-    for code in np.unique(codes).tolist():
+    for code in sorted(set(codes.tolist())):
         mine = codes == code
         ends_s[mine] = waits[code].ends_s(state, rows[mine])
     return ends_s

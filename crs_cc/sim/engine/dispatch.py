@@ -80,7 +80,7 @@ class Dispatcher:
         ends_s = self._end_waits_of(waiting)
         ended = np.isfinite(ends_s)
         rows, at_s, messages, codes = waiting[ended], ends_s[ended], asked[ended], codes[ended]
-        for code in np.unique(codes).tolist():
+        for code in sorted(set(codes.tolist())):
             request, mine = REQUESTS[code], codes == code
             replies, arguments = messages[mine], messages["i"][mine].copy()
             self._finish(request, rows[mine], replies, at_s[mine])

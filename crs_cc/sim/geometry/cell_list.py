@@ -163,7 +163,7 @@ class Discs:
     def by_size(self) -> Iterator[IndexArray]:
         """Yield the indices of discs of similar size, size by size."""
         sizes = np.frexp(self.radius_m)[1]
-        for size in np.unique(sizes):
+        for size in sorted(set(sizes.tolist())):
             yield np.flatnonzero(sizes == size)
 
 

@@ -63,7 +63,7 @@ def overlapping_objects(world: WorldModel) -> Iterator[tuple[str, str]]:
     around = Discs(*np.array([disc_around(solid) for solid in solids]).T)
     objects = around.take(np.array(pushable))
     for solid_of, object_of in overlapping(around, objects):
-        for number in np.unique(solid_of).tolist():
+        for number in sorted(set(solid_of.tolist())):
             near, solid = np.sort(object_of[solid_of == number]), solids[number]
             room_m = distance_from_m(solid, objects.x_m[near], objects.y_m[near])
             for obj in near[room_m < objects.radius_m[near]].tolist():
@@ -124,7 +124,7 @@ def _inside(
         return
     around = Discs(*np.array([disc_around(solid) for solid in solids]).T)
     for solid_of, robot_of in overlapping(around, robots):
-        for number in np.unique(solid_of).tolist():
+        for number in sorted(set(solid_of.tolist())):
             near, solid = np.sort(robot_of[solid_of == number]), solids[number]
             room_m = distance_from_m(solid, robots.x_m[near], robots.y_m[near])
             inside = room_m < robots.radius_m[near] - TOLERANCE_M

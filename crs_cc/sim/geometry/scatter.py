@@ -130,7 +130,7 @@ class Taken:
         for _, near in overlapping(Discs(*self._discs.T), discs):
             free[near] = False
         for solid_of, near in overlapping(self._around, discs):
-            for number in np.unique(solid_of).tolist():
+            for number in sorted(set(solid_of.tolist())):
                 those = near[solid_of == number]
                 away_m = distance_from_m(self._solids[number], x_m[those], y_m[those])
                 free[those[away_m < radius_m]] = False

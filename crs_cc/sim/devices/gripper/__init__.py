@@ -136,7 +136,7 @@ class Grippers:
     def _broken(self, context: RequestContext, which: IndexArray, rows: IndexArray) -> BoolArray:
         broken = np.zeros(len(rows), dtype=np.bool_)
         kinds = self._kind[which]
-        for kind in np.unique(kinds).tolist():
+        for kind in sorted(set(kinds.tolist())):
             mine = kinds == kind
             poses = mount_poses(context.state, context.constants, rows[mine])
             seen = context.rays.distances_m(context.state, self.fans[kind], poses, rows[mine])
