@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,13 +22,16 @@ NO_ADDRESS = "error: not the address of a Dask scheduler"
 if TYPE_CHECKING:
     from distributed import LocalCluster
 
-distributed = pytest.importorskip("distributed", reason="needs the extra 'cluster'")
+pytestmark = pytest.mark.skipif(not find_spec("distributed"), reason="needs the extra 'cluster'")
+"""It is imported where it is used: every run of any tests would wait for it."""
 
 
 @pytest.fixture(scope="module")
 def dask() -> Iterator[LocalCluster]:
     """A cluster of two workers on this machine."""
-    with distributed.LocalCluster(  # type: ignore[no-untyped-call]
+    from distributed import LocalCluster
+
+    with LocalCluster(  # type: ignore[no-untyped-call]
         n_workers=2, threads_per_worker=1, dashboard_address=None
     ) as found:
         yield found

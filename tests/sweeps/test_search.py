@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -12,8 +13,10 @@ from crs_cc.sweeps.rows import RowFile
 from crs_cc.sweeps.sweep import Sweep
 from tests.sweeps.trials import inline, swept, write
 
-pytest.importorskip("optuna", reason="needs the extra 'search'")
-pytest.importorskip("cmaes", reason="needs the extra 'search'")
+pytestmark = pytest.mark.skipif(
+    not all(map(find_spec, ("optuna", "cmaes"))), reason="needs the extra 'search'"
+)
+"""They are imported where they are used: every run of any tests would wait for it."""
 
 SEARCH = """
 [parameters]

@@ -14,7 +14,7 @@ from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.link import ROOT
 from crs_cc.session.host import Host, HostRequest
-from tests.c.execution import build, cases
+from tests.c.execution import Run, build, cases
 
 MAX = 150_000
 """Instructions of a case; those that run longer are left alone."""
@@ -79,6 +79,8 @@ CASES = [path for path in cases("valid") if path.with_suffix(".out").exists()]
 @pytest.mark.parametrize("path", CASES[::6], ids=lambda path: path.stem)
 def test_interpreted_programs_print_what_gcc_programs_do(path: Path) -> None:
     executable = build(path)
+    if Run(executable).to_end().fuel > 2 * MAX:
+        pytest.skip("takes long")  # to find that out by interpreting it would
     talking = Talking(executable)
     try:
         talking._left = MAX
