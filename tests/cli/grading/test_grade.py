@@ -250,7 +250,8 @@ def test_worlds_and_submissions_of_equal_names_are_told_apart(
     Path("late/anna.c").write_text(good())
     monkeypatch.setattr("crs_cc.cli.grading.grading._LONGEST_NAME", 4)
     files = ["in/anna.c", "late/anna.c", "easy/room.xml", "hard/room.xml"]
-    assert main(["grade", *files, "--max-time", "1", "--runs", "runs", "--csv", "g.csv"]) == 0
+    options = ["--max-time", "1", "--jobs", "1", "--runs", "runs", "--csv", "g.csv"]
+    assert main(["grade", *files, *options]) == 0
     assert [line.split()[0] for line in capfd.readouterr().out.splitlines()] == [
         "in/anna.c", "late/anna.c"
     ]  # fmt: skip
