@@ -92,8 +92,14 @@ class RunDescription:
         """
         found = metadata.get("format", "")
         if found != str(FORMAT_VERSION):
-            shown = found[:20] or "none"
-            raise ValueError(f"its format is {shown} (this version reads {FORMAT_VERSION})")
+            shown, made_by = (
+                found[:20] or "none",
+                metadata.get("crs", "")[:20] or "of unknown version",
+            )
+            raise ValueError(
+                f"its format is {shown} (this version reads {FORMAT_VERSION});"
+                f" it is read by the crs that recorded it, {made_by}"
+            )
         try:
             values = json.loads(metadata.get("run", ""))
         except (ValueError, RecursionError):

@@ -1,8 +1,8 @@
 """The hashes of a run, by which it is compared with another run of the same.
 
->>> made = [Hash(20, "0f3a99c1", 7, ""), Hash(40, "77aa0012", 9, "28212b1101b966de")]
+>>> made = [Hash(20, "0f3a", 7, ""), Hash(40, "77aa", 9, "28212b1101b966de")]
 >>> entry_of(made)["digest"], entry_of(made)["state"]
-('0f3a99c177aa0012', {'40': '28212b1101b966de'})
+('0f3a77aa', {'40': '28212b1101b966de'})
 >>> list(hashes_in(entry_of(made))) == made
 True
 """
@@ -14,8 +14,12 @@ from dataclasses import dataclass
 from itertools import accumulate
 from typing import Any, Final
 
-DIGITS: Final = 8
-"""Hexadecimal digits of a digest: a run that differs does so in all seconds that follow."""
+DIGITS: Final = 4
+"""Hexadecimal digits of a digest, and of the hash of all output: a run that differs does so in all
+seconds that follow, and the hash of all state at the end is longer."""
+
+OUTPUT_BITS: Final = 16**DIGITS - 1
+"""The bits of the CRC-32 of all output that are recorded."""
 
 STATE_DIGITS: Final = 16
 """So many digits of a hash of all state are recorded: enough to see that a run is another one."""
@@ -28,7 +32,7 @@ class Hash:
     Attributes:
         timesteps: how many.
         digest: of what moves and of all clocks.
-        output: CRC-32 of all output.
+        output: the lowest bits of the CRC-32 of all output, see `OUTPUT_BITS`.
         state: of all state; empty if it was not taken.
     """
 
@@ -44,7 +48,7 @@ def entry_of(hashes: Sequence[Hash]) -> dict[str, Any]:
     return {
         "timesteps": [each.timesteps - last for each, last in zip(hashes, before, strict=False)],
         "digest": "".join(each.digest for each in hashes),
-        "output": "".join(f"{each.output:08x}" for each in hashes),
+        "output": "".join(f"{each.output:0{DIGITS}x}" for each in hashes),
         "state": {str(each.timesteps): each.state for each in hashes if each.state},
     }
 

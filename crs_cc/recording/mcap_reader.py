@@ -27,6 +27,8 @@ from crs_cc.recording.mcap_records import (
     PREFIX,
     SAVED,
     SCHEMA,
+    ZSTD,
+    ZSTD_NAME,
     Message,
     Op,
 )
@@ -138,13 +140,24 @@ class McapReader:
         try:
             cursor = _Cursor(body, 16)
             cursor.text()
-            cursor.text()
+            is_packed = cursor.text() == ZSTD
             content = cursor.take(cursor.number("<Q"))
             crc = cursor.number("<I")
         except ValueError:
             raise self.error(f"the attachment {name[:80]!r} is damaged") from None
         if crc and crc != zlib.crc32(body[:-4]):
             raise self.error(f"the attachment {name[:80]!r} is damaged (wrong checksum)")
+        return self._unpacked(name, content) if is_packed else content
+
+    def _unpacked(self, name: str, packed: bytes) -> bytes:
+        """Return the content of a compressed attachment."""
+        try:
+            source = zstandard.ZstdDecompressor(max_window_size=_MAX_WINDOW).stream_reader(packed)
+            content = source.read(MAX_FILE_BYTES + 1)
+        except zstandard.ZstdError:
+            raise self.error(f"the attachment {name[:80]!r} is damaged") from None
+        if len(content) > MAX_FILE_BYTES:
+            raise self.error(f"the attachment {name[:80]!r} is larger than 64 MiB")
         return content
 
     def messages(self, chunk: Chunk) -> Iterator[Message]:
@@ -241,7 +254,9 @@ class McapReader:
                 self._note_chunk(place, is_saved=op == SAVED)
             elif op == Op.ATTACHMENT:
                 cursor = _Cursor(self._read(Place(place.at, min(place.size, 2**16))), 16)
-                self.attachments[cursor.text()] = place
+                name = cursor.text()
+                is_packed = cursor.text() == ZSTD
+                self.attachments[name.removesuffix(ZSTD_NAME) if is_packed else name] = place
             elif op == Op.METADATA:
                 if place.size > MAX_METADATA_BYTES:
                     return False

@@ -36,6 +36,11 @@ HIDDEN: Final = 0x80
 SAVED: Final = 0x81
 """That of what is saved until a chunk takes its place: a chunk's head, and what `saved` says."""
 
+ZSTD: Final = "application/zstd"
+"""The media type of an attachment that is compressed; its name has `ZSTD_NAME` behind it."""
+
+ZSTD_NAME: Final = ".zst"
+
 NS: Final = 1_000_000_000
 
 

@@ -31,6 +31,8 @@ from crs_cc.recording.mcap_records import (
     PREFIX,
     SAVED,
     SCHEMA,
+    ZSTD,
+    ZSTD_NAME,
     Channel,
     Op,
     count_map,
@@ -109,9 +111,14 @@ class McapWriter:
         self._indexes[Op.METADATA_INDEX].append(index)
         self._write(written)
 
-    def attachment(self, name: str, media_type: str, content: bytes, time_ns: int = 0) -> None:
-        """Write a file."""
-        times = struct.pack("<QQ", time_ns, 0)
+    def attachment(self, name: str, content: bytes) -> None:
+        """Write a file, compressed if that is shorter."""
+        media_type = "application/octet-stream"
+        level = SMALL_LEVEL if len(content) <= MAX_CHUNK else LEVEL
+        packed = self._compressors[level].compress(content)
+        if len(packed) + len(ZSTD_NAME) < len(content):
+            name, media_type, content = name + ZSTD_NAME, ZSTD, packed
+        times = bytes(16)
         body = times + text(name) + text(media_type) + struct.pack("<Q", len(content)) + content
         written = record(Op.ATTACHMENT, body + struct.pack("<I", zlib.crc32(body)))
         index = struct.pack("<QQ", self._at, len(written)) + times

@@ -1,10 +1,12 @@
 """Readings: the `State` vectors that programs were given, in the vendor's units.
 
 A message has all readings of a span of time, a row for each answer, by robot and then in the order
-of time. Of a vector only those elements are written that differ from the one before of the same
-robot, as differences, one element of all rows after the other: most of these are small, and zstd
-shortens their bytes well. At least each ten seconds a message begins anew, from zeros, so that a
-reader need not begin with the file; others begin where the one before ended.
+of time. A vector is written as its differences from the one before of the same robot: those of
+elements that often change, such as odometry, for all rows, one element after the other; of the
+others, such as sonars of which one fires at a time, those that are not 0, each with its row and
+element. Most are small, and zstd shortens their bytes well. At least each ten seconds a message
+begins anew, from zeros, so that a reader need not begin with the file; others begin where the one
+before ended.
 
 >>> states = np.zeros((2, STATE), np.int32)
 >>> states[:, 3] = -7
@@ -12,7 +14,7 @@ reader need not begin with the file; others begin where the one before ended.
 >>> data = ReadingEncoder().encode(rows, 0)
 >>> again = ReadingDecoder().decode(data, 0)
 >>> len(data), again.robots.tolist(), again.clock_s.tolist(), again.states[1, :4].tolist()
-(45, [4, 4], [0.03, 0.1], [0, 0, 0, -7])
+(39, [4, 4], [0.03, 0.1], [0, 0, 0, -7])
 """
 
 from __future__ import annotations
@@ -24,22 +26,25 @@ from typing import Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.recording.frames import folded, unfolded
 from crs_cc.recording.mcap_records import NS
 
 HEAD: Final = struct.Struct("<HHIIQ")
-"""Version, number of the message since one that begins anew, rows, elements that changed, a bit for
-each column that has any."""
+"""Version, number of the message since one that begins anew, rows, changes that are written one by
+one, a bit for each element that is written for all rows."""
 
-VERSION: Final = 2
+VERSION: Final = 3
+OFTEN: Final = 5
+"""Elements that change in more than each so many rows are written for all rows."""
+
 STATE: Final = 45
 PERIOD_NS: Final = 10 * NS
 """In each such period differences begin anew, or sooner."""
 
 MAX_ROWS: Final = 200_000
 _US: Final = 1_000_000
-_ROW: Final = 2 + 4 + 4  # code, robot, microseconds
+_PLANES: Final = 4  # bytes of a number
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,19 +128,22 @@ class ReadingEncoder:
         changes[first] = states[first] - self._memory.last(robots[first])
         ends = np.append(first[1:], len(robots)) - 1
         self._memory.keep(robots[ends], states[ends])
-        columns = np.flatnonzero(changes.any(axis=0))
-        by_column = np.ascontiguousarray(changes[:, columns].T)
-        differs = by_column != 0
-        values = by_column[differs]
+        count = np.count_nonzero(changes, axis=0)
+        often = np.flatnonzero(count * OFTEN > len(states))
+        seldom = np.flatnonzero((count > 0) & (count * OFTEN <= len(states)))
+        row, place = np.nonzero(changes[:, seldom])
+        element = seldom[place]
         after_us = np.rint((rows.clock_s - time_ns / NS) * _US).astype(np.int64)
-        bits = sum(1 << column for column in columns.tolist())
+        bits = sum(1 << column for column in often.tolist())
         parts = (
-            HEAD.pack(VERSION, number, len(states), len(values), bits),
+            HEAD.pack(VERSION, number, len(states), len(row), bits),
             rows.codes.astype("<u2").tobytes(),
-            _planes(_steps(robots)),
-            _planes(_steps(after_us)),
-            np.packbits(differs.ravel(), bitorder="little").tobytes(),
-            _planes(values),
+            packed(_steps(robots)),
+            packed(_steps(after_us)),
+            *(packed(changes[:, column]) for column in often),
+            element.astype(np.uint8).tobytes(),
+            packed(_steps(row)),
+            packed(changes[row, element]),
         )
         return b"".join(parts)
 
@@ -154,28 +162,28 @@ class ReadingDecoder:
         """
         if len(data) < HEAD.size:
             raise ValueError("readings are too short")
-        version, number, count, changed, bits = HEAD.unpack_from(data)
-        columns = np.array([column for column in range(STATE) if bits >> column & 1], np.intp)
-        mask = -(-count * len(columns) // 8)
-        size = HEAD.size + count * _ROW + mask + changed * 4
-        if version != VERSION or count > MAX_ROWS or bits >> STATE or len(data) != size:
+        version, number, count, seldom, bits = HEAD.unpack_from(data)
+        if version != VERSION or count > MAX_ROWS or bits >> STATE or seldom > count * STATE:
             raise ValueError("readings have an unknown form")
         if number == 0:
             self._memory = _Memory()
         if number != self._memory.begin(time_ns):
             self._memory = _Memory()
             return None
-        at = HEAD.size
-        codes = np.frombuffer(data, "<u2", count, at).astype(np.int64)
-        robots = np.cumsum(_values(data, at + 2 * count, count))
-        after_us = np.cumsum(_values(data, at + 6 * count, count))
-        differs = _bits(data, at + 10 * count, count * len(columns))
-        if int(differs.sum()) != changed or (count and (robots.min() < 0 or robots.max() >> 32)):
+        often = [column for column in range(STATE) if bits >> column & 1]
+        found = _Numbers(data, HEAD.size)
+        codes = found.plain("<u2", count)
+        robots, after_us = np.cumsum(found.packed(count)), np.cumsum(found.packed(count))
+        by_element = [found.packed(count) for _ in often]
+        element = found.plain("u1", seldom)
+        row, value = np.cumsum(found.packed(seldom)), found.packed(seldom)
+        is_valid = found.at == len(data) and _are_within(element, STATE) and _are_within(row, count)
+        if not is_valid or not _are_within(robots, 2**32):
             raise ValueError("readings have an unknown form")
-        by_column = np.zeros(len(columns) * count, np.int32)
-        by_column[differs] = _values(data, at + 10 * count + mask, changed)
         changes = np.zeros((count, STATE), np.int32)
-        changes[:, columns] = by_column.reshape(len(columns), count).T
+        for column, values in zip(often, by_element, strict=True):
+            changes[:, column] = values
+        changes[row, element] = value
         states = self._summed(robots, changes)
         clock_s = time_ns / NS + after_us / _US
         return Readings(codes, robots, clock_s, states).of(np.argsort(clock_s, kind="stable"))
@@ -212,18 +220,53 @@ def _steps(values: npt.NDArray[Any]) -> npt.NDArray[Any]:
     return steps
 
 
-def _planes(values: npt.NDArray[Any]) -> bytes:
-    """Return numbers as the lowest bytes of all, then the second ones, ..."""
-    u = folded(values.astype(np.int32))
-    return u.view(np.uint8).reshape(-1, 4).T.tobytes()
+def packed(values: npt.NDArray[Any]) -> bytes:
+    """Return numbers as the lowest bytes of all, then the second ones, ...
+
+    Bytes that are 0 in all numbers are left out; before them is how many bytes each number has.
+
+    >>> packed(np.array([1, -2, 3])).hex()
+    '01020306'
+    """
+    planes = folded(values.astype(np.int32)).view(np.uint8).reshape(-1, 4).T
+    count = _PLANES
+    while count > 1 and not planes[count - 1].any():
+        count -= 1
+    return bytes([count]) + planes[:count].tobytes()
 
 
-def _values(data: bytes, at: int, count: int) -> Int64Array:
-    planes = np.frombuffer(data, np.uint8, 4 * count, at).reshape(4, count)
-    u = np.ascontiguousarray(planes.T).view("<u4").ravel()
-    return unfolded(u).view(np.int32).astype(np.int64)
+class _Numbers:
+    """Reads arrays one after the other, and raises ValueError where there are no more.
+
+    Attributes:
+        at: where the next one begins.
+    """
+
+    def __init__(self, data: bytes, at: int) -> None:
+        self._data, self.at = data, at
+
+    def plain(self, form: str, count: int) -> Int64Array:
+        """Return numbers of a form of numpy."""
+        size = np.dtype(form).itemsize * count
+        return np.frombuffer(self._take(size), form).astype(np.int64)
+
+    def packed(self, count: int) -> Int64Array:
+        """Return numbers that were `packed`."""
+        planes = self._take(1)[0]
+        if not 1 <= planes <= _PLANES:
+            raise ValueError("readings have an unknown form")
+        content = np.frombuffer(self._take(planes * count), np.uint8).reshape(planes, count)
+        u = np.zeros((count, _PLANES), np.uint8)
+        u[:, :planes] = content.T
+        return unfolded(u.view("<u4").ravel()).view(np.int32).astype(np.int64)
+
+    def _take(self, size: int) -> bytes:
+        if size > len(self._data) - self.at:
+            raise ValueError("readings are too short")
+        self.at += size
+        return self._data[self.at - size : self.at]
 
 
-def _bits(data: bytes, at: int, count: int) -> BoolArray:
-    packed = np.frombuffer(data, np.uint8, -(-count // 8), at)
-    return np.unpackbits(packed, count=count, bitorder="little").view(np.bool_)
+def _are_within(values: Int64Array, end: int) -> bool:
+    """Return whether numbers are from 0 up to an end, which is not included."""
+    return not len(values) or bool(values.min() >= 0 and values.max() < end)

@@ -28,7 +28,7 @@ from crs_cc.recording.digest import digest
 from crs_cc.recording.entries import SPAN_NS
 from crs_cc.recording.field_sketches import ChangedFields
 from crs_cc.recording.gathered import GatheredFrames, Passage, Shape
-from crs_cc.recording.hashes import STATE_DIGITS, Hash
+from crs_cc.recording.hashes import OUTPUT_BITS, STATE_DIGITS, Hash
 from crs_cc.recording.mcap_records import NS, Channel, ns
 from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
 from crs_cc.recording.readings import ReadingEncoder
@@ -110,7 +110,7 @@ class Recorder:
         self._writer.define(topics.TOPICS.values())
         self._writer.metadata(topics.RUN, run)
         for name, content in attachments.items():
-            self._writer.attachment(name, "application/octet-stream", content)
+            self._writer.attachment(name, content)
         self._can_save = stat.S_ISREG(os.fstat(self._file.fileno()).st_mode)
         self._encoder = ReadingEncoder()
         self._fields = ChangedFields()
@@ -370,7 +370,7 @@ class Recorder:
         self._note_ends()
         session = self._session
         state = "" if self._hides_state else state_hash[:STATE_DIGITS]
-        found = Hash(session.timesteps, digest(session), self._output_crc, state)
+        found = Hash(session.timesteps, digest(session), self._output_crc & OUTPUT_BITS, state)
         self._block.add_hash(ns(session.time_s), found)
 
     def _note_ends(self) -> None:

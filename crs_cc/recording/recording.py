@@ -266,9 +266,13 @@ class Recording:
 
     def _attached(self, prefix: str) -> dict[str, bytes]:
         names = [name for name in self._mcap.attachments if name.startswith(prefix)]
-        if sum(self._mcap.attachments[name].size for name in names) > MAX_TREE_BYTES:
-            raise self._mcap.error("the attachments are larger than 256 MiB")
-        return {name.removeprefix(prefix): self._mcap.attachment(name) for name in names}
+        found, size = dict[str, bytes](), 0
+        for name in names:
+            found[name.removeprefix(prefix)] = content = self._mcap.attachment(name)
+            size += len(content)
+            if size > MAX_TREE_BYTES:
+                raise self._mcap.error("the attachments are larger than 256 MiB")
+        return found
 
     def _fits(self, frame: Frame, topic: str) -> bool:
         """Return whether a frame has the rows of the roster of its time, or of the one before."""

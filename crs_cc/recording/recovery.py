@@ -51,7 +51,7 @@ def recover(recording: Recording, target: Path) -> Recovered:
             writer.metadata(name, values)
         for name in source.attachments:
             with suppress(RecordingError):
-                writer.attachment(name, "application/octet-stream", source.attachment(name))
+                writer.attachment(name, source.attachment(name))
         for chunk in source.chunks:
             try:
                 found = list(source.messages(chunk))

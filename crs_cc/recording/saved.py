@@ -4,7 +4,7 @@ It is part of a file only while a run goes on, or if it was killed. Nothing is e
 second of one robot takes a few copies. The form is little-endian, see `HEAD`, and no other program
 knows it; `crs replay --recover` makes chunks of it.
 
->>> hashes = [(9, Hash(20, "0f3a99c1", 7, ""))]
+>>> hashes = [(9, Hash(20, "0f3a", 7, ""))]
 >>> second = Second(Shape(1, 0, False), 0, [], [(5_000, 0, 1, b"hi\n")], hashes, [])
 >>> unpacked(b"".join(second.parts())) == second
 True

@@ -10,7 +10,7 @@ from typing import Final
 
 from crs_cc.recording.mcap_records import Channel
 
-FORMAT_VERSION: Final = 4
+FORMAT_VERSION: Final = 5
 """Increased when a reader of today could not read what is written then."""
 
 RUN: Final = "crs.run"
@@ -19,16 +19,7 @@ RESULT: Final = "crs.result"
 """Names of metadata: what was run, who was there from when on, and how it ended."""
 
 
-_ENTRIES: Final = {
-    "title": "crs.Entries",
-    "type": "object",
-    "properties": {
-        "entries": {
-            "type": "array",
-            "items": {"type": "object", "properties": {"time_us": {"type": "integer"}}},
-        }
-    },
-}
+_ENTRIES: Final = {"type": "object", "properties": {"entries": {"type": "array"}}}
 
 
 def _entries(topic: str) -> Channel:

@@ -34,7 +34,7 @@ def test_the_public_reader_of_python_reads_it_with_all_checksums(recorded: Path)
         messages = list(reader.iter_messages())
         assert len(messages) == summary.statistics.message_count
         names = [each.name for each in reader.iter_attachments()]
-        assert names == ["source/drive.c", "source/room.xml", "source/speed.h"]
+        assert names == ["source/drive.c.zst", "source/room.xml.zst", "source/speed.h"]
         assert [each.name for each in reader.iter_metadata()] == [
             "crs.run", "crs.roster.1", "crs.result"
         ]  # fmt: skip
