@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from crs_cc.debug import kept_stops
 from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.note import KIND, Note
 from crs_cc.debug.timeline.position import Position
@@ -65,6 +66,12 @@ def recorded_changes(recording: Recording) -> list[Change]:
             with recording.errors():
                 found.append(Change.of(data))
     return found
+
+
+def recorded_stops(recording: Recording) -> list[dict[str, Any]]:
+    """Return the user's breakpoints in a recorded run, as data that may not be valid."""
+    inputs = (data for _, data in recording.data(topics.INPUT.topic))
+    return [each for each in inputs if each.get("kind") == kept_stops.KIND]
 
 
 def recorded_notes(recording: Recording) -> list[Note]:

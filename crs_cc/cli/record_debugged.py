@@ -14,6 +14,7 @@ from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.messages import show
 from crs_cc.cli.start_recording import start_recording
 from crs_cc.core.source import Diagnostic, Location
+from crs_cc.debug.kept_stops import kept_stops
 
 if TYPE_CHECKING:
     from crs_cc.cli.debug_options import DebugOptions
@@ -61,6 +62,8 @@ def record_debugged(
         recorder.sample()
     for each in debugger.notes:
         recorder.change(each.as_data())
+    for kept in kept_stops(debugger.stop_points):
+        recorder.change(kept)
     recorder.finish(again.session.result())
     if recorder.failed is not None:
         text = f"the recording ends at {recorder.written_s:.2f} s: {recorder.failed.strerror}"

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from crs_cc.cli.changed_run import ChangedRun, recorded_changes, recorded_notes
+from crs_cc.cli.changed_run import ChangedRun, recorded_changes, recorded_notes, recorded_stops
 from crs_cc.cli.messages import show
 from crs_cc.cli.rerun import RecordedInput
 from crs_cc.core.source import Diagnostic, Location
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.kept_stops import restore_stops
 from crs_cc.debug.timeline.position import BEGINNING
 from crs_cc.recording.digest import digest
 
@@ -35,6 +36,7 @@ class RecordedRunCheck:
         self._input = RecordedInput(recording)
         self._changes = recorded_changes(recording)
         self._notes = recorded_notes(recording)
+        self._stops = recorded_stops(recording)
         self._expected: dict[int, object] = {}
         for each in recording.hashes():
             self._expected[each.timesteps] = each.digest
@@ -42,11 +44,15 @@ class RecordedRunCheck:
         self._has_warned = False
 
     def begin(self, debugger: Debugger) -> None:
-        """Compare the run of this debugger, give it the notes, and make the changes by hand."""
+        """Compare this run, give it notes and breakpoints, and make the changes by hand."""
         self._session = debugger.session
         debugger.notes.extend(self._notes)
-        if not self._changes:
-            return
+        if self._changes:
+            self._change(debugger)
+        restore_stops(debugger.stop_points, self._stops, len(debugger.names))
+
+    def _change(self, debugger: Debugger) -> None:
+        """Make the changes by hand again."""
         changed = ChangedRun(debugger, self._changes)
         try:
             changed.finish()

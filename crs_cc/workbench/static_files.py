@@ -34,9 +34,9 @@ _HASH: Final = b64encode(sha256(_IMPORTS.encode()).digest()).decode()
 POLICY: Final = (
     f"default-src 'none'; script-src 'self' 'sha256-{_HASH}'; style-src 'self'; "
     "connect-src 'self'; img-src 'self' data: blob:; media-src blob:; base-uri 'none'; "
-    "form-action 'none'; frame-ancestors 'none'"
+    "form-action 'none'; frame-ancestors vscode-webview: vscode-file:"
 )
-"""What the page may load: nothing but itself."""
+"""What the page may load: nothing but itself. Windows of VS Code may frame it, pages may not."""
 
 
 @dataclass(frozen=True, slots=True)

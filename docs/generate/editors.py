@@ -79,7 +79,29 @@ def extension() -> dict[str, Any]:
         "version": __version__,
         "engines": {"vscode": "^1.75.0"},
         "categories": ["Debuggers"],
+        "license": "MIT",
+        "icon": "icon.png",
+        "main": "./extension.js",
+        "files": ["extension.js", "icon.png", "LICENSE", "README.md"],
         "contributes": {
+            "commands": [
+                {
+                    "command": "crs.showWorkbench",
+                    "title": "Show the run in the workbench",
+                    "category": "CRS",
+                }
+            ],
+            "configuration": {
+                "title": "CRS",
+                "properties": {
+                    "crs.command": {
+                        "type": "string",
+                        "default": "crs",
+                        "scope": "machine",
+                        "description": "The command crs, or its path.",
+                    }
+                },
+            },
             "breakpoints": [{"language": "c"}],
             "debuggers": [
                 {

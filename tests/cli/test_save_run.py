@@ -4,12 +4,18 @@ from __future__ import annotations
 
 from contextlib import closing
 from pathlib import Path
+from typing import TYPE_CHECKING, cast
 
 import pytest
 
 from crs_cc.cli.main import main
+from crs_cc.debug.breakpoints import Breakpoint
+from crs_cc.debug.kept_stops import KIND, restore_stops
 from crs_cc.recording.recording import Recording
 from crs_cc.workbench.recorded_content import events_in
+
+if TYPE_CHECKING:
+    from crs_cc.debug.stop_points import StopPoints
 
 DRIVES = """\
 #include <unistd.h>
@@ -56,6 +62,44 @@ def test_changes_and_notes_are_in_the_recording(
     with closing(Recording(tmp_path / "run.mcap")) as recording:
         (note,) = [each for each in events_in(recording)[0] if each[1] == "note"]
     assert note == [pytest.approx(2.17, abs=0.01), "note", 0, "here it is fast", None, None]
+
+
+def test_breakpoints_are_in_the_recording_and_set_when_it_is_opened(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "drive.c").write_text(DRIVES)
+    monkeypatch.chdir(tmp_path)
+    line = 1 + [each.strip() for each in DRIVES.splitlines()].index("scout_vm(speed, 0);")
+    shown(
+        capfd, f"break {line} if speed == 120", "watch speed", "catch collision", "disable 3",
+        "goto 1", "set var speed = 120", "goto 2", "save run run.mcap", file="drive.c",
+    )  # fmt: skip
+    said = shown(capfd, "info breakpoints", "delete 2", "continue", "print speed", file="run.mcap")
+    assert f"drive.c:{line}" in said
+    assert "speed == 120" in said
+    assert "collision" in said
+    assert "$1 = 120" in said
+
+
+def test_commands_of_breakpoints_are_not_kept() -> None:
+    """They would be executed by whoever opens a run of somebody else."""
+    data = {"kind": KIND, "what": "breakpoint", "text": "main", "commands": "shell"}
+    points = cast("StopPoints", FakePoints())
+    restore_stops(points, [data, data | {"what": "x"}, data | {"ignore": []}], 1)
+    assert cast("FakePoints", points).made == [
+        ("main", {"condition": "", "robot": None, "ignore": 0})
+    ]
+
+
+class FakePoints:
+    """Notes what is set."""
+
+    def __init__(self) -> None:
+        self.made: list[tuple[str, dict[str, object]]] = []
+
+    def add_breakpoint(self, place: str, **options: object) -> Breakpoint:
+        self.made.append((place, options))
+        return Breakpoint(1, "breakpoint", place)
 
 
 def test_no_other_file_is_overwritten(

@@ -42,14 +42,16 @@ const start = button({ icon: "play", text: "Run", title: "Let the run begin", cl
 start.hidden = true;
 part("world").append(start);
 
+/** The time in the address: a shared link, or an editor in whose window this page is. */
+const wantedTime = () => Number(new URLSearchParams(location.hash.slice(1)).get("t"));
 let isFirst = true;
 model.on("hello", () => {
   model.scene = new Scene(model.run);
   page.views.setScene(model.scene);
-  const wanted = Number(new URLSearchParams(location.hash.slice(1)).get("t"));
-  if (isFirst && wanted > 0) page.timeline.seek(wanted);
+  if (isFirst && wantedTime() > 0) page.timeline.seek(wantedTime());
   isFirst = false;
 });
+addEventListener("hashchange", () => wantedTime() > 0 && page.timeline.seek(wantedTime()));
 model.on("state", (state) => {
   start.hidden = !(model.can("play") && !state.playing && !state.busy && state.t === 0 && state.halt.reason !== "goto");
 });
