@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import functools
+import socket
 from pathlib import Path
 from typing import Any, Final
+from urllib.parse import urlsplit
 
 import click
 
@@ -17,6 +19,8 @@ from crs_cc.cli.time_options import MAX_TIME
 from crs_cc.cli.view_address import address_of, is_address
 
 _ADDRESSES: Final = "crs_cc.addresses"
+_ANSWER_S: Final = 2.0
+"""How long to wait for who serves a run [s]."""
 
 _EXAMPLES: Final = """
 \b
@@ -104,6 +108,12 @@ def _open(address: str, *, opens: bool) -> int:
     from crs_cc.cli.start_view import open_browser
 
     say(f"crs: open {address}")
+    at = urlsplit(address)
+    try:
+        socket.create_connection((at.hostname or "", at.port or 443), _ANSWER_S).close()
+    except OSError as error:
+        reason = error.strerror or error
+        say(f"crs: warning: no run is served at {at.hostname}:{at.port} now: {reason}")
     if opens:
         open_browser(address)
     return 0

@@ -9,6 +9,7 @@ say; whoever hears nothing for `SILENCE_S` gives the other up.
 from __future__ import annotations
 
 import contextlib
+import errno
 import selectors
 import socket
 import struct
@@ -73,6 +74,7 @@ for the rest of a message whose size is damaged."""
 
 _CHECKSUM: Final = struct.Struct("<I")
 _HEAD_BYTES: Final = _HEAD.size + _CHECKSUM.size
+GONE: Final = "the other side has closed the connection"
 _DAMAGED: Final = "a message is missing, doubled or damaged"
 _LEAST, _CHUNK = 2**14, 2**20
 
@@ -228,7 +230,7 @@ class Channel:
         except OSError as error:
             raise ConnectionLostError(_reason(error)) from None
         if not part:
-            raise ConnectionLostError("the other side has closed the connection")
+            raise ConnectionLostError(GONE)
         self.heard_s = time.monotonic()
         return part
 
@@ -293,4 +295,8 @@ class Pulse:
 def _reason(error: OSError) -> str:
     if isinstance(error, BlockingIOError):
         return "timed out"
+    if isinstance(error, BrokenPipeError | ConnectionResetError):
+        return GONE
+    if error.errno == errno.EBADF:  # closed here, as nothing was heard
+        return "the connection is closed"
     return error.strerror or str(error) or "the connection is closed"

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.net.channel import MAGIC, Channel, ConnectionLostError, Kind, Pulse
+from crs_cc.net.channel import GONE, MAGIC, Channel, ConnectionLostError, Kind, Pulse
 from crs_cc.net.handshake import Hello, RefusedError
 from crs_cc.net.tls import Connection, UntrustedError
 
@@ -53,7 +53,8 @@ def visit(
     try:
         connection = socket.create_connection(address, CONNECT_S)
         connection.sendall(MAGIC)
-        channel = Channel(secure(connection))
+        secured = secure(connection)
+        channel = Channel(secured)
     except UntrustedError as error:
         raise RefusedError(str(error)) from None
     except OSError as error:
@@ -65,9 +66,12 @@ def visit(
         if wants_program:
             channel.send(Kind.PROGRAM, program)
         channel.send(Kind.STARTED)
-    except (ConnectionLostError, RefusedError):
+    except (ConnectionLostError, RefusedError) as error:
         pulse.remove(channel)
         channel.close()
+        if secured is connection and str(error) == GONE:
+            text = f"{GONE}; if it is served with --tls, give --fingerprint"
+            raise ConnectionLostError(text) from None
         raise
     return Visit(channel, robots)
 

@@ -178,6 +178,9 @@ def test_other_commands_of_the_user_find_a_run_by_its_port(
     assert not file.exists()
     assert main(["view", place, "--no-open"]) == 2
     assert f"no run of yours is shown on port {server.port}" in capfd.readouterr().err
+    assert main(["view", place, "--no-open", "--token", "x" * 22]) == 0
+    said = capfd.readouterr().err
+    assert f"warning: no run is served at {place} now: Connection refused" in said
 
 
 def test_a_recording_is_viewed_alone_and_something_must_be(

@@ -131,6 +131,11 @@ def test_a_side_that_closes_or_is_silent_is_given_up(
     there.close()
     with pytest.raises(ConnectionLostError, match="closed the connection"):
         receiver.receive(Kind.RAN)
+    with pytest.raises(ConnectionLostError, match="the other side has closed the connection"):
+        receiver.send(Kind.RAN)
+    receiver.close()
+    with pytest.raises(ConnectionLostError, match="the connection is closed"):
+        receiver.send(Kind.RAN)
 
 
 def test_who_listens_takes_nothing_from_who_receives(ends: tuple[Channel, socket.socket]) -> None:

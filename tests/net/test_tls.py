@@ -65,7 +65,7 @@ def test_another_certificate_is_not_trusted(gate: Gate) -> None:
 
 
 def test_nothing_is_said_without_encryption(gate: Gate) -> None:
-    with Pulse() as pulse, pytest.raises(ConnectionLostError):
+    with Pulse() as pulse, pytest.raises(ConnectionLostError, match="--tls, give --fingerprint"):
         come(gate, None, pulse)
     for text in (b"GET / HTTP/1.1\r\n\r\n", MAGIC + b"GET / HTTP/1.1\r\n\r\n"):
         with socket.create_connection(("127.0.0.1", gate.port), 5.0) as connection:
