@@ -95,6 +95,9 @@ def connect(network: Network, key: Key, to: Endpoint, at_s: float) -> None:
         socket.local = network.origin(key, to)
         socket.remote = None if to == NOWHERE else to
         return
+    if socket.condition == "connected" and socket.until and not socket.error:
+        socket.until = 0  # who asks for the first time after it has been made is told so
+        return
     _check_can_connect(socket)
     if sum(each.source[0] == key[0] for each in network.state.segments.values()) >= MOST_SEGMENTS:
         raise SocketError(ENOBUFS)

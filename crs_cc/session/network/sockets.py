@@ -66,7 +66,8 @@ class Socket:
         unread: bytes sent that the other end has not received yet; of datagrams, that have not
             arrived yet, with their heads.
         last: the number of the segment that it has sent last; -1 for none.
-        until: the cycle at whose start it stops trying to connect.
+        until: the cycle at whose start it stops trying to connect; kept until its program has
+            asked whether it is connected.
         at_end: whether the other end sends no more.
         cannot_send: whether this end sends no more.
         cannot_receive: whether this end receives no more.

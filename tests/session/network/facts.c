@@ -219,7 +219,8 @@ static void waiting(void)
     FD_ZERO(&writable);
     FD_SET(client, &writable);
     SHOW(select(client + 1, NULL, &writable, NULL, NULL));
-    SHOW(connect(client, (struct sockaddr *)&address, sizeof address) == 0 || errno == EISCONN);
+    SHOW(connect(client, (struct sockaddr *)&address, sizeof address));
+    SHOW(connect(client, (struct sockaddr *)&address, sizeof address));
     server = accept(listener, NULL, NULL);
     FD_ZERO(&readable);
     FD_SET(server, &readable);

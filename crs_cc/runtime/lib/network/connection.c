@@ -141,18 +141,17 @@ int accept(int descriptor, struct sockaddr *address, socklen_t *size)
     return take_connection(descriptor, address, size, 0);
 }
 
-/* Waits until a connection is made or has failed. After a signal it goes on being made. */
+/* Waits until a connection is made or has failed: to connect again tells which. After a signal it
+   goes on being made. */
 static int finish_connecting(struct __crs_open_file *file)
 {
-    struct __crs_message message;
-    int wanted = 4 * file->number + CRS_SENDS, error;
+    int wanted = 4 * file->number + CRS_SENDS;
 
     while (file->operations->poll(file) == 0)
         if (__crs_wait_for_sockets(&wanted, 1, __crs_socket_of(file)->send_s) < 0
             && !__crs_restarts(SIGALRM))
             return -1;
-    error = __crs_ask_socket(CRS_SOCKET_ERROR, file, &message);
-    return error > 0 ? fail(error) : error;
+    return 0;
 }
 
 /* AF_UNSPEC takes away where the datagrams of a socket go. */
@@ -172,7 +171,9 @@ int connect(int descriptor, const struct sockaddr *address, socklen_t size)
         return 0;
     if (errno != EINPROGRESS || file->flags & O_NONBLOCK)
         return -1;
-    return finish_connecting(file);
+    if (finish_connecting(file) < 0)
+        return -1;
+    return by_address(CRS_SOCKET_CONNECT, descriptor, address, size);
 }
 
 int shutdown(int descriptor, int how)
