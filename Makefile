@@ -65,7 +65,7 @@ bench: install
 			bench/environment.py bench/fields.py bench/fleet.py bench/hosts.py \
 			bench/messages.py bench/planted.py bench/python_env.py bench/quiet_time.py \
 			bench/ranges.py bench/record.py bench/requests.py bench/start.py \
-			bench/sweep.py bench/workbench.py; do \
+			bench/sweep.py bench/wander.py bench/workbench.py; do \
 		echo "== $$script"; $(BIN)/python $$script; done
 
 experiments:

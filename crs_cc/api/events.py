@@ -17,6 +17,7 @@ from crs_cc.debug.world.events import KINDS, WorldEvent, is_of, world_events
 if TYPE_CHECKING:
     from crs_cc.core.arrays import BoolArray
     from crs_cc.session.session_state import SessionState
+    from crs_cc.sim.engine.passage import Passage
     from crs_cc.sim.engine.step import Step
 
 _EXIT: Final = "exit"
@@ -62,6 +63,14 @@ class EventCallbacks:
         """Keep a timestep for `report`."""
         if self._kinds:
             self._steps.append(step)
+
+    def passed(self, passage: Passage) -> None:
+        """Hear of calm timesteps, in which there are no events."""
+
+    @property
+    def are_wanted(self) -> bool:
+        """Whether any function is to be called."""
+        return bool(self._callbacks)
 
     def report(self, state: SessionState) -> None:
         """Call the functions for what has happened since the last call."""

@@ -42,6 +42,10 @@ class Paths:
         """Return whether it is time for positions."""
         return timestep >= self._next
 
+    def timesteps_left(self, timestep: int) -> int:
+        """Return after how many timesteps it is time for positions, at least 1."""
+        return max(1, self._next - timestep)
+
     def add(self, timestep: int, position_m: FloatArray) -> None:
         """Add the positions of all robots after a number of timesteps, (robots, 2)."""
         self._samples.append(position_m.copy())

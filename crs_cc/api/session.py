@@ -228,7 +228,8 @@ class Session(Edits):
         return self.result()
 
     def _advance(self, most: int) -> bool:
-        goes_on = self.inner.advance(most)
+        most = min(most, self._paths.timesteps_left(self.timesteps))
+        goes_on = self.inner.advance(most, calmly=not self._events.are_wanted)
         if self._paths.is_due(self.timesteps):
             self._paths.add(self.timesteps, self.positions_m)
         self._events.report(self.inner.state)

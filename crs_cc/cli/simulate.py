@@ -239,7 +239,9 @@ class Runner:
         end_s = self._end_s
         self._sample()
         self._change()
-        while not self._interrupt.requested and self.session.advance(self._most_timesteps()):
+        advance = self.session.advance
+        calmly = self._recorder is None or not self._recorder.needs_each
+        while not self._interrupt.requested and advance(self._most_timesteps(), calmly=calmly):
             self._sample()  # hashes are of the start of a timestep, before it is changed
             self._change()
             self._output.flush()

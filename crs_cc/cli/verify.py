@@ -125,7 +125,7 @@ class _Rerun:
                 if change.patches or at != Position(at.timestep, 0):
                     raise DebugError(f"{change.text[:80]!r} was not made between two timesteps")
                 self._make(change)
-            if not session.advance(until - session.timesteps):
+            if not session.advance(until - session.timesteps, calmly=True):
                 return
 
     def _make(self, change: Change) -> None:

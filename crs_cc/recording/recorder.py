@@ -82,6 +82,7 @@ class Recorder:
     Attributes:
         failed: the error that ended the recording, if any.
         written_s: up to when the run has been written [s].
+        needs_each: whether it has to sample each timestep in which something moves.
     """
 
     def __init__(
@@ -118,7 +119,7 @@ class Recorder:
         self._foxglove: FoxgloveView | None = None
         self._foxglove_sensors: FoxgloveSensors | None = None
         self._rosters = 0
-        self._needs_each = bool(options.foxglove or options.foxglove_robots) or (
+        self.needs_each = bool(options.foxglove or options.foxglove_robots) or (
             options.sensors == "all"
         )
         self._moved = True  # since the last frame
@@ -187,7 +188,7 @@ class Recorder:
                 self._shorten()
         first, stride = passage.first + 1, self._stride
         last = passage.first + len(passage.frames)
-        if self._needs_each:
+        if self.needs_each:
             self._moved, self._last = True, passage.first
             self._note_frame(last)
             return

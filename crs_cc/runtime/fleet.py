@@ -25,7 +25,6 @@ import numpy.typing as npt
 import wasmtime
 
 from crs_cc.core.arrays import ByteArray, IndexArray, Records
-from crs_cc.core.host_system import available_cores
 from crs_cc.core.source import Location
 from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE
 from crs_cc.runtime import resident_pages
@@ -37,7 +36,7 @@ from crs_cc.runtime.sites import Access
 from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.runtime.turns import RECORD
 from crs_cc.runtime.watch_ranges import WATCHED
-from crs_cc.runtime.workers import run_all
+from crs_cc.runtime.workers import default_threads, run_all
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
@@ -46,13 +45,12 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.inspect import CallStack, StackFrame, Stopped
     from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
     from crs_cc.runtime.diagnosis.report import ErrorReport
+    from crs_cc.runtime.partner import Partner
 
 MEMORY_END: Final = 0xFFFFFFFF  # the largest address
 PARALLEL_S: Final = 0.0003
 """Rounds that take more processor time than this on average run in several threads, which costs
 some tens of microseconds."""
-ROBOTS_PER_SHARD: Final = 4
-"""By default, a shard has at least so many."""
 
 
 class Fleet:
@@ -86,7 +84,7 @@ class Fleet:
         Raises:
             OSError: there is not enough memory or address space.
         """
-        shards = _default_threads(executables) if threads is None else min(threads, MOST_SHARDS)
+        shards = default_threads(executables) if threads is None else min(threads, MOST_SHARDS)
         with memory_demanded(len(executables)):
             self._create(executables, driver or compile_driver(), shards)
 
@@ -253,6 +251,27 @@ class Fleet:
         if len(self._shards) > 1:
             return self._run_shards(end_s)
         ran = self._shards[0].run(range(len(self)), end_s, _UNLIMITED)
+        self._record_traps(ran.trapped, ends_turn=True)
+        return ran.rounds
+
+    def partner(self, executable: Executable) -> Partner | None:
+        """Start a program that takes turns with all others, see `Partner`.
+
+        None if the fleet has several shards, or its programs may stop or run elsewhere.
+        """
+        if len(self._shards) != 1 or self.has_marks:
+            return None
+        from crs_cc.runtime.partner import Partner  # not needed by a run that computes only
+
+        shard = self._shards[0]
+        for _ in range(2):  # the program, and what joins it with the driver
+            shard.raise_instance_limit()
+        return Partner(shard.store, self._mailbox, shard.round, executable)
+
+    def take_turns(self, partner: Partner, turn: int, records: int) -> int:
+        """Run rounds in turn with a partner, see `Shard`; return how many it was not told of."""
+        partner.instance.refuel()
+        ran = self._shards[0].take_turns(partner.function, turn, records, len(self))
         self._record_traps(ran.trapped, ends_turn=True)
         return ran.rounds
 
@@ -455,16 +474,6 @@ class Fleet:
 def _size(programs: int) -> int:
     """Return the size of the mailbox for a number of programs [bytes]."""
     return SLOTS + programs * RECORD.itemsize
-
-
-def _default_threads(executables: Sequence[Executable]) -> int:
-    """Return how many shards are worth while; programs with marks run one by one."""
-    most = min(available_cores(), MOST_SHARDS, len(executables) // ROBOTS_PER_SHARD)
-    if most <= 1 or any(
-        each.has_marks for each in {id(each): each for each in executables}.values()
-    ):
-        return 1
-    return most
 
 
 _BYTES: Final = np.dtype(("V", MESSAGE.itemsize))  # numpy copies fields one by one

@@ -44,20 +44,25 @@ class KernelInstance:
     Attributes:
         memory: its memory; it never moves.
         message: the integers of the request that it has posted.
+        exports: its functions and memories.
     """
 
-    def __init__(self, executable: Executable) -> None:
+    def __init__(self, executable: Executable, store: wasmtime.Store | None = None) -> None:
         """Start the program, and run it up to its first request.
+
+        Args:
+            executable: the program.
+            store: the store; by default one of its own.
 
         Raises:
             InternalError: it stops with an error.
         """
         self._name = executable.name
-        self._store = wasmtime.Store(engine())
+        self._store = wasmtime.Store(engine()) if store is None else store
         with memory_demanded(1):
             mailbox = Mailbox.of_size(SLOT.itemsize)
             instance = wasmtime.Instance(self._store, executable.module(), [mailbox])
-        exports = instance.exports(self._store)
+        exports = self.exports = instance.exports(self._store)
         resume = exports["resume"]
         assert isinstance(resume, wasmtime.Func)
         self.memory = view(self._store, exports["memory"])
@@ -75,6 +80,10 @@ class KernelInstance:
         self.resume()
         first = slot_offset("message")
         self.message = np.frombuffer(self._slot, MESSAGE, 1, first)["i"][0]
+
+    def refuel(self) -> None:
+        """Give the program fuel for as long as anybody can wait."""
+        _RESUME.pack_into(self._slot, 0, 0, 0, 0, 0, 0, 0, _FUEL)
 
     def resume(self) -> None:
         """Run the program up to its next request; raise InternalError if it stops with an error."""

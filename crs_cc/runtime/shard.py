@@ -16,14 +16,17 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple, TypeAlias
 
 import numpy as np
 import wasmtime
-from wasmtime import _ffi
+from wasmtime import _bindings, _ffi
 
 from crs_cc.core.arrays import ByteArray, Records
+from crs_cc.core.errors import InternalError
+from crs_cc.core.source import Location
 from crs_cc.runtime.driver import HEADER, MOST_SHARDS
 from crs_cc.runtime.executable import Driver, Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES, PAGE, STACK_TOP
 from crs_cc.runtime.resident_pages import CHUNK
 from crs_cc.runtime.site_tests import SiteTests, TestTable
+from crs_cc.runtime.turns import RECORD
 
 if TYPE_CHECKING:
     from typing import Self
@@ -224,6 +227,30 @@ class Shard:
         stopped = current if current < robots.stop else None
         return Ran(found[_ROUNDS], trapped, stopped)
 
+    def take_turns(self, turns: wasmtime.Func, turn: int, records: int, robots: int) -> Ran:
+        """Run rounds of all robots in turn with a partner, until that returns or a robot traps.
+
+        Args:
+            turns: the function of the partner, see `Partner`.
+            turn: the address of its `TURN`.
+            records: the address in its memory of the robots' slots.
+            robots: how many there are.
+
+        Returns:
+            the rounds after the partner was last told of any, if a robot has trapped.
+        """
+        size, header = robots * RECORD.itemsize, self._header
+        header["current"] = robots  # where the driver leaves it, if it is not the driver that fails
+        trap = self._call(turns, turn, records, size, robots)
+        if trap is None:
+            return Ran(0, [], None)
+        robot, rounds = header["current"].item(), header["rounds"].item()
+        if robot >= robots:
+            raise InternalError.at(Location("kernels"), f"they have stopped with an error: {trap}")
+        rest = range(robot + 1, robots)
+        ran = self.run(rest, header["end_s"].item()) if rest else Ran(0, [], None)
+        return Ran(rounds + 1, [(robot, trap), *ran.trapped], None)
+
     def begin(self, robots: range, end_s: float) -> bool:
         """Select those robots whose clocks have not reached a time, see `turns`.
 
@@ -243,17 +270,22 @@ class Shard:
         told = first, first, robots.stop, robots.step, timed, most, 0, 0, 0, 0, end_s or 0.0
         _HEADER.pack_into(self._raw, 0, *told)
 
-    def _call(self, function: wasmtime.Func) -> Exception | None:
-        """Call the driver, without the conversions that cost wasmtime's `Func` ten times as much.
+    def _call(self, function: wasmtime.Func, *arguments: int) -> Exception | None:
+        """Call a function, without the conversions that cost wasmtime's `Func` ten times as much.
 
         Return the trap, if any.
         """
         trap = ctypes.POINTER(_ffi.wasm_trap_t)()
+        values = None
+        if arguments:
+            values = (_bindings.wasmtime_val_raw * len(arguments))()
+            for value, argument in zip(values, arguments, strict=True):
+                value.i32 = argument
         error = _ffi.wasmtime_func_call_unchecked(
             self.store._context(),
             ctypes.byref(function._func),
-            None,
-            0,
+            values,
+            len(arguments),
             ctypes.byref(trap),
         )
         if error:  # type: ignore[truthy-bool]

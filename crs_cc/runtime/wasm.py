@@ -186,13 +186,14 @@ class Code:
 
 @dataclass(slots=True)
 class Module:
-    """A module that may import memories and define more, numbered after the imported ones.
+    """A module that may import functions and memories and define more, numbered after these.
 
     Attributes:
         memory_imports: (module, name) of each imported memory, of one page or more, shared by
             threads.
         own_imports: (module, name, pages) of each other imported memory, of a size that never
             changes; they come after those.
+        function_imports: (module, name, type) of each imported function.
         memories: sizes of the module's own memories, in pages.
         tables: sizes of its tables of functions; 0 for one that the host grows.
         globals: (type, initial value) of its mutable globals.
@@ -206,6 +207,7 @@ class Module:
     functions: list[Code] = field(default_factory=list)
     memory_imports: list[tuple[str, str]] = field(default_factory=list)
     own_imports: list[tuple[str, str, int]] = field(default_factory=list)
+    function_imports: list[tuple[str, str, FuncType]] = field(default_factory=list)
     memories: list[int] = field(default_factory=list)
     tables: list[int] = field(default_factory=list)
     globals: list[tuple[ValueType, int]] = field(default_factory=list)
@@ -218,9 +220,9 @@ class Module:
 
     def types(self) -> list[FuncType]:
         """Return the function types in the order of the type section."""
-        return list(
-            dict.fromkeys([TYPE_I32_I32, TYPE_CALL, *(code.type for code in self.functions)])
-        )
+        imported = (kind for _, _, kind in self.function_imports)
+        own = (code.type for code in self.functions)
+        return list(dict.fromkeys([TYPE_I32_I32, TYPE_CALL, *imported, *own]))
 
     def to_binary(self) -> bytes:
         """Return the module in the binary format."""
@@ -229,10 +231,7 @@ class Module:
         code = [each.to_binary() for each in self.functions]
         sections = [
             (1, [_func_type(each) for each in types]),
-            (2, [
-                *(_name(m) + _name(n) + _SHARED for m, n in self.memory_imports),
-                *(_name(m) + _name(n) + b"\2" + _limits(size) for m, n, size in self.own_imports),
-            ]),
+            (2, self._imports(types)),
             (3, [unsigned(types.index(code.type)) for code in self.functions]),
             (4, [b"\x70" + (_limits(size) if size else b"\0\0") for size in self.tables]),
             (5, [_limits(size) for size in self.memories]),
@@ -246,9 +245,19 @@ class Module:
         if self.start is not None:
             parts[8] = _section(8, unsigned(self.start))
         parts[12] = _section(12, unsigned(len(self.data)))
-        parts[0] = _branch_hints([hints for _, hints in code])
+        imported: list[list[int]] = [[] for _ in self.function_imports]
+        parts[0] = _branch_hints([*imported, *(hints for _, hints in code)])
         order = (1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 0, 10, 11)
         return b"\x00asm\x01\x00\x00\x00" + b"".join(parts.get(each, b"") for each in order)
+
+    def _imports(self, types: list[FuncType]) -> list[bytes]:
+        shared = [_name(m) + _name(n) + _SHARED for m, n in self.memory_imports]
+        own = [_name(m) + _name(n) + b"\x02" + _limits(size) for m, n, size in self.own_imports]
+        functions = [
+            _name(m) + _name(n) + b"\x00" + unsigned(types.index(kind))
+            for m, n, kind in self.function_imports
+        ]
+        return [*shared, *own, *functions]
 
     def to_text(self) -> str:
         """Return the functions in the text format."""

@@ -13,14 +13,33 @@ from collections.abc import Callable, Sequence
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Final, TypeAlias
 
+from crs_cc.core.host_system import available_cores
+from crs_cc.runtime.driver import MOST_SHARDS
+
 if TYPE_CHECKING:
     from concurrent.futures import Future
+
+    from crs_cc.runtime.executable import Executable
 
 Task: TypeAlias = Callable[[], None]
 
 _STACK_BYTES: Final = 8 * 2**20
 """More than `executable.MAX_WASM_STACK`, for which a limited or unlimited `ulimit -s` may give a
 thread too little."""
+
+
+ROBOTS_PER_SHARD: Final = 4
+"""By default, a shard has at least so many."""
+
+
+def default_threads(executables: Sequence[Executable]) -> int:
+    """Return how many shards are worth while; programs with marks run one by one."""
+    most = min(available_cores(), MOST_SHARDS, len(executables) // ROBOTS_PER_SHARD)
+    if most <= 1 or any(
+        each.has_marks for each in {id(each): each for each in executables}.values()
+    ):
+        return 1
+    return most
 
 
 def run_all(tasks: Sequence[Task]) -> None:

@@ -16,6 +16,7 @@ from crs_cc.requests import CODES
 if TYPE_CHECKING:
     from crs_cc.core.source import Location
     from crs_cc.runtime.fleet import Fleet
+    from crs_cc.sim.devices.drive.constants import Drives
     from crs_cc.sim.engine.environment import Environment
 
 _MOVE: Final = CODES["PR"]
@@ -58,6 +59,8 @@ class Hints:
         self._fleet = fleet
         self._known: set[tuple[str, str]] = set()
         self._moves = np.zeros(len(fleet), np.bool_)
+        self._most: FloatArray | None = None
+        self._most_of: Drives | None = None
 
     def note_requests(
         self, code: int, robots: IndexArray, messages: Records, at_s: FloatArray
@@ -80,6 +83,24 @@ class Hints:
             self._note_speeds(robots, messages)
         if code not in _SETTINGS:
             self._moves[robots] = code == _MOVE
+
+    @property
+    def follows_moves(self) -> bool:
+        """Whether any program has asked for nothing since it began a move."""
+        return any_of(self._moves)
+
+    def most_units(self) -> FloatArray:
+        """Return the speeds above which `vm` is noted, (robots, 3), infinite if it was before.
+
+        It is the same array as long as that holds.
+        """
+        drives = self._environment.drives
+        if self._most is None or self._most_of is not drives:
+            most, robots = drives.most_units.copy(), range(len(self._fleet))
+            programs = [self._fleet.executable(robot).name for robot in robots]
+            most[[(name, "speed-limit") in self._known for name in programs]] = np.inf
+            self._most, self._most_of = most, drives
+        return self._most
 
     def comparisons(self) -> list[Hint]:
         """Return the first comparison of pointers to different objects of each program."""
@@ -138,6 +159,7 @@ class Hints:
         program = self._fleet.executable(robot).name
         if (program, flag) not in self._known:
             self._known.add((program, flag))
+            self._most = None
             call = self._fleet.library_call(robot)
             location = call.location if call else None
             self.found.append(Hint(robot, flag, text, advice, location))

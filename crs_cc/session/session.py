@@ -25,13 +25,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, Protocol, Self
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import IndexArray, Int32Array, all_of
 from crs_cc.requests import CODES, DEVICE_CODES, REQUESTS, SUSPENDED, SYSTEM_CALL
 from crs_cc.runtime.executable import Executable
+from crs_cc.session.calm_programs import CalmPrograms
 from crs_cc.session.hints import Hint, Hints
 from crs_cc.session.host import (
     HOST_CODES,
@@ -46,10 +47,12 @@ from crs_cc.session.host import (
     no_input,
 )
 from crs_cc.session.network.service import NETWORK_CODES
+from crs_cc.session.quiet_programs import QuietPrograms
 from crs_cc.session.result import RunResult, SessionSnapshot
 from crs_cc.session.session_state import NEVER_S, SessionState
 from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.engine.step import Step
+from crs_cc.sim.kernels.calm import ASKED, DONE, REFUSED
 from crs_cc.sim.model.world import Robot, WorldModel
 
 if TYPE_CHECKING:
@@ -60,7 +63,7 @@ _ON_LINK = np.isin(
     [*(REQUESTS.keys() - HOST_CODES - NETWORK_CODES), *DEVICE_CODES],
 )
 """By code, whether a request is sent over the link; the last stands for all codes beyond."""
-_NOBODY: Final = np.zeros(0, np.intp)
+_RAN, _USED_UP, _ENDED = range(3)
 
 
 class Listener(Protocol):
@@ -78,6 +81,7 @@ class Session:
         environment: the world, a part of it.
         fleet: the programs, a part of it.
         network: the network, a part of it.
+        calm: its calm time.
     """
 
     def __init__(
@@ -113,7 +117,8 @@ class Session:
             trace: is notified of every timestep.
             threads: how many threads may run programs, see `Fleet`; results do not depend on it.
             observer: is notified of those in which something can happen, without `slices` if
-                there is no trace.
+                there is no trace. If it has a method `passed`, that is told of calm timesteps, all
+                at once, see `sim.engine.passage`.
             fleet: the programs where they are loaded already, perhaps on other machines.
 
         Raises:
@@ -135,7 +140,10 @@ class Session:
         self.fleet = self.state.fleet
         self.network = self.state.network
         self._trace, self._observer = trace, observer
+        self._passed = getattr(observer, "passed", None)
         self._hints = Hints(self.environment, self.fleet)
+        self.calm = CalmPrograms(self.state, self._hints)
+        self._quiet = QuietPrograms(self.state, self._answer)
 
     # -- the state -----------------------------------------------------------------------------
 
@@ -243,11 +251,13 @@ class Session:
         """Run one timestep; return False when all programs have ended and no robot is to join."""
         return self.advance(1)
 
-    def advance(self, most: int) -> bool:
+    def advance(self, most: int, *, calmly: bool = False) -> bool:
         """Run at least one timestep, and further ones as long as nothing has happened in the world.
 
         Args:
             most: the maximum number of timesteps, at least 1.
+            calmly: run further ones also in calm time, in which robots move, see `CalmPrograms`;
+                return after one that is not calm.
 
         Returns:
             False when all programs have ended and no robot is to join.
@@ -255,61 +265,27 @@ class Session:
         end = self.timesteps + most
         self._run_quietly(end)
         while self.timesteps < end:
-            while self.run_round():
+            until = end if calmly else self.timesteps + 1
+            while (ran := self._run_round(until)) == _RAN:
                 pass
+            if ran == _ENDED:
+                if not calmly or self.timesteps >= end or not self._can_continue:
+                    break
+                self._run_quietly(end)
+                continue
             was_quiet = self._is_quiet
             if not self.end_cycle():
                 return False
             if not (was_quiet and self._is_quiet):
                 break
             self._run_quietly(end)
+        self._tell_passages()
         return self._can_continue
 
     def _run_quietly(self, end: int) -> None:
-        """Run timesteps, up to a number of them, in which nothing happens in the world.
-
-        Return before one in which several programs run or a request arrives, and in one in which
-        the only program that runs has stopped.
-        """
-        if not self._is_quiet or self.fleet.has_marks or not self._can_continue:
-            return
-        state, environment = self.state, self.environment
-        until = min(environment.quiet_until(), environment.cycle + end - self.timesteps)
-        until = min(until, self.network.next_cycle() - 1)
-        while environment.cycle < until:
-            on_link = state.due_s < NEVER_S
-            runs_s = np.where(state.alive & ~on_link, state.clock_s, state.due_s)
-            first = int(runs_s.argmin())
-            self._skip(self._cycle_of(float(runs_s[first]), until) - environment.cycle)
-            runs_s[first], is_request = NEVER_S, bool(on_link[first])
-            alone_until = self._cycle_of(float(runs_s.min()), until)
-            if is_request or environment.cycle >= alone_until:
-                return
-            if not self._run_alone(first, alone_until):
-                return
-
-    def _run_alone(self, robot: int, until: int) -> bool:
-        """Run a program in quiet cycles in which no other runs; return False if it asks for more.
-
-        Args:
-            robot: its robot.
-            until: the first cycle in which it is not alone.
-        """
-        state, environment = self.state, self.environment
-        timestep_s, begin = environment.timestep_s, environment.cycle
-        clock_s = state.clock_s[robot : robot + 1]
-        asking, cycle, rounds = _NOBODY, begin, state.rounds
-        while cycle < until and not asking.size:
-            end_s = (cycle + 1) * timestep_s
-            if clock_s[0] < end_s:
-                rounds += self.fleet.run_rounds(end_s)
-                asking = self.fleet.take_asking()
-            if not asking.size:
-                cycle, rounds = cycle + 1, 0
-        self._skip(cycle - begin)
-        state.rounds = rounds
-        self._answer(asking)
-        return not asking.size
+        """Run timesteps, up to a number of them, in which nothing happens, see `QuietPrograms`."""
+        if self._is_quiet and not self.fleet.has_marks and self._can_continue:
+            self._quiet.run(end)
 
     def run_round(self) -> bool:
         """Run programs for one round; return False when all have used up the cycle.
@@ -325,6 +301,38 @@ class Session:
             if self.state.halted is None:
                 self.end_round()
             return True
+        return self._run_round(self.timesteps) == _RAN
+
+    def _run_round(self, until: int) -> int:
+        """Run programs for one round; in calm time end cycles, up to a number of timesteps.
+
+        Return `_RAN`, `_USED_UP` if all have used up the cycle, or `_ENDED` if cycles have ended
+        and no other is to begin.
+        """
+        if self.fleet.has_marks:
+            return _RAN if self.run_round() else _USED_UP
+        before, verdict = self.timesteps, self._run_calmly(until)
+        if verdict == ASKED:
+            self._answer(self.fleet.take_asking())
+            return _RAN
+        if self.timesteps > before and (self.timesteps >= until or not self._can_continue):
+            return _ENDED
+        if verdict == DONE:
+            return _USED_UP if self.timesteps == before else _RAN
+        if verdict != REFUSED:
+            return _RAN
+        return _RAN if self._run_general_round() else _USED_UP
+
+    def _run_calmly(self, until: int) -> int:
+        """Run programs, and cycles up to a number, while it is calm; return why it ended."""
+        if self._is_quiet and not (self.state.due_s < self.environment.end_s).any():
+            return REFUSED
+        cycles = until - self.timesteps
+        if self._trace is not None or (self._observer is not None and self._passed is None):
+            cycles = 0
+        return self.calm.run(cycles, keeps=self._passed is not None)
+
+    def _run_general_round(self) -> bool:
         end_s = self.environment.end_s
         self._answer_robots(end_s)
         fleet = self.fleet
@@ -387,9 +395,11 @@ class Session:
         """
         state = self.state
         if self._is_quiet:
-            self._skip(1)
+            self._quiet.skip(1)
             self.network.begin_cycle(state.clock_s, state.alive)
             return self._can_continue
+        self.calm.is_worthwhile = True
+        self._tell_passages()
         step = self.environment.step(tells_slices=self._trace is not None)
         if len(step.robots):
             state.clock_s[step.robots] = state.called_s[step.robots] = step.at_s
@@ -404,6 +414,13 @@ class Session:
             self._observer.step(step)
         return self._can_continue
 
+    def _tell_passages(self) -> None:
+        """Tell the observer what has passed in calm time."""
+        passages, self.calm.passages = self.calm.passages, []
+        if self._passed is not None:
+            for passage in passages:
+                self._passed(passage)
+
     @property
     def _is_quiet(self) -> bool:
         """Whether nothing can happen in the world in this cycle, and nobody is to hear of it."""
@@ -412,23 +429,6 @@ class Session:
     @property
     def _can_continue(self) -> bool:
         return self.state.running > 0 or self.environment.awaits
-
-    def _skip(self, cycles: int) -> None:
-        """End quiet cycles whose programs have used them up."""
-        if cycles:
-            self.environment.skip(cycles)
-            self.state.timesteps += cycles
-            self.state.rounds = 0
-
-    def _cycle_of(self, time_s: float, last: int) -> int:
-        """Return the cycle of a time, at least the current one and at most `last`."""
-        timestep_s, first = self.environment.timestep_s, self.environment.cycle
-        if time_s >= last * timestep_s:
-            return last
-        cycle = max(int(time_s / timestep_s) - 1, first)
-        while time_s >= (cycle + 1) * timestep_s:
-            cycle += 1
-        return cycle
 
     def now_s(self, robot: int) -> float:
         """Return a program's clock [s], also in the middle of a round."""
@@ -440,6 +440,7 @@ class Session:
 
     def _send(self, robots: IndexArray, codes: Int32Array) -> None:
         """Send requests over the link."""
+        self.calm.is_worthwhile = True
         state = self.state
         sizes = self.fleet.sizes[robots]
         link_s = self.environment.link_s(codes, robots, sizes)

@@ -54,7 +54,7 @@ class NetworkService:
     # -- state ---------------------------------------------------------------------------------
 
     @property
-    def _is_used(self) -> bool:
+    def is_used(self) -> bool:
         """Whether there is anything that changes with time."""
         state = self.network.state
         return bool(state.sockets or state.segments)
@@ -77,7 +77,7 @@ class NetworkService:
 
     def next_cycle(self) -> int:
         """Return the first cycle at whose start something can happen; `NEVER` if nothing can."""
-        return next_cycle(self.network) if self._is_used else NEVER
+        return next_cycle(self.network) if self.is_used else NEVER
 
     def begin_cycle(self, clock_s: FloatArray, alive: BoolArray) -> None:
         """Deliver what arrives at the start of the current cycle, and wake who waits for it.
@@ -86,7 +86,7 @@ class NetworkService:
             clock_s: the programs' clocks, changed in place.
             alive: which programs are running.
         """
-        if not self._is_used:
+        if not self.is_used:
             return
         state, time_s = self.network.state, self._environment.time_s
         for key in sorted(state.sockets):

@@ -53,9 +53,9 @@ _GROUPS: Final = {"infrared": mask.INFRARED, "compass": mask.COMPASS, "laser": m
 _PLACES: Final = {
     name: place for name, (_, place) in REQUESTS[CODES["GS"]].result_positions.items()
 }
-_LASER_COUNT: Final = _PLACES["laser_count"]
-_BATTERIES: Final = slice(_PLACES["computer_battery"], _PLACES["motor_battery"] + 1)
-_BOARD_MS: Final = _PLACES["board_ms"]
+LASER_COUNT: Final = _PLACES["laser_count"]
+BATTERIES: Final = slice(_PLACES["computer_battery"], _PLACES["motor_battery"] + 1)
+BOARD_MS: Final = _PLACES["board_ms"]
 """Places in messages, the same in all replies with `State`."""
 _STATE_BYTES: Final = REPLY["state"].itemsize
 
@@ -140,9 +140,9 @@ class SensorBoard:
         """
         rows, at_s = replied
         charge, integers = replies["charge"], messages["i"]
-        integers[:, _LASER_COUNT] = 0
-        integers[:, _BATTERIES] = self.batteries.voltage_bytes(state, constants, rows, at_s, charge)
-        messages["f"][:, _BOARD_MS] = replies["board_ms"]
+        integers[:, LASER_COUNT] = 0
+        integers[:, BATTERIES] = self.batteries.voltage_bytes(state, constants, rows, at_s, charge)
+        messages["f"][:, BOARD_MS] = replies["board_ms"]
         content = replies.view(np.uint8).reshape(-1, REPLY.itemsize)
         messages["data"][:, :_STATE_BYTES] = content[:, :_STATE_BYTES]
         messages["size"] = _STATE_BYTES

@@ -80,6 +80,11 @@ class DeviceBoard:
         """Return the beams of the devices that measure distances."""
         return [fan for each in self.installed.values() for fan in each.fans]
 
+    @property
+    def has_duties(self) -> bool:
+        """Whether devices may have something to do at the end of a cycle in which none acts."""
+        return bool(self.fields.names or self._glands.are_there or len(self.handling.grippers))
+
     def begin(
         self,
         state: EnvState,

@@ -35,21 +35,21 @@ from crs_cc.sim.comms.message_log import take
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.degradation.control import DegradationControl
-from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.drive.constants import Drives
 from crs_cc.sim.devices.foraging import NestResult, SourceResult
 from crs_cc.sim.devices.sensor_board import state_vector
+from crs_cc.sim.engine.calm_time import CalmTime
 from crs_cc.sim.engine.dispatch import Dispatcher
-from crs_cc.sim.engine.falls import log_falls
 from crs_cc.sim.engine.goals import GoalResult
+from crs_cc.sim.engine.motion import move
+from crs_cc.sim.engine.passage import Passage
 from crs_cc.sim.engine.quiet_time import catch_up, quiet_until
-from crs_cc.sim.engine.step import NO_SLICES, Slices, Step, slices_of
+from crs_cc.sim.engine.step import Step
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
 from crs_cc.sim.geometry.scene import Outlines
-from crs_cc.sim.kernels.tables import ADVANCED, HELD_UP
+from crs_cc.sim.kernels.calm import CalmKernel
 from crs_cc.sim.model.registry import device, devices
 from crs_cc.sim.model.world import Pose, Robot, Solid, WorldModel
-from crs_cc.sim.state.bodies import NO_CONTACTS, Contacts
 from crs_cc.sim.state.env_state import EnvState
 
 
@@ -77,6 +77,7 @@ class Environment:
         self._skipped = 0  # cycles that are not executed yet
         self._quiet_until: int | None = None  # None: not known
         self._is_untouched = False  # since before the last cycle
+        self._is_calm = False  # nothing has changed since calm time has ended
 
     @property
     def _data(self) -> WorldData:
@@ -86,7 +87,7 @@ class Environment:
 
     def _catch_up(self) -> None:
         """Execute the skipped cycles before something may change."""
-        self._quiet_until, self._is_untouched = None, False
+        self._quiet_until, self._is_untouched, self._is_calm = None, False, False
         if self._skipped:
             skipped, self._skipped = self._skipped, 0
             self._running.is_weary = True  # charges fall meanwhile
@@ -131,6 +132,22 @@ class Environment:
         self._catch_up()
         return self._dispatcher.serve(code, robots, messages, clock_s)
 
+    def calm_time(self, kernel: CalmKernel) -> CalmTime:
+        """Return what runs cycles with a kernel that takes turns with the programs."""
+        return CalmTime(self._running, self._dispatcher, kernel)
+
+    def begin_calm(self, calm: CalmTime, cycles: int, *, keeps: bool, most: FloatArray) -> bool:
+        """Prepare calm time, if it is calm now, see `CalmTime.begin`; `end_calm` is to follow."""
+        is_new = bool(self._skipped) or not self._is_calm
+        self._catch_up()
+        return calm.begin(cycles, is_new=is_new, keeps=keeps, most=most)
+
+    def end_calm(self, calm: CalmTime) -> tuple[int, int, int, Passage | None]:
+        """Take over what has happened in calm time, see `CalmTime.end`."""
+        verdict, ended, rounds, passage, self._is_untouched = calm.end()
+        self._is_calm = True
+        return verdict, ended, rounds, passage
+
     def step(self, *, tells_slices: bool = True) -> Step:
         """End the cycle; return what happened in it and which waits end in the next.
 
@@ -142,7 +159,7 @@ class Environment:
         present = state.presence.present.nonzero()[0]
         data.advance_to(present, np.full(len(present), end_s))
         data.rolling.add(state, data.constants)
-        slices, contacts, empty = self._move(tells_slices=tells_slices)
+        slices, contacts, empty = move(data, tells_slices=tells_slices)
         # Motors without power are limp from the next cycle on.
         if empty:
             drive.go_limp(state, data.constants, np.array(empty))
@@ -203,42 +220,6 @@ class Environment:
         """Advance by cycles before `quiet_until`; nobody is told of them."""
         self._running.state.cycle += cycles
         self._skipped += cycles
-
-    def _move(self, *, tells_slices: bool) -> tuple[Slices, Contacts, list[int]]:
-        """Move the bodies along the slices of the cycle, which are complete now, and end these.
-
-        Return the robots whose batteries are empty, too.
-        """
-        data, end_s = self._running, self._running.end_s
-        state, constants, handling = data.state, data.constants, data.devices.handling
-        before_m = state.bodies.position_m[: len(state.heading_rad)].copy()
-        slices, contacts, found = NO_SLICES, NO_CONTACTS, HELD_UP
-        times_s = data.timestep_s, end_s
-        if data.physics.passes(state.bodies, state.drive.moved_m, traction.facing_rad(state)):
-            if tells_slices:
-                slices = slices_of(state, data.axes, data.timestep_s)
-            found, empty, data.is_weary = state.rows.finish(
-                state, (data.timestep_s, end_s), None, constants.kinds
-            )
-        else:
-            pull = handling.pull(state, constants, traction.pull(state, constants), end_s)
-            contacts = data.physics.step(state.bodies, pull)
-        if found != ADVANCED:
-            # Wheels that were held up have not turned; only now the robots' true motion is known.
-            went_m = state.bodies.position_m[: len(before_m)] - before_m
-            traction.apply_contacts(state, constants, went_m)
-            if tells_slices:
-                slices = slices_of(state, data.axes, data.timestep_s)
-            log_falls(constants, data.log, end_s, before_m, went_m)
-            uphill_m = traction.uphill_ways_m(constants, before_m, went_m)
-            way_m = None if uphill_m is None else state.distance_m + uphill_m
-            _, empty, data.is_weary = state.rows.finish(state, times_s, before_m, constants.kinds)
-            if way_m is not None:
-                state.distance_m[:] = way_m
-        # Hands grasp what is there now; held objects change the bodies.
-        if handling.end_cycle(state, constants, contacts, end_s):
-            data.physics.start_from(state.bodies)
-        return slices, contacts, empty
 
     def _begin_cycle(self) -> None:
         self._running.state.cycle += 1

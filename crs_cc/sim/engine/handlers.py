@@ -160,8 +160,7 @@ def simple_commands(devices: DeviceBoard, numbers: Mapping[str, IndexArray]) -> 
     for name, device in (("GET_SN", "sonar"), ("GET_BP", "bumper")):
         if (numbers[device] >= 0).all():
             simple[CODES[name]] = 0
-    simple[CODES["VM"]] = CODES["VM"]
-    return simple
+    return simple | {code: code for code in (CODES["VM"], CODES["ST"])}
 
 
 def waits_of(devices: DeviceBoard) -> Mapping[int, Wait]:

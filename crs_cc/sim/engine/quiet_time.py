@@ -28,7 +28,8 @@ if TYPE_CHECKING:
 NEVER: Final = 2**53
 """A cycle that is never reached; doubles are exact up to here."""
 
-_MARGIN: Final = 2  # a wait that ends in a cycle is reported by the one before; rounding
+MARGIN: Final = 2
+"""Cycles before an event: a wait that ends in a cycle is reported by the one before; rounding."""
 _MOTIONS: Final = ("drive", "wheels", "odometry")
 
 
@@ -44,7 +45,7 @@ def quiet_until(data: WorldData) -> int:
     event_s = _next_event_s(data)
     if not event_s < NEVER * data.timestep_s:
         return NEVER
-    return max(cycle, int(event_s / data.timestep_s) - _MARGIN)
+    return max(cycle, int(event_s / data.timestep_s) - MARGIN)
 
 
 def catch_up(data: WorldData, cycles: int) -> None:

@@ -21,9 +21,16 @@ double __crs_in_turn(double angle);
 struct battery;
 struct body;
 struct constants;
-struct reply;
 struct robot;
 struct sonars;
+
+#define NUM_STATE 45
+
+/* What a reply tells of a robot, see report.c. */
+struct reply {
+    int state[NUM_STATE];
+    double charge[2], ms;
+};
 
 /* The motion of axes and robots, see drive.c: arrays in columns, changed in place. */
 void __crs_profiles(int count, double *columns);
@@ -119,6 +126,10 @@ struct surroundings {
    have moved as its wheels did. */
 int __crs_fire(int count, const long long *rows, const double *to,
                const struct surroundings *around, const struct tables *tables);
+
+/* Run cycles in which nothing but requests for kernels happens, see calm.c; the memory begins with what
+   it is told. */
+void __crs_calm(double *memory, const struct tables *tables);
 
 /* The distances that beams measure, see rays.c. `out` has the distance of each beam of each robot,
    and then, if they are wanted, the object that each hits. The first call initialises it. */

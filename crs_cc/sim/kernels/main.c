@@ -6,7 +6,7 @@
 
 /* Other numbers are those of elementwise functions. */
 enum { SETUP = 99, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
-    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS };
+    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM };
 
 static int arguments[10];
 static double memory[MEMORY];
@@ -133,6 +133,8 @@ int __crs_start(void)
             __crs_counts(n[1], arena);
         else if (n[0] == ERRORS)
             __crs_errors(n[1], arena);
+        else if (n[0] == CALM)
+            __crs_calm(arena, &tables);
         else if (n[0] > COUNTS)
             run_on_robots(n);
         else

@@ -98,7 +98,7 @@ class Kernels:
         # Not needed by a run that computes nothing.
         from crs_cc.runtime.kernel_instance import KernelInstance
 
-        instance = KernelInstance(_executable(checked=checked))
+        instance = KernelInstance(executable(checked=checked))
         self._place, self._memory = int(instance.message[0]), instance.memory.data
         self._resume = instance.resume
         third, robots, bodies, kinds = _WORLD if holds_world else _AT_ONCE
@@ -341,7 +341,8 @@ def pairs(points: ComplexArray) -> FloatArray:
 
 
 @functools.cache
-def _executable(*, checked: bool) -> Executable:
+def executable(*, checked: bool) -> Executable:
+    """Return the kernels' program."""
     from crs_cc.toolchain.kernels import build_kernels
 
     keep_freed_memory()
@@ -369,4 +370,4 @@ def kernels() -> Kernels:
 def _release() -> None:
     """Release the instance while wasmtime can still do so."""
     _threads.kernels = None
-    _executable.cache_clear()
+    executable.cache_clear()

@@ -16,12 +16,7 @@
 #define WRAP 4294967296.0               /* [ms] */
 
 /* Places in `State`. */
-enum { SIM_SPEED, IR_0, SONAR_0 = 17, BUMPER = SONAR_0 + SONARS, CONF_X, NUM_STATE = 45 };
-
-struct reply {
-    int state[NUM_STATE];
-    double charge[2], ms;
-};
+enum { SIM_SPEED, IR_0, SONAR_0 = 17, BUMPER = SONAR_0 + SONARS, CONF_X };
 
 static int whole(double value)
 {

@@ -1,4 +1,6 @@
 /* Requests that need nothing but the rows of robots: those for `State`, and speeds of axes. */
+#include <crs_request.h>
+
 #include "kernels.h"
 #include "robot.h"
 
@@ -10,7 +12,7 @@ static int is_simple(const struct robot *robot, int sets_speeds)
     return robot->connected && !(sets_speeds && (limp[0] || limp[1] || limp[2]));
 }
 
-/* Run `vm`, for which the robot has been advanced. */
+/* Run `vm` or `st`, for which the robot has been advanced. */
 static void run(long long row, const struct service *service, const int *values,
                 const struct tables *tables)
 {
@@ -20,7 +22,7 @@ static void run(long long row, const struct service *service, const int *values,
     int axis;
 
     for (axis = 0; axis < AXES; axis++)
-        speeds[axis] = values[axis] * drive->unit[axis];
+        speeds[axis] = service->command == CRS_ST ? 0 : values[axis] * drive->unit[axis];
     __crs_speeds(1, &row, speeds, 0, 0, tables);
     robot->command = (long long)service->command;
     robot->command_cycle = (long long)service->cycle;

@@ -129,6 +129,22 @@ class Physics:
         self._cycles += 1
         return True
 
+    def calm_cycles(self, bodies: Bodies) -> tuple[int, float]:
+        """Return for how many cycles `pass_over` may be called, and how much room robots have."""
+        if self._inclines is not None or not self._is_settled(bodies) or bodies.touching.any():
+            return 0, 0.0
+        return REBUILD - self._cycles, self._room_m
+
+    def pass_over(self, cycles: int, room_m: float) -> None:
+        """Count cycles in which no contact was possible, as if `passes` had been called for each.
+
+        Args:
+            cycles: how many, see `calm_cycles`.
+            room_m: the room that is left.
+        """
+        self._cycles += cycles
+        self._room_m = room_m
+
     def step(self, bodies: Bodies, pull: Pull) -> Contacts:
         """Move bodies through a cycle in which contacts are possible.
 

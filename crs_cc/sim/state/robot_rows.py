@@ -115,6 +115,11 @@ class RobotRows:
         memory = None if self._home is None else self._home.bodies
         self.bodies = _moved(state, _BODY, BODY_SIZE, memory)
 
+    def tables(self, kinds: RobotKinds) -> tuple[FloatArray, ...]:
+        """Return the rows of robots, with their kinds, of bodies, batteries and sonars."""
+        self._at_home(kinds)
+        return self.table, self.bodies, self.batteries, self.sonars
+
     def advance(
         self, rows: Rows, to_s: FloatArray, last_s: float, kinds: RobotKinds, *, renews: bool
     ) -> int:

@@ -70,6 +70,10 @@ class Batteries:
         self._in_status = np.array(reports, dtype=np.bool_)[self._kind]
         self.are_in_status = bool(self._in_status.any())
 
+    def byte_tables(self) -> tuple[Int32Array, IndexArray]:
+        """Return bytes by state of charge, and where those of each robot begin, (robots, 2)."""
+        return self._voltages.tables(self._kind)
+
     def empty(
         self, state: EnvState, constants: RobotConstants, rows: IndexArray, at_s: FloatArray
     ) -> BoolArray:

@@ -77,6 +77,10 @@ class Voltages:
         places = steps + self._first.take(kinds, axis=0)
         return np.asarray(self._bytes.take(places))
 
+    def tables(self, kinds: IndexArray) -> tuple[Int32Array, IndexArray]:
+        """Return the bytes for each step of charge, and where those of some kinds begin, (k, 2)."""
+        return self._bytes, self._first[kinds]
+
     def volts(self, kinds: IndexArray, charge: FloatArray) -> FloatArray:
         """Return the voltages at states of charge."""
         found = np.empty((len(kinds), 2))

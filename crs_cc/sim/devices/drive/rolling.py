@@ -45,6 +45,11 @@ class RollingNoise:
         self._way_m, self._turn_rad, self._spin_rad = noises[self._robots].T
         self._noise = Noise(seed, ROLLING, 2, len(world.robots) if len(self._robots) else 0)
 
+    @property
+    def are_exact(self) -> bool:
+        """Whether no robot has random errors."""
+        return not len(self._robots)
+
     def add(self, state: EnvState, constants: RobotConstants) -> None:
         """Add a cycle's errors to the motion of robots whose axes were turned to its end."""
         robots = self._robots

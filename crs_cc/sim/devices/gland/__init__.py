@@ -90,6 +90,11 @@ class Glands:
         found = devices_of([robot.model for robot in world.robots], row.name)
         self._most = np.array([gland.most for gland in found if gland is not None])
 
+    @property
+    def are_there(self) -> bool:
+        """Whether any robot has one."""
+        return len(self._most) > 0
+
     def deposit(self, context: RequestContext) -> BoolArray:
         """Answer DEPOSIT; refuse unknown fields and invalid amounts."""
         good, numbers = self._asked(context)

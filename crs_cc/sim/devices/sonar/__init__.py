@@ -42,6 +42,7 @@ from crs_cc.core.arrays import (
     FloatArray,
     IndexArray,
     Int32Array,
+    Int64Array,
     any_of,
 )
 from crs_cc.core.quantity import LENGTH
@@ -64,7 +65,7 @@ from crs_cc.sim.devices.sonar.model import (
     Sonars,
     sonars_of,
 )
-from crs_cc.sim.devices.sonar.simple_firings import SimpleFirings
+from crs_cc.sim.devices.sonar.simple_firings import KernelTables, SimpleFirings
 from crs_cc.sim.devices.sonar.state import SonarState, inches, sonar_state
 from crs_cc.sim.devices.sonar.writer import write
 from crs_cc.sim.devices.vendor_state import configuration
@@ -203,6 +204,18 @@ class SonarRing:
             )
             sonar_state(state).count[rows] += 1
         return reported_m
+
+    def is_simple(self, rays: RayCaster) -> bool:
+        """Return whether kernels know all that echoes depend on, see `SimpleFirings`."""
+        return self._simple.know(rays)
+
+    def kernel_tables(self) -> KernelTables:
+        """Return what the kernel of calm time is told."""
+        return self._simple.tables()
+
+    def draw(self, rows: IndexArray, numbers: Int64Array) -> FloatArray:
+        """Return the deviates of one firing of each of some robots, (k, 3)."""
+        return self._errors.draw(rows, numbers)
 
     def get_ranges(self, context: RequestContext) -> BoolArray:
         """Answer SONAR and SONAR_RANGES in 0.1 in, -1 for no echo; refuse robots without sonars."""

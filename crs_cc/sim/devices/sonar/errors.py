@@ -67,6 +67,16 @@ class SonarErrors:
         )
         self._noise = Noise(seed, stream, _DEVIATES, len(first)) if random else None
 
+    @property
+    def are_random(self) -> bool:
+        """Whether any robot draws deviates."""
+        return self._noise is not None
+
+    @property
+    def mistakes(self) -> FloatArray:
+        """By mode, the deviate below which a ping is mistaken for an echo."""
+        return self._mistakes
+
     def draw(self, rows: IndexArray, numbers: Int64Array) -> FloatArray:
         """Return the deviates of one firing of each robot, shape (k, 3)."""
         if self._noise is None:

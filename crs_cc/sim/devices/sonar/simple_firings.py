@@ -7,7 +7,7 @@ firings are left to `SonarRing`, which has the same echoes.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 
@@ -27,6 +27,22 @@ if TYPE_CHECKING:
 _MOST_NUMBERS: Final = 10_000  # of beams that are copied for each call of the kernel
 
 
+class KernelTables(NamedTuple):
+    """What the kernel of calm time is told of sonars, see `kernels/calm.c`.
+
+    Attributes:
+        beams: the beams of each mode.
+        modes: the first mode of each robot, (robots,).
+        mistakes: by mode, the deviate below which a ping is mistaken for an echo.
+        are_random: whether firings have random errors.
+    """
+
+    beams: FloatArray
+    modes: FloatArray
+    mistakes: FloatArray
+    are_random: bool
+
+
 class SimpleFirings:
     """What the kernel needs to know of all robots' sonars."""
 
@@ -39,8 +55,18 @@ class SimpleFirings:
         """
         table = beams.table(errors.limits)
         self._errors, self._beams, self._numbers = errors, table.tobytes(), table.size
+        self._table = table
         self._modes = beams.first.astype(np.float64)
         self._are_few = table.size <= _MOST_NUMBERS
+
+    def know(self, rays: RayCaster) -> bool:
+        """Return whether all shapes are hard and high, and beams few."""
+        return self._are_few and rays.all_alike and rays.surfaces.hushed is None
+
+    def tables(self) -> KernelTables:
+        """Return what the kernel of calm time is told."""
+        mistakes, are_random = self._errors.mistakes, self._errors.are_random
+        return KernelTables(self._table, self._modes, mistakes, are_random)
 
     def advance(
         self,
@@ -62,7 +88,7 @@ class SimpleFirings:
         Returns:
             whether all is done; if not, some may have fired.
         """
-        if not (self._are_few and rays.all_alike and rays.surfaces.hushed is None):
+        if not self.know(rays):
             return False
         if constants.degradations.concern(state, "sonar"):
             return False

@@ -1,0 +1,102 @@
+"""Calm time: programs and the kernel that answers them take turns without Python.
+
+See `sim/engine/calm_time.py` for what is calm, `runtime/partner.py` for how they take turns. What
+this cannot do, the session does as always: each way of a run gives the same states and output.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from crs_cc.core.arrays import any_of
+from crs_cc.sim.kernels.calm import ASKED, DRAWN, FULL, MOST, REFUSED, CalmKernel
+from crs_cc.sim.kernels.program import executable
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.partner import Partner
+    from crs_cc.session.hints import Hints
+    from crs_cc.session.session_state import SessionState
+    from crs_cc.sim.engine.calm_time import CalmTime
+    from crs_cc.sim.engine.passage import Passage
+
+_AGAIN: Final = frozenset({FULL, DRAWN})
+_NEVER: Final = -1
+
+
+class CalmPrograms:
+    """The calm time of a session's programs.
+
+    Attributes:
+        is_allowed: whether there is any; only tests switch it off.
+        is_worthwhile: whether anything was done in it when it was last tried, or something has been
+            asked of a robot since; programs that print do so without it.
+        passages: what has passed since they were last taken, if an observer is to hear of it.
+    """
+
+    def __init__(self, state: SessionState, hints: Hints) -> None:
+        self._state, self._hints = state, hints
+        self._partner: Partner | None = None
+        self._calm: CalmTime | None = None
+        self._robots = 0  # that it was made for
+        self._refused = _NEVER  # the cycle in which it was not calm
+        self.is_allowed = self.is_worthwhile = True
+        self.passages: list[Passage] = []
+
+    def run(self, cycles: int, *, keeps: bool) -> int:
+        """Run programs and cycles as long as it is calm.
+
+        Args:
+            cycles: how many cycles may end at most; with 0, programs use up the current one.
+            keeps: whether an observer is to hear of them.
+
+        Returns:
+            why it has ended, see `kernels.calm`: `REFUSED` if the session has to go on.
+        """
+        state, hints = self._state, self._hints
+        environment = state.environment
+        if not (self.is_allowed and self.is_worthwhile):
+            return REFUSED
+        if environment.cycle == self._refused or hints.follows_moves or state.network.is_used:
+            return REFUSED
+        calm, most = self._calm_time(), hints.most_units()
+        if calm is None or self._partner is None:
+            return REFUSED
+        while True:
+            if not environment.begin_calm(calm, cycles, keeps=keeps, most=most):
+                self._refused = environment.cycle
+                return REFUSED
+            verdict, ended = self._turn(calm, self._partner)
+            cycles -= ended
+            if verdict not in _AGAIN or not cycles:
+                return verdict
+
+    def _turn(self, calm: CalmTime, partner: Partner) -> tuple[int, int]:
+        """Let programs and kernel take turns once; return why they ended, and the cycles."""
+        state, kernel = self._state, calm.kernel
+        kernel.tell(rounds=state.rounds)
+        rounds = state.fleet.take_turns(partner, kernel.turn, kernel.address("records"))
+        verdict, ended, before, passage = state.environment.end_calm(calm)
+        state.timesteps += ended
+        state.rounds = before + rounds
+        called_s = kernel.table("called", len(state.called_s))
+        is_called = called_s > -np.inf
+        self.is_worthwhile = bool(ended) or verdict != ASKED or any_of(is_called)
+        np.copyto(state.called_s, called_s, where=is_called)
+        called_s[:] = -np.inf
+        if passage is not None:
+            self.passages.append(passage)
+        return verdict, ended
+
+    def _calm_time(self) -> CalmTime | None:
+        """Return the kernel's calm time, started on first use; None if there can be none."""
+        robots = len(self._state.fleet)
+        if robots != self._robots:
+            self._robots, self._calm = robots, None
+            if robots <= MOST and self._partner is None:
+                self._partner = self._state.fleet.partner(executable(checked=False))
+            if robots <= MOST and self._partner is not None:
+                kernel = CalmKernel(self._partner.instance)
+                self._calm = self._state.environment.calm_time(kernel)
+        return self._calm

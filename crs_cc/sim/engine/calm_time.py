@@ -1,0 +1,285 @@
+"""Calm time: cycles of few robots in which a kernel does all that happens.
+
+Calm is a world in which nothing touches or is held, nobody waits in it, no message is on its way,
+no device is degraded, and all that requests and sonars depend on is known to kernels. Robots may
+drive as they are told. Then the kernel of `kernels/calm.c` answers requests, fires sonars and ends
+cycles, in turn with the programs, until one of them asks for something else, or something is near a
+robot or due that kernels do not know. It leaves that as it was, and the general way goes on.
+
+The rows of robots are copied into the kernel's memory, and back.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.core.arrays import FloatArray
+from crs_cc.sim.devices import drive
+from crs_cc.sim.devices.bumper.state import bumper_state
+from crs_cc.sim.devices.sensor_board import BATTERIES, BOARD_MS, LASER_COUNT
+from crs_cc.sim.devices.sonar.state import sonar_state
+from crs_cc.sim.engine.passage import Passage, answers_of, served_of
+from crs_cc.sim.engine.quiet_time import MARGIN, NEVER
+from crs_cc.sim.kernels.calm import ANSWER, CODES, FRAME, MOST, CalmKernel, frames_of
+from crs_cc.sim.physics.contacts import SLOP_M
+from crs_cc.sim.state.goals import OPEN
+
+if TYPE_CHECKING:
+    from crs_cc.sim.engine.dispatch import Dispatcher
+    from crs_cc.sim.engine.step import Served
+    from crs_cc.sim.engine.world_data import WorldData
+
+_DEVICES: Final = ("sonar", "bumper", "battery")
+_DRAWS: Final = 64  # firings of each robot whose errors are drawn at once
+_CYCLES: Final = 512  # whose frames are logged at most
+_ANSWERS: Final = 40_000 // 31  # that are logged at most for observers, and
+_FEW_ANSWERS: Final = 64  # for each robot if only those of a cycle are kept
+_ANSWER: Final = ANSWER.itemsize // 8
+_FACE, _ROUND, _BACKUP, _RECORD = 6, 4, 114, 56  # numbers for each in the kernel's tables
+
+
+class CalmTime:
+    """The calm time of a world.
+
+    Attributes:
+        kernel: the kernel; its memory belongs to this world.
+    """
+
+    def __init__(self, data: WorldData, dispatcher: Dispatcher, kernel: CalmKernel) -> None:
+        """Prepare for calm time, which has not come yet.
+
+        Args:
+            data: the world.
+            dispatcher: has what was answered in this cycle.
+            kernel: the kernel.
+        """
+        self.kernel = kernel
+        self._data, self._dispatcher = data, dispatcher
+        self._equipment: tuple[object, ...] = (None,) * 3  # that tables were made for
+        self._places = b""
+        self._is_possible = False
+        self._keeps = False
+        self._most = np.zeros((0, 3))
+        self._draws = 0
+
+    # -- whether it is calm ----------------------------------------------------------------------
+
+    def begin(self, cycles: int, *, is_new: bool, keeps: bool, most: FloatArray) -> bool:
+        """Prepare the kernel for calm time, if it is calm now.
+
+        Args:
+            cycles: how many may end.
+            is_new: whether anything may have been changed since the last `end`.
+            keeps: whether an observer is to hear of it.
+            most: the speeds above which requests are left to the general way, (robots, 3).
+        """
+        data, state = self._data, self._data.state
+        if is_new:
+            if not (self._can_be_calm() and self._is_calm()):
+                return False
+            self._enter(keeps=keeps, most=most)
+        elif keeps != self._keeps or most is not self._most:
+            self._enter(keeps=keeps, most=most)
+        if keeps and not all(map(_is_like_ours, self._dispatcher.served)):
+            cycles = 0  # observers hear of this cycle by itself
+        left, room_m = data.physics.calm_cycles(state.bodies)
+        left = min(cycles, left, self._cycles_to_event() if cycles else 0)
+        if left <= 0 < cycles:
+            return False
+        self._draw()
+        self.kernel.begin(state.cycle + left, state.cycle, room_m, 0)
+        return True
+
+    def _can_be_calm(self) -> bool:
+        """Return whether kernels know all that the world has."""
+        data, state, devices = self._data, self._data.state, self._data.devices
+        equipment = data.constants, data.rays, devices
+        if all(a is b for a, b in zip(equipment, self._equipment, strict=True)):
+            return self._is_possible
+        self._equipment, self._places = equipment, b""
+        self._is_possible = (
+            len(state.bodies.angle_rad) <= MOST
+            and len(data.constants.kinds.table) <= MOST
+            and bool(data.simple)
+            and data.constants.inclines is None
+            and data.rolling.are_exact
+            and not devices.has_duties
+            and devices.sonars.is_simple(data.rays)
+            and data.rays.few_shapes(state, len(state.connected)) is not None
+        )
+        return self._is_possible
+
+    def _is_calm(self) -> bool:
+        data, state, constants = self._data, self._data.state, self._data.constants
+        if data.is_weary or not drive.moves_as_commanded(state, constants):
+            return False
+        if np.count_nonzero(state.waits.code) or np.count_nonzero(state.drive.hindered):
+            return False
+        if np.count_nonzero(bumper_state(state).pressed) or len(state.contacts_before):
+            return False
+        if len(state.pos_data.reported) or data.log.snapshot():
+            return False
+        if any(constants.degradations.concern(state, device) for device in _DEVICES):
+            return False
+        if state.goals is not None and bool((state.goals.status == OPEN).any()):
+            return False
+        messages = state.messages
+        rest = messages.receptions, messages.packets, messages.shuts, messages.outbox
+        return not any(map(len, rest)) and data.physics.calm_cycles(state.bodies)[0] > 0
+
+    def _cycles_to_event(self) -> int:
+        """Return how many cycles may end before the next event that is known."""
+        data, state = self._data, self._data.state
+        event_s = min(float(state.degradation.next_s), data.due_s)
+        if not event_s < NEVER * data.timestep_s:
+            return NEVER
+        return int(event_s / data.timestep_s) - MARGIN - state.cycle
+
+    # -- the kernel's memory ---------------------------------------------------------------------
+
+    def _enter(self, *, keeps: bool, most: FloatArray) -> None:
+        """Copy what the kernel works on into its memory."""
+        data, state, kernel = self._data, self._data.state, self.kernel
+        places = state.bodies.position_m[len(state.connected) :].tobytes()
+        places += state.bodies.angle_rad[len(state.connected) :].tobytes()
+        places += state.link.baud.tobytes() + state.presence.joined_s.tobytes()
+        if places != self._places or keeps != self._keeps or most is not self._most:
+            self._places, self._keeps, self._most = places, keeps, most
+            self._lay()
+        rows = state.rows
+        kinds = data.constants.kinds
+        for memory, table in zip(self._memories(), rows.tables(kinds), strict=True):
+            memory[: table.nbytes] = table.tobytes()
+        kernel.kinds[: kinds.table.nbytes] = kinds.table.tobytes()
+        self._place_circles()
+
+    def _memories(self) -> tuple[Any, ...]:
+        kernel = self.kernel
+        return kernel.robots, kernel.bodies, kernel.batteries, kernel.sonars
+
+    def _place_circles(self) -> None:
+        """Place the outlines of robots where these are."""
+        segments, circles = self._data.rays.obstacles(self._data.state).rows()
+        self.kernel.table("circles", circles.size)[:] = circles.reshape(-1)
+        self.kernel.table("segments", segments.size)[:] = segments.reshape(-1)
+
+    def _lay(self) -> None:
+        """Lay the tables of what does not change in calm time."""
+        data, state = self._data, self._data.state
+        count = len(state.connected)
+        present = state.presence.present.nonzero()[0]
+        segments, circles = data.rays.obstacles(state).rows()
+        sonars, batteries = data.devices.sonars, data.devices.sensor_board.batteries
+        volts, volts_of = batteries.byte_tables()
+        beams, modes, mistakes, are_random = sonars.kernel_tables()
+        commands = np.full(CODES, -1.0)
+        simple = np.array([pair for pair in data.simple.items() if pair[0] < CODES])
+        commands[simple[:, 0]] = simple[:, 1]
+        links = np.zeros((count, CODES))
+        robots = np.arange(count)
+        links[:, simple[:, 0]] = data.line.time_s(state.link, simple[:, 0], robots[:, None], 0)
+        self._draws = _DRAWS if are_random else 0
+        tables = {
+            "rows": present,
+            "joined": state.presence.joined_s,
+            "called": np.full(count, -np.inf),
+            "modes": modes,
+            "first": np.full(count, -NEVER),
+            "mistakes": mistakes,
+            "beams": beams,
+            "segments": segments,
+            "circles": circles,
+            "links": links,
+            "commands": commands,
+            "most": self._most,
+            "volts": volts,
+            "volts_of": volts_of,
+        }
+        answers = max(_ANSWERS, 2 * count) if self._keeps else _FEW_ANSWERS * count
+        cycles = _CYCLES if self._keeps else 0
+        spaces = {
+            "records": _RECORD * count,
+            "deviates": count * self._draws * 3,
+            "work": _FACE * len(segments) + _ROUND * len(circles),
+            "backup": _BACKUP * count,
+            "frames": cycles * count * FRAME,
+            "answers": answers * _ANSWER,
+        }
+        self.kernel.lay(tables, spaces)
+        self.kernel.tell(
+            count=count,
+            present=len(present),
+            segment_count=len(segments),
+            circle_count=len(circles),
+            draws=self._draws,
+            frame_room=cycles * count,
+            answer_room=answers,
+            keeps=self._keeps,
+            laser_count=LASER_COUNT,
+            batteries=BATTERIES.start,
+            board_ms=BOARD_MS,
+            timestep_s=data.timestep_s,
+            slop_m=SLOP_M,
+        )
+
+    def _draw(self) -> None:
+        """Draw the errors of the next firings of sonars, if they are not known."""
+        if not self._draws:
+            return
+        counts = sonar_state(self._data.state).count
+        first = self.kernel.table("first", len(counts), np.int64)
+        ahead = counts - first
+        if ((ahead >= 0) & (ahead < self._draws)).all():
+            return
+        first[:] = counts
+        robots = np.repeat(np.arange(len(counts)), self._draws)
+        numbers = (counts[:, None] + np.arange(self._draws)).reshape(-1)
+        deviates = self._data.devices.sonars.draw(robots, numbers)
+        self.kernel.table("deviates", deviates.size)[:] = deviates.reshape(-1)
+
+    # -- after it --------------------------------------------------------------------------------
+
+    def end(self) -> tuple[int, int, int, Passage | None, bool]:
+        """Copy back what has changed.
+
+        Returns:
+            why the kernel has returned, the cycles that have ended, the rounds of programs in the
+            current one, what observers are to hear, and whether nothing was asked in the last cycle
+            that has ended, nor since.
+        """
+        data, state, kernel = self._data, self._data.state, self.kernel
+        verdict, changed = kernel.outcome()
+        cycle, room_m, rounds, ended, answered, _, served, was_served, is_weary = changed
+        tables = state.rows.tables(data.constants.kinds)
+        for memory, table in zip(self._memories(), tables, strict=True):
+            table[:] = np.ndarray(table.shape, table.dtype, memory)
+        passage, earlier = None, len(self._dispatcher.served)
+        answers = kernel.table("answers", answered, ANSWER)
+        now = answers[answered - served :]
+        if ended:
+            data.physics.pass_over(ended, room_m)
+            data.is_weary = bool(is_weary)
+            if self._keeps:
+                passage = self._passage(ended, answers[: answered - served].copy())
+            state.cycle = cycle
+            self._dispatcher.served = []
+        if served:
+            self._dispatcher.served += served_of(now)
+        was_served |= ended == 1 and earlier
+        is_untouched = bool(ended) and not (served or was_served)
+        return verdict, ended, rounds, passage, is_untouched
+
+    def _passage(self, ended: int, answers: Any) -> Passage:
+        data = self._data
+        frames = frames_of(self.kernel, ended, len(data.state.connected))
+        cycle, served = data.state.cycle, self._dispatcher.served
+        if served:
+            answers = np.concatenate([answers_of(served, cycle), answers])
+        return Passage(cycle, data.timestep_s, frames, answers)
+
+
+def _is_like_ours(served: Served) -> bool:
+    """Return whether an answer has what those of the kernel have."""
+    return served.states is not None and served.replies is None

@@ -1,0 +1,75 @@
+"""Calm timesteps that have passed at once, for observers: see `engine/calm_time.py`.
+
+In them nothing was touched, no message was sent, nobody joined or left, and no event was logged.
+Programs asked for nothing but what kernels answer, each time with `State`.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from crs_cc.core.arrays import FloatArray, Records
+from crs_cc.sim.engine.step import Served
+from crs_cc.sim.kernels.calm import ANSWER
+
+
+class Passage(NamedTuple):
+    """Calm timesteps, one after the other.
+
+    Attributes:
+        first: the number of the first one.
+        timestep_s: the length of each [s].
+        frames: where each robot is at the end of each timestep: x, y [m], heading, turret [rad],
+            and x, y [m], heading [rad] as its odometry has it; (timesteps, robots, 7).
+        answers: what was answered in them, in order, of dtype `kernels.calm.ANSWER`.
+    """
+
+    first: int
+    timestep_s: float
+    frames: FloatArray
+    answers: Records
+
+    @property
+    def cycles(self) -> range:
+        """The numbers of the timesteps."""
+        return range(self.first, self.first + len(self.frames))
+
+    def served(self, cycle: int) -> tuple[Served, ...]:
+        """Return what was answered in a timestep, as `Step.served` has it."""
+        return tuple(served_of(self.answers[self.answers["cycle"] == cycle]))
+
+
+def served_of(answers: Records) -> list[Served]:
+    """Return logged answers by requests that were answered together."""
+    batches = answers["batch"]
+    ends = (batches[1:] != batches[:-1]).nonzero()[0] + 1
+    bounds = itertools.pairwise([0, *ends.tolist(), len(answers)])
+    return [_served(answers[begin:end]) for begin, end in bounds if end]
+
+
+def answers_of(served: Sequence[Served], cycle: int) -> Records:
+    """Return what was answered in a timestep by other means, each time with `State`."""
+    answers = np.zeros(sum(len(each.robots) for each in served), ANSWER)
+    answers["cycle"], begin = cycle, 0
+    for number, each in enumerate(served, -len(served)):
+        rows = answers[begin : begin + len(each.robots)]
+        rows["batch"], rows["code"], rows["robot"] = number, each.code, each.robots
+        rows["clock_s"], rows["result"] = each.clock_s, each.results
+        rows["arguments"], rows["state"] = each.arguments, each.states
+        begin += len(rows)
+    return answers
+
+
+def _served(some: Records) -> Served:
+    return Served(
+        code=int(some["code"][0]),
+        robots=some["robot"].astype(np.intp),
+        clock_s=some["clock_s"].copy(),
+        arguments=some["arguments"].copy(),
+        results=some["result"].copy(),
+        states=some["state"].copy(),
+    )

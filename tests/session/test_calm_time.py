@@ -1,0 +1,258 @@
+"""Calm time, in which programs and a kernel take turns, changes nothing that anybody could notice.
+
+Each test runs the same programs in the same world with and without it.
+"""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from crs_cc.core.source import Diagnostics
+from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.turns import RECORD
+from crs_cc.session import calm_programs
+from crs_cc.session.build import build_executable
+from crs_cc.session.session import Session
+from crs_cc.sim import files
+from crs_cc.sim.engine.passage import Passage
+from crs_cc.sim.engine.step import Served, Step
+from crs_cc.sim.files.world_xml import load_world
+from crs_cc.sim.kernels.calm import ASKED, DONE, DRAWN, FRAME, FULL, REFUSED
+from crs_cc.sim.kernels.program import executable
+from crs_cc.sim.model.world import Pose, WorldModel
+from tests.session.programs import build
+
+FIRST_ARGUMENT = 1000  # seeds, or how long to wander
+ROOT = Path(__file__).parents[2]
+
+PROGRAMS = {
+    "reads": """
+#include <Nclient.h>
+int main(void) { connect_robot(1); for (;;) { get_sn(); vm(60, 40, 0); get_rc(); } }
+""",
+    "anything": """
+#include <Nclient.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+int main(int argc, char **argv)
+{
+    volatile unsigned x = 1;
+    unsigned n, k;
+    connect_robot(1);
+    srand(atoi(argv[1]));
+    for (;;) {
+        n = rand() % 7;
+        switch (rand() % 16) {
+        case 0: usleep(1000 * (rand() % 90)); break;
+        case 1: for (k = 0; k < n * 20000; k++) x = x * 3 + 1; break;
+        case 2: get_sn(); printf("%ld %ld\\n", State[STATE_SONAR_0], State[STATE_SONAR_9]); break;
+        case 3: pr(20, 30, 0); if (n < 3) ws(1, 1, 0, 2); break;
+        case 4: vm(900, 50, 0); break;
+        case 5: conf_tm(1); break;
+        case 6: st(); break;
+        case 7: lp(); gs(); break;
+        case 8: conf_sn(n, (int[16]){0, 4, 8, 255}); break;
+        case 9: gs(); printf("%ld\\n", State[STATE_CONF_X]); break;
+        case 10: get_rv(); get_bp(); break;
+        default: get_sn(); vm(rand() % 120 - 40, rand() % 120 - 40, 0); get_rc(); break;
+        }
+    }
+}
+""",
+    "ends": """
+#include <Nclient.h>
+#include <stdio.h>
+int main(int argc, char **argv)
+{
+    int i;
+    connect_robot(1);
+    for (i = 0; i < 40; i++) { vm(30, 30, 0); gs(); }
+    printf("%ld\\n", State[STATE_CONF_X]);
+    return argv[1][3] == '1' ? 1 / (i - 40) : 3;
+}
+""",
+}
+
+HALL = '<area length="8m" width="5m"/><box x="4m" y="2m" length="0.5m" width="0.5m" mass="5kg"/>'
+ROBOTS = """<robot id="a" x="1m" y="2m" {0}/><robot id="b" x="3m" y="3.2m" heading="200deg" {0}/>
+<robot id="c" x="6.5m" y="2m" heading="180deg" {0}/>"""
+WORLDS = {
+    "one robot": HALL + '<robot id="a" x="1m" y="2m"/>',
+    "three robots": HALL + ROBOTS.format(""),
+    "odd timestep": HALL + ROBOTS.format(""),
+    "errors": HALL + ROBOTS.format('definition="loud.xml"'),
+    "comings and goings": HALL + ROBOTS.format("")
+    + '<robot id="d" x="2m" y="1m" join="1.53s" leave="4.1s"/>',
+    "sonars fail": HALL + ROBOTS.format("")
+    + '<degradation robot="a" device="sonar" element="3" onset="2.2s" duration="1s" noise="0.2m"/>',
+    "goals": HALL + ROBOTS.format("") + '<goal within="2s"><no-collision/></goal>',
+}  # fmt: skip
+TIMESTEPS = {"odd timestep": "37ms"}
+
+
+@dataclass
+class Observer:
+    """Keeps what it hears of: each answer, where robots are."""
+
+    told: list[tuple[object, ...]] = field(default_factory=list)
+    passed_over: int = 0
+
+    def step(self, step: Step) -> None:
+        self.hear(step.cycle, step.served)
+
+    def hear(self, cycle: int, answers: tuple[Served, ...]) -> None:
+        for each in answers:
+            states = None if each.states is None else each.states.tolist()
+            told = each.robots, each.clock_s, each.arguments, each.results
+            types = [array.dtype for array in told]
+            self.told.append((cycle, each.code, states, types, *(one.tolist() for one in told)))
+
+
+class CalmObserver(Observer):
+    """The same, of calm timesteps at once."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.frames: dict[int, np.ndarray] = {}
+
+    def passed(self, passage: Passage) -> None:
+        self.passed_over += len(passage.frames)
+        assert passage.frames.shape[2] == FRAME
+        for cycle, frame in zip(passage.cycles, passage.frames, strict=True):
+            self.hear(cycle, passage.served(cycle))
+            self.frames[cycle + 1] = frame
+
+
+def world_of(name: str, folder: Path) -> WorldModel:
+    scout = (Path(files.__file__).parent / "robots" / "scout.xml").read_text()
+    loud = scout.replace(' noise="0in"', ' noise="2cm" dropouts="0.03" crosstalk="0.05"')
+    (folder / "loud.xml").write_text(loud.replace('"408Wh" power="5W"', '"0.03Wh" power="3W"'))
+    timestep = TIMESTEPS.get(name, "50ms")
+    file = folder / "world.xml"
+    file.write_text(f'<world version="1" timestep="{timestep}">{WORLDS[name]}</world>')
+    return load_world(file)
+
+
+def start(
+    world: WorldModel, programs: list[Executable], observer: Observer
+) -> tuple[Session, list[tuple[int, int, bytes]]]:
+    written: list[tuple[int, int, bytes]] = []
+    arguments = [["program", str(robot + FIRST_ARGUMENT)] for robot in range(len(programs))]
+    session = Session(
+        world, programs, 5, arguments=arguments, output=lambda *piece: written.append(piece),
+        threads=1, observer=observer,
+    )  # fmt: skip
+    return session, written
+
+
+def frame_of(session: Session) -> np.ndarray:
+    """Return a frame as a passage has it."""
+    state = session.environment.last_state
+    odometry, bodies = state.odometry, state.bodies.position_m[: len(state.heading_rad)]
+    believed = odometry.x_m, odometry.y_m, odometry.heading_rad
+    return np.column_stack([bodies, state.heading_rad, state.drive.turret_rad, *believed])
+
+
+def compare(world: WorldModel, programs: list[Executable], steps: int) -> int:
+    """Compare runs; return the number of timesteps that have passed calmly."""
+    session, written = start(world, programs, Observer())
+    session.calm.is_allowed = False
+    hashes, frames, goes_on = [session.state_hash()], [frame_of(session)], True
+    while goes_on and session.timesteps < steps:
+        goes_on = session.step()
+        hashes.append(session.state_hash())
+        frames.append(frame_of(session))
+    plain, calm = session, CalmObserver()
+    for observer in (Observer(), calm):
+        dice = random.Random(steps)
+        session, again = start(world, programs, observer)
+        look = 0
+        while look < len(hashes) - 1:
+            look = min(look + dice.randint(1, 40), len(hashes) - 1)
+            while session.timesteps < look:
+                session.advance(look - session.timesteps, calmly=dice.random() < 0.8)
+            assert session.state_hash() == hashes[look], look
+            if dice.random() < 0.2:
+                session.restore(session.snapshot())
+        assert again == written
+        assert session.result() == plain.result()
+        assert session.hints == plain.hints
+        assert observer.told == plain._observer.told
+    assert all((frames[at] == frame).all() for at, frame in calm.frames.items())
+    return calm.passed_over
+
+
+@pytest.mark.parametrize("world", WORLDS)
+def test_states_and_answers_are_the_same_in_every_world(world: str, tmp_path: Path) -> None:
+    model = world_of(world, tmp_path)
+    program = build(tmp_path, PROGRAMS["anything"])
+    passed = compare(model, [program] * len(model.robots), 100)
+    assert passed > 5 or world in ("comings and goings", "sonars fail", "goals")
+
+
+@pytest.mark.parametrize("name", ["reads", "ends"])
+def test_states_and_answers_are_the_same_for_every_program(name: str, tmp_path: Path) -> None:
+    model = world_of("three robots", tmp_path)
+    assert compare(model, [build(tmp_path, PROGRAMS[name])] * 3, 60) > 20
+
+
+def test_a_robot_that_runs_into_a_wall_does_the_same(tmp_path: Path) -> None:
+    program = build(tmp_path, PROGRAMS["reads"].replace("60, 40", "200, 195"))
+    assert compare(world_of("one robot", tmp_path), [program], 250) > 100
+
+
+def test_most_of_wander_is_calm() -> None:
+    program = build_executable([ROOT / "samples" / "scout_c" / "wander.c"], Diagnostics())
+    assert compare(load_world(ROOT / "worlds" / "room.xml"), [program], 250) > 200
+
+
+def test_checked_kernels_do_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    checked = executable(checked=True)
+    monkeypatch.setattr(calm_programs, "executable", lambda **_: checked)
+    program = build(tmp_path, PROGRAMS["anything"])
+    assert compare(world_of("errors", tmp_path), [program] * 3, 60) > 0
+
+
+def test_a_change_from_outside_is_noticed(tmp_path: Path) -> None:
+    program, hashes = build(tmp_path, PROGRAMS["reads"]), []
+    for is_allowed in (True, False):
+        session, _ = start(world_of("one robot", tmp_path), [program], Observer())
+        session.calm.is_allowed = is_allowed
+        for place in (Pose(2.0, 1.0, 0.5), Pose(6.0, 4.0, 0.0)):
+            end = session.timesteps + 20
+            while session.timesteps < end:
+                session.advance(end - session.timesteps, calmly=True)
+            session.environment.carry("a", place)
+        session.step()
+        hashes.append(session.state_hash())
+    assert hashes[0] == hashes[1]
+
+
+def test_a_program_that_traps_ends_alone(tmp_path: Path) -> None:
+    deep = """
+#include <Nclient.h>
+int main(int argc, char **argv)
+{
+    connect_robot(1);
+    for (int i = 0; ; i++) { get_sn(); if (i == 20 && argv[1][3] == '1') *(int *)-9 = 1; }
+}
+"""
+    file = tmp_path / "wild.c"
+    file.write_text(deep)
+    program = build_executable([file], Diagnostics(), checked=False)
+    assert compare(world_of("three robots", tmp_path), [program] * 3, 40) > 5
+
+
+def test_the_kernels_reasons_and_records_have_the_same_numbers() -> None:
+    folder = Path(calm_programs.__file__).parents[1] / "sim" / "kernels"
+    header = (folder / "calm.h").read_text()
+    names = header[header.index("enum { RUN") :].split("}")[0].split("{")[1].split(",")
+    reasons = {"ASKED": ASKED, "REFUSED": REFUSED, "DONE": DONE, "FULL": FULL, "DRAWN": DRAWN}
+    assert {name: [each.strip() for each in names].index(name) for name in reasons} == reasons
+    assert RECORD.itemsize == 56 * 8
