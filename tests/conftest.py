@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 import wasmtime
+from _pytest.doctest import DoctestModule
 from wasmtime import _bindings
 
 from crs_cc.runtime import executable
@@ -51,6 +52,17 @@ def fast_settings() -> wasmtime.Config:
     return baseline_settings()
 
 
+class Examples:
+    """Searches only modules with examples for them: to import and search all takes much longer."""
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_collect_file(self, file_path: Path) -> Iterator[None]:
+        collectors = yield
+        if file_path.suffix != ".py" or b">>>" in file_path.read_bytes():
+            return collectors
+        return [each for each in collectors if not isinstance(each, DoctestModule)]
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--update-goldens",
@@ -68,6 +80,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     # Most programs of tests run once. What users get, commands in processes of their own show.
     executable.settings = fast_settings
+    config.pluginmanager.register(Examples())
     if config.getoption("--update-times"):
         config.pluginmanager.register(times.Recorder())
 
