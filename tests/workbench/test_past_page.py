@@ -95,6 +95,7 @@ def instants_are_found_and_stepped_through(page: Any) -> None:
     wait(page, f"crs.model.where.place === '{rows[0][3]}'")
     page.click(".finder button:has-text('Clear')")
     wait(page, "crs.model.found.rows.length === 0")
+    page.click("#tab-code")
 
 
 def what_a_line_would_have_printed_is_listed(page: Any) -> None:
@@ -105,6 +106,14 @@ def what_a_line_would_have_printed_is_listed(page: Any) -> None:
     page.wait_for_selector(".event:has-text('speed is ')")
 
 
+def a_name_in_the_source_shows_its_value_and_is_plotted(page: Any) -> None:
+    page.locator(".line[data-line='4'] code").dblclick(position={"x": 145, "y": 9})
+    page.wait_for_selector(".name-menu code:text-matches('^mode = ')")
+    page.click(".name-menu button:has-text('plot')")
+    page.wait_for_selector(".chip b:text-is('mode')")
+    page.wait_for_selector(".name-menu", state="detached")
+
+
 def test_the_past_is_asked_in_the_page(browser: Any, tmp_path: Path) -> None:
     """One test, since each step begins where the one before has led."""
     with running(tmp_path, PROGRAM, WORLD) as screen, page_in(browser, screen, 1280, 760) as page:
@@ -113,4 +122,5 @@ def test_the_past_is_asked_in_the_page(browser: Any, tmp_path: Path) -> None:
         a_local_variable_is_plotted_at_its_line(page)
         words_are_plotted_and_a_click_goes_to_their_change(page)
         instants_are_found_and_stepped_through(page)
+        a_name_in_the_source_shows_its_value_and_is_plotted(page)
         what_a_line_would_have_printed_is_listed(page)

@@ -4,6 +4,8 @@
  */
 import { el } from "crs/dom.js";
 
+const SMALL = "(max-width: 1100px), (max-height: 640px)"; // there is room for one of both
+
 export class Drawer {
   /** @param {HTMLElement} root the foot of the page @param {any} model */
   constructor(root, model) {
@@ -42,6 +44,10 @@ export class Drawer {
   /** Show a panel in its box, and no other one there; or close the box. @param {HTMLElement} section @param {boolean} isOpen */
   set(section, isOpen) {
     const box = /** @type {HTMLElement} */ (section.parentElement);
+    if (isOpen && matchMedia(SMALL).matches) {
+      const other = box === this.box ? this.under : this.box;
+      for (const each of /** @type {Iterable<HTMLElement>} */ (other.children)) if (!each.hidden) this.set(each, false);
+    }
     for (const each of /** @type {Iterable<HTMLElement>} */ (box.children)) {
       each.hidden = each !== section || !isOpen;
       const button = this.bar.querySelector(`#drawer-${each.id.replace("panel-", "")}`);
