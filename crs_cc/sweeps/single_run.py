@@ -122,7 +122,9 @@ def record(experiment: Experiment, variant: Variant, seed: int, path: Path) -> E
     def advance(timesteps: int) -> bool:
         until = min(session.timesteps + timesteps, last)
         while session.timesteps < until:
-            goes_on = session.advance(until - session.timesteps)
+            most = round(recorder.seconds_left() / variant.world.timestep_s)
+            most = max(1, min(until - session.timesteps, most))
+            goes_on = session.advance(most, calmly=not recorder.needs_each)
             recorder.sample()
             if not goes_on:
                 return False
