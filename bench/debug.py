@@ -110,8 +110,10 @@ int main(void)
     gs();
     first = (int) State[STATE_SONAR_0] * 3;
     gap = first + 2;
+    conf_tm(0);
+    vm(30, first, 0);
     for (;;) {
-        vm(30, 300, 0);
+        gs();
         turns++;
         usleep(80000);
     }
@@ -280,6 +282,13 @@ def asked(folder: Path, minute_s: int) -> None:
 
     goal("why, a minute old, first time", f"{timed(why):.2f} s", "2 s")
     goal("why, a minute old, again", f"{timed(why):.2f} s", "2 s")
+
+    def moved() -> None:
+        cause = Why(debugger.view, debugger.navigator).explain("robot0.heading")
+        if not cause.causes or not cause.causes[0].causes:
+            sys.exit(f"not explained: {cause}")
+
+    goal("why robot0.heading, a minute old", f"{timed(moved):.2f} s", "2 s")
     past = Past(debugger.view, debugger.stop_points)
     for expression in ("turns", "robot0.heading"):
         seconds = timed(partial(past.values, expression, past.whole()))

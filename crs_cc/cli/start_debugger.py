@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import io
+import shutil
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -52,7 +53,9 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
         record_at_end(debugger, loaded, options, waiting)
         return 0 if _save_files(debugger, options) else SYSTEM
     names = [robot.id for robot in loaded.world.robots]
-    terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
+    columns = _columns if sys.stdout.isatty() else None
+    coloured = is_coloured(sys.stdout)
+    terminal = Terminal(sys.stdout.buffer, names, is_coloured=coloured, columns=columns)
     keyboard = Keyboard(terminal)
     debugger = make(terminal.program, read or _typed_input(options, keyboard))
     scripts = Scripts(options.scripts, options.commands)
@@ -61,6 +64,10 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
     if not _save_files(debugger, options):
         return SYSTEM
     return int(bool(failed)) if options.batch else 0
+
+
+def _columns() -> int:
+    return shutil.get_terminal_size().columns
 
 
 def record_at_end(

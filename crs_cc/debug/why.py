@@ -3,7 +3,8 @@
 The last write of an object is found as `last_write` does. Its statement says what it was computed
 from; each of these operands is an object with a last write of its own, before that statement. So
 the tree goes back through assignments, arguments, returned values, messages of other robots and
-`State[]` to readings of sensors, to what was typed, to the user's changes and to initial values.
+`State[]` to readings of sensors, to what was typed, to the user's changes and to initial values. A
+value of the world comes from the motion command of its robot, contacts and changes by hand.
 
 A statement is read as text, with its macros expanded. Of the calls in it only the last one
 is followed into its `return`; what the others returned is not.
@@ -17,9 +18,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
+import numpy as np
+
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Location
-from crs_cc.debug.data.notation import RobotName
+from crs_cc.debug.data.notation import RobotName, WorldDistance, WorldName
 from crs_cc.debug.data.statement_text import (
     arguments,
     calls,
@@ -33,16 +36,25 @@ from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.last_write import MemoryObject, Write, last_write
 from crs_cc.debug.message_cause import RECEIVES, lost_messages, sending
+from crs_cc.debug.motion_cause import CONCERNS, Concern, commanding, facts, pushers
 from crs_cc.debug.navigator import Navigator
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError
 from crs_cc.debug.timeline.run_event import StopRequest
 from crs_cc.debug.view import View
 from crs_cc.debug.watchpoints import owner_of, same_activation
-from crs_cc.debug.world.sensor_cause import firing, object_met, sensor_texts
+from crs_cc.debug.world.sensor_cause import (
+    Firing,
+    firing,
+    firing_of,
+    object_met,
+    sensor_texts,
+)
 from crs_cc.debug.world.state_fields import StateField
+from crs_cc.debug.world.world_values import object_number
 from crs_cc.ir.names import plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.sim.devices.sonar.state import sonar_state
 
 MAX_NODES: Final = 40
 MAX_DEPTH: Final = 12
@@ -152,7 +164,7 @@ class Why:
         value = self._view.look_up(text, robot=robot)
         place = _Place(here, robot, frame)
         try:
-            found = self._object(place, text, 0)
+            found = self._value(place, text, 0)
             if found is None:
                 causes = self._operands(place, operands(text), 0)
                 found = Cause(f"{text} = {value.text}", robot=robot, causes=causes)
@@ -170,9 +182,19 @@ class Why:
         for name in names:
             self._run.seek(place.position)
             with contextlib.suppress(DebugError):  # a function, a macro's word, a member's name
-                cause = self._object(place, name, depth)
+                cause = self._value(place, name, depth)
                 found += [] if cause is None else [replace(cause, expression=name)]
         return tuple(found)
+
+    def _value(self, place: _Place, name: str, depth: int) -> Cause | None:
+        """Return where the value of an operand came from, of the program or the world."""
+        alone = self._view.evaluator(place.robot).outside_alone(name, place.frame)
+        if isinstance(alone, WorldName | WorldDistance):
+            value = self._view.look_up(name, robot=place.robot)
+            causes = tuple(self._of_world(place.position, alone, depth))
+            how = "" if causes else "a value of the world"
+            return Cause(f"{name} = {value.text}", how, causes=causes)
+        return self._object(place, name, depth)
 
     def _object(self, place: _Place, name: str, depth: int) -> Cause | None:
         """Return where the value of an operand came from; None if it is no object in memory.
@@ -296,7 +318,7 @@ class Why:
         robot = place.robot
         for field, value in self._view.vendor_state(robot):
             if value.address == wanted.address:
-                return tuple(self._measured(place, field))
+                return tuple(self._measured(place, field, depth))
         if function == RECEIVES:
             return self._message(place, text, depth)
         names = [each.lstrip("& ") for each in arguments(text)]
@@ -305,21 +327,83 @@ class Why:
             found = [each for each in found if not self._is_at(place, each, wanted)]
         return self._operands(place, found, depth + 1)
 
-    def _measured(self, place: _Place, field: StateField) -> Iterator[Cause]:
+    def _measured(self, place: _Place, field: StateField, depth: int) -> Iterator[Cause]:
         """Return what a reading that the robot reports here was measured from."""
         run, robot = self._run, place.robot
         environment = run.session.environment
         texts = list(sensor_texts(environment, robot, field))
         ping = firing(environment, robot, field)
+        is_pose = "_CONF" in field.name
         if ping is not None:
-            fired = Position(int(ping.fired_s / environment.timestep_s), 0)
-            run.seek(fired)
-            met = object_met(environment, robot, ping.number, ping.echo_m)
-            text = f"{field.name}: {ping.text(met)}"
-            beam = Beam(ping.number, ping.echo_m, met)
-            yield Cause(text, position=fired, robot=robot, beam=beam)
+            yield self._fired(robot, ping, f"{field.name}: ")
         for each in texts:
             yield Cause(f"{field.name}: {each}", position=place.position, robot=robot)
+        if is_pose:
+            run.seek(place.position)
+            driven = self._commanded(robot, depth + 1)
+            yield from () if driven is None else (driven,)
+
+    # -- the world -----------------------------------------------------------------------------
+
+    def _of_world(
+        self, here: Position, name: WorldName | WorldDistance, depth: int
+    ) -> Iterator[Cause]:
+        """Return what a value of the world came from."""
+        environment = self._run.session.environment
+        if isinstance(name, WorldDistance):
+            for each in (name.one, name.other):
+                yield from self._moved(here, object_number(environment, each), depth)
+        elif name.path and name.path[0] in environment.names:
+            number = object_number(environment, name.path[0])
+            concern = CONCERNS.get(name.path[1] if name.path[1:] else "")
+            if concern == "sonar":
+                yield from self._nearest(here, number)
+            elif concern is not None:
+                yield from self._moved(here, number, depth, concern)
+
+    def _moved(
+        self, here: Position, number: int, depth: int, concern: Concern = "motion"
+    ) -> Iterator[Cause]:
+        """Return what moved an object, or else what has to do with a value of it."""
+        self._run.seek(here)
+        others = pushers(self._run.session.environment, number)
+        found = list(facts(self._run, number, concern))
+        if concern == "motion" and (cause := self._commanded(number, depth)) is not None:
+            yield cause
+        for each in found:
+            robot = number if number < len(self._run.programs) else -1
+            yield Cause(each.text, "", each.position, each.time_s, robot)
+        for other in others if concern == "motion" else ():
+            self._run.seek(here)
+            text = f"{self._run.name(other)} touched it"
+            driven = self._commanded(other, depth + 1)
+            yield Cause(text, "", here, causes=() if driven is None else (driven,))
+
+    def _commanded(self, number: int, depth: int) -> Cause | None:
+        """Return the node of the motion command that a robot follows; None if there is none."""
+        if number >= len(self._run.programs) or depth >= MAX_DEPTH:
+            return None
+        begun = commanding(self._run, number)
+        if begun is None or not self._navigator.to_statement(number, begun):
+            return None
+        return self._posted(number, f"{self._run.name(number)} was driven", depth)
+
+    def _nearest(self, here: Position, robot: int) -> Iterator[Cause]:
+        """Return the beam of the nearest echo of a robot."""
+        self._run.seek(here)
+        environment = self._run.session.environment
+        echo_m = sonar_state(environment.state).echo_m[robot]
+        if np.isfinite(echo_m).any():
+            yield self._fired(robot, firing_of(environment, robot, int(np.nanargmin(echo_m))), "")
+
+    def _fired(self, robot: int, ping: Firing, field: str) -> Cause:
+        """Return the node of a firing, with the object that it met."""
+        run, environment = self._run, self._run.session.environment
+        fired = Position(int(ping.fired_s / environment.timestep_s), 0)
+        run.seek(fired)
+        met = object_met(environment, robot, ping.number, ping.echo_m)
+        beam = Beam(ping.number, ping.echo_m, met)
+        return Cause(f"{field}{ping.text(met)}", position=fired, robot=robot, beam=beam)
 
     def _is_at(self, place: _Place, name: str, wanted: MemoryObject) -> bool:
         """Return whether an operand is an object, or one that holds it."""
@@ -344,31 +428,33 @@ class Why:
         )
         begun = sending(self._run, sender, sent_ms / 1000.0)
         if begun is not None and self._navigator.to_statement(sender, begun):
-            found.append(self._sent(sender, depth))
+            found.append(self._posted(sender, f"{self._run.name(sender)} sent it", depth))
         timestep_s = self._run.session.environment.timestep_s
         for each in lost_messages(self._run, robot, received_s, self._asked_s):
             position = Position(int(each.time_s / timestep_s), 0)
             found.append(Cause(f"lost since: {each.text}", "", position, each.time_s, robot))
         return tuple(found)
 
-    def _sent(self, sender: int, depth: int) -> Cause:
-        """Return the node of a message: the run is before the statement that sent it."""
-        stack, site = self._run.stopped(sender).stack, self._run.site(sender)
+    def _posted(self, robot: int, head: str, depth: int) -> Cause:
+        """Return the node of a message or a command: the run is before its statement."""
+        stack, site = self._run.stopped(robot).stack, self._run.site(robot)
         assert site is not None
         frame = replace(stack[0], location=site.location)
-        place = _Place(self._run.position, sender, frame)
-        source = self._source(sender, site.function, site.location)
+        place = _Place(self._run.position, robot, frame)
+        source = self._source(robot, site.function, site.location)
         call = _SENDS.search(source.text)
-        sends = source.text[call.start() :] if call else source.text
-        data = [each.lstrip("& ") for each in arguments(sends)[-2:-1]]
+        passed = arguments(source.text)
+        if call is not None:
+            passed = arguments(source.text[call.start() :])[-2:-1]
+        names = [each for one in passed for each in operands(one.lstrip("& "))]
         return Cause(
-            f"{self._run.name(sender)} sent it",
+            head,
             source.shown,
             place.position,
-            self._run.time_s(sender),
-            sender,
+            self._run.time_s(robot),
+            robot,
             site.location,
-            self._operands(place, operands(data[0]) if data else [], depth + 1),
+            self._operands(place, list(dict.fromkeys(names)), depth + 1),
         )
 
     # -- the source ----------------------------------------------------------------------------

@@ -17,10 +17,12 @@ class Line:
 
     Attributes:
         text: its text, without colours.
+        indent: the column in which it continues if it is longer than a line of the screen.
     """
 
     text: str
     kind: LineKind = "text"
+    indent: int = 0
 
 
 @dataclass(frozen=True, slots=True)

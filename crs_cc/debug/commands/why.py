@@ -19,6 +19,9 @@ from crs_cc.debug.stop_points import StopPoints
 from crs_cc.debug.why import Cause, Why
 
 _WIDTH: Final = 60
+_NUMBER: Final = 5
+_HANGING: Final = 4
+"""Columns: of the number of an instant, and more for what continues in the next line."""
 
 
 def go_to_write(context: CommandContext, expression: str, *, backward: bool) -> Answer:
@@ -65,7 +68,7 @@ def _why(context: CommandContext, text: str) -> Answer:
     yield from _rows(context, cause, 0)
 
 
-def _rows(context: CommandContext, cause: Cause, depth: int) -> Iterator[str]:
+def _rows(context: CommandContext, cause: Cause, depth: int) -> Iterator[Line]:
     """Yield a node and those below it, and number them."""
     number = ""
     if cause.position is not None:
@@ -78,7 +81,8 @@ def _rows(context: CommandContext, cause: Cause, depth: int) -> Iterator[str]:
         where = f"{PurePath(cause.location.file).name}:{cause.location.line}  "
     at = f"t = {cause.time_s:.3f} s  " if cause.position is not None and cause.time_s > 0.0 else ""
     head = f"{'  ' * depth}{whose}{cause.text}"
-    yield f"{number:<4} {head:<{_WIDTH - 20}}  {at}{where}{cause.how}".rstrip()
+    text = f"{number:<4} {head:<{_WIDTH - 20}}  {at}{where}{cause.how}".rstrip()
+    yield Line(text, indent=_NUMBER + 2 * depth + _HANGING)
     for each in cause.causes:
         yield from _rows(context, each, depth + 1)
 
@@ -96,8 +100,10 @@ WHY: Final = Group(
             "why", "EXPRESSION", "Show where a value came from.", _why,
             text="Shows the last write of the object, what that was computed from, and so on:"
             " through assignments, arguments, returned values and messages of other robots, to"
-            " sensors, with the object that a beam met and the degradation that bent it. The run"
-            ' stays where it is; "goto @3" goes to the instant with that number.',
+            " sensors, with the object that a beam met and the degradation that bent it. Of a value"
+            " of the world, such as leader.heading, it shows the motion command, contacts, changes"
+            ' by hand and degradations. The run stays where it is; "goto @3" goes to the instant'
+            " with that number.",
             completes="expression",
         ),
     ),

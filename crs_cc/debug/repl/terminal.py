@@ -19,7 +19,8 @@ Breakpoint 1
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+import textwrap
+from collections.abc import Callable, Sequence
 from typing import BinaryIO, Final
 
 from rich.console import Console
@@ -35,6 +36,8 @@ _STYLES: Final[dict[LineKind, str]] = {
 }  # fmt: skip
 _THEME: Final = "ansi_dark"
 _WIDTH: Final = 10_000
+_LEAST: Final = 20
+"""Narrower columns are not folded into."""
 _BIDIRECTIONAL: Final = (*range(0x202A, 0x202F), *range(0x2066, 0x206A))
 _CONTROLS: Final = dict.fromkeys(
     (*range(9), *range(10, 32), *range(127, 160), *_BIDIRECTIONAL), "?"
@@ -45,12 +48,25 @@ class Terminal:
     """A text stream."""
 
     def __init__(
-        self, stream: BinaryIO, names: Sequence[str], *, is_coloured: bool = False
+        self,
+        stream: BinaryIO,
+        names: Sequence[str],
+        *,
+        is_coloured: bool = False,
+        columns: Callable[[], int] | None = None,
     ) -> None:
-        """Store the stream, the robots' names, and whether to write colours."""
+        """Store where and how to write.
+
+        Args:
+            stream: the stream.
+            names: the robots' names.
+            is_coloured: whether to write colours.
+            columns: returns how wide the screen is now; None if the stream is none.
+        """
         self._stream = stream
         self._names = names
         self._is_coloured = is_coloured
+        self._columns = columns
         self._begun: dict[tuple[int, int], bytes] = {}
         self._at_start = True  # of a line
 
@@ -70,8 +86,13 @@ class Terminal:
     def line(self, line: Line | SourceLine) -> None:
         """Write a line of an answer."""
         self.settle()
-        text = self._coloured(line) if self._is_coloured else _clean(line.text)
-        self._write(text.encode(errors="replace") + b"\n")
+        lines: list[Line | SourceLine] = [line]
+        if isinstance(line, Line) and line.indent and self._columns is not None:
+            parts = folded(_clean(line.text), self._columns(), line.indent).split("\n")
+            lines = [Line(each, line.kind) for each in parts]
+        for each in lines:
+            text = self._coloured(each) if self._is_coloured else _clean(each.text)
+            self._write(text.encode(errors="replace") + b"\n")
 
     def settle(self) -> None:
         """Complete lines of programs, and flush."""
@@ -106,6 +127,22 @@ class Terminal:
         text.append(code.highlight(_clean(line.code)))
         text.rstrip()
         return _rendered(text)
+
+
+def folded(text: str, columns: int, indent: int) -> str:
+    """Return a line in lines that fit the screen, the others indented.
+
+    >>> print(folded("@1   gap = 5   t = 1.000 s  gap = 2 + first", 30, 5))
+    @1   gap = 5   t = 1.000 s
+         gap = 2 + first
+    """
+    if not indent + _LEAST <= columns < len(text):
+        return text
+    lines = textwrap.wrap(
+        text, columns, subsequent_indent=" " * indent, replace_whitespace=False,
+        break_on_hyphens=False,
+    )  # fmt: skip
+    return "\n".join(lines)
 
 
 def _clean(text: str) -> str:

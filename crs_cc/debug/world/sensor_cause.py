@@ -58,9 +58,14 @@ def firing(environment: Environment, robot: int, field: StateField) -> Firing | 
     number = _number(field)
     if _device(field) != "sonar" or number is None:
         return None
+    found = firing_of(environment, robot, number)
+    return found if found.fired_s > 0.0 else None
+
+
+def firing_of(environment: Environment, robot: int, number: int) -> Firing:
+    """Return the last firing of a sonar."""
     sonar = sonar_state(environment.state)
-    fired_s = float(sonar.fired_s[robot, number])
-    return Firing(number, fired_s, float(sonar.echo_m[robot, number])) if fired_s > 0.0 else None
+    return Firing(number, float(sonar.fired_s[robot, number]), float(sonar.echo_m[robot, number]))
 
 
 def sensor_texts(environment: Environment, robot: int, field: StateField) -> Iterator[str]:

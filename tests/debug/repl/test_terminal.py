@@ -70,3 +70,19 @@ def test_script_lines_are_echoed() -> None:
     screen.program(0, 1, b"12")
     screen.echo("(crs) ", "next\x1b")
     assert shown(screen) == "12\n(crs) next?\n"
+
+
+def test_a_line_that_is_longer_than_the_screen_continues_below_its_own_text() -> None:
+    stream = io.BytesIO()
+    long = "@12  " + "gap = first + second " * 5
+    narrow = Terminal(stream, ["robot0"], columns=lambda: 40)
+    narrow.line(Line(long, indent=9))
+    lines = stream.getvalue().decode().splitlines()
+    assert len(lines) > 2
+    assert all(len(each) <= 40 for each in lines)
+    assert all(each.startswith(" " * 9 + "g") or each[9] != " " for each in lines[1:])
+    assert " ".join(" ".join(lines).split()) == " ".join(long.split())
+    for same in (Line(long), Line("short", indent=9)):
+        stream = io.BytesIO()
+        Terminal(stream, ["robot0"], columns=lambda: 40).line(same)
+        assert stream.getvalue().decode() == f"{same.text}\n"
