@@ -181,7 +181,8 @@ class Debugger:
         reader = self.view.evaluator(robot).inspector()
         value = returned_value(self.run.stopped(robot), reader, frame.active)
         if value is not None:
-            self.stop = replace(stop, text=f"{frame.function} returned {value.text}")
+            text = f"{frame.function} returned {value.text}"
+            self.stop = replace(stop, text=text, returned=value)
         return self.stop
 
     def until(self) -> Stop:

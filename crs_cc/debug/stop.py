@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final, Literal
 
+from crs_cc.debug.data.values import Value
 from crs_cc.debug.timeline.position import Position
 
 Reason = Literal[
@@ -36,6 +37,7 @@ class Stop:
         text: a description; empty if the reason says it all.
         function: the function that it is about, by the linker's name; empty for the
             innermost.
+        returned: the value that a finished function has returned.
     """
 
     reason: Reason
@@ -45,6 +47,7 @@ class Stop:
     breakpoints: tuple[int, ...] = ()
     text: str = ""
     function: str = ""
+    returned: Value | None = field(default=None, compare=False, repr=False)
 
     @property
     def why(self) -> str:

@@ -70,7 +70,16 @@ def _tick(context: CommandContext, text: str, *, backward: bool = False) -> Answ
 
 
 def _finish(context: CommandContext, _text: str, *, backward: bool = False) -> Answer:
-    return context.move(partial(context.debugger.finish, backward=backward))
+    return context.move(partial(_finished, context, backward=backward))
+
+
+def _finished(context: CommandContext, *, backward: bool) -> Stop:
+    """Finish the selected function, and record the value that it has returned."""
+    stop = context.debugger.finish(backward=backward)
+    if stop.returned is None:
+        return stop
+    number = context.record(stop.returned)
+    return replace(stop, text=f"Value returned is ${number} = {stop.returned.text}")
 
 
 def _until(context: CommandContext, text: str) -> Answer:
@@ -179,7 +188,8 @@ RUNNING: Final = Group(
         Command(
             "finish", "", "Continue until the selected function returns, and show its value.",
             _finish, ("fin",),
-            text="It stops right behind the call, in the caller's line, before the value is used.",
+            text="It stops right behind the call, in the caller's line, before the value is used."
+            ' The value is recorded, as by "print".',
             repeats="same",
         ),
         Command(
