@@ -8,11 +8,13 @@ from crs_cc.debug.commands.answer import Line
 from crs_cc.debug.commands.completion import complete
 from crs_cc.debug.errors import DebugError
 from crs_cc.workbench.allowed import check_allowed, may_complete
+from crs_cc.workbench.places import place_text
 
 if TYPE_CHECKING:
     from crs_cc.workbench.context import Context
 
 MAX_LINES: Final = 1000
+MAX_PLACES: Final = 5000
 
 
 def execute(screen: Context, line: str) -> dict[str, Any]:
@@ -25,11 +27,16 @@ def execute(screen: Context, line: str) -> dict[str, Any]:
     screen.player.pause()
     lines: list[list[str]] = []
     with screen.working():
-        for each in screen.run.shell().execute(line):
+        shell = screen.run.shell()
+        before = shell.context.instants
+        for each in shell.execute(line):
             if len(lines) < MAX_LINES:
                 kind = each.kind if isinstance(each, Line) else "source"
                 lines.append([kind, each.text])
-    return {"lines": lines}
+        listed = shell.context.instants
+    # The numbers of a list, @3, are places to which a page can go later, too.
+    new = [] if listed is before else listed
+    return {"lines": lines, "places": [[place_text(at), robot] for at, robot in new[:MAX_PLACES]]}
 
 
 def completions(screen: Context, line: str) -> dict[str, Any]:

@@ -194,6 +194,12 @@ def messages_are_listed_shut_and_sent(page: Any, debugger: Debugger) -> None:
     page.click("#drawer-messages")
     page.wait_for_selector(".message:has-text('ada → bob'):has-text('tick'):has-text('arrived')")
     page.wait_for_selector(".graph .link[aria-label^='ada to bob']")
+    when = page.locator(".message .when").last
+    time_s = float(when.inner_text().split()[0])
+    when.click()
+    wait(page, f"Math.abs(crs.model.state.t - {time_s}) < 0.06")
+    page.evaluate("crs.timeline.seek(crs.model.state.end)")
+    wait(page, "crs.model.state.t >= crs.model.state.end - 1e-6")
     click(page, "Shut links", ".side-box")
     shut = page.locator(".link-forms").first
     shut.locator("select").nth(1).select_option("bob")

@@ -114,6 +114,17 @@ def a_name_in_the_source_shows_its_value_and_is_plotted(page: Any) -> None:
     page.wait_for_selector(".name-menu", state="detached")
 
 
+def numbers_of_lists_in_the_console_are_links(page: Any) -> None:
+    page.click("#tab-console")
+    page.evaluate("crs.console('history mode 0..0.5')")
+    page.evaluate(
+        "crs.console('when mode == WAITING')"
+    )  # another list: the first one's numbers stay
+    link = page.locator(".log button:text-is('@2')").first
+    link.click()
+    wait(page, "crs.model.where.line === 19 && crs.model.where.t < 0.5")
+
+
 def test_the_past_is_asked_in_the_page(browser: Any, tmp_path: Path) -> None:
     """One test, since each step begins where the one before has led."""
     with running(tmp_path, PROGRAM, WORLD) as screen, page_in(browser, screen, 1280, 760) as page:
@@ -123,4 +134,5 @@ def test_the_past_is_asked_in_the_page(browser: Any, tmp_path: Path) -> None:
         words_are_plotted_and_a_click_goes_to_their_change(page)
         instants_are_found_and_stepped_through(page)
         a_name_in_the_source_shows_its_value_and_is_plotted(page)
+        numbers_of_lists_in_the_console_are_links(page)
         what_a_line_would_have_printed_is_listed(page)

@@ -17,8 +17,11 @@ export const commandLine = {
     const typed = [""];
     let at = 0;
 
-    const add = (kind, text) => {
-      log.append(el(`div.${kind}`, {}, text));
+    const add = (kind, text, places = []) => {
+      const [, number, rest] = /^@(\d+)(\s.*)$/s.exec(text) ?? [];
+      const place = places[Number(number) - 1]; // of the numbers of a list, which the next list changes
+      const link = place && el("button.link", { type: "button", title: "Go there", onclick: () => page.go(...place) }, `@${number}`);
+      log.append(el(`div.${kind}`, {}, ...(link ? [link, rest] : [text])));
       while (log.children.length > MOST) log.firstChild.remove();
       log.scrollTop = log.scrollHeight;
     };
@@ -26,8 +29,8 @@ export const commandLine = {
     /** Execute a line; `isField`: its error is shown elsewhere. @returns {Promise<{error: string}>} */
     page.console = async (line, isField = false) => {
       add("typed", `(crs) ${line}`);
-      const answer = await model.channel.ask("console", { line }).catch((error) => ({ lines: [["error", error.message]] }));
-      for (const [kind, text] of answer.lines) add(kind, text);
+      const answer = await model.channel.ask("console", { line }).catch((error) => ({ lines: [["error", error.message]], places: [] }));
+      for (const [kind, text] of answer.lines) add(kind, text, answer.places);
       const last = answer.lines.find(([kind]) => kind === "error");
       if (last && !isField) model.say(last[1], true);
       return { error: last?.[1] ?? "" };

@@ -17,7 +17,7 @@ export const messages = {
   key: "y",
   side: "below",
   asks: true,
-  make(root, model) {
+  make(root, model, _look, page) {
     const filter = el("input", { type: "text", placeholder: "find: a robot, a channel, a word of the content", "aria-label": "filter", spellcheck: false });
     const lostOnly = el("input", { type: "checkbox" });
     const clear = el("button", { type: "button", onclick: () => follow("", "") }, "Show all");
@@ -117,7 +117,10 @@ export const messages = {
       const [time, fate, number, sender, , , kind, size, serial, content] = row;
       const follows = `${sender} ${serial}`;
       return el("button.message", { type: "button", role: "listitem", title: "Follow this message", "aria-pressed": String(one === follows), onclick: () => follow("", one === follows ? "" : follows) },
-        el("span.when", {}, `${time.toFixed(3)} s`),
+        el("span.when", { title: "Go there", onclick: (event) => {
+          event.stopPropagation();
+          page.timeline.seek(time);
+        } }, `${time.toFixed(3)} s`),
         el("span", {}, `${names()[sender] ?? sender} → ${to(row)}`),
         el("span.hint", {}, `${channel(number)}, type ${kind}, ${size} B`),
         el("code", {}, content ?? ""),
