@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final
 
 from crs_cc.recording import topics
-from crs_cc.recording.columns import Columns
+from crs_cc.recording.columns import Columns, Part
 from crs_cc.recording.content import as_fields
 from crs_cc.recording.entries import Entries
 from crs_cc.recording.frames import messages
@@ -18,7 +18,7 @@ from crs_cc.recording.gathered_readings import GatheredReadings
 from crs_cc.recording.hashes import Hash, entry_of
 from crs_cc.recording.mcap_records import Channel
 from crs_cc.recording.readings import MAX_ROWS, ReadingEncoder
-from crs_cc.recording.saved import Output, Second, unpacked
+from crs_cc.recording.saved import COLUMNS, Output, Second, unpacked
 
 Encoded = tuple[Channel, int, bytes]
 """A message: its channel, time [ns] and content."""
@@ -58,7 +58,8 @@ class Block:
         self._entries = Entries()
         self._output: list[Output] = []
         self._hashes: list[tuple[int, Hash]] = []
-        self._saved = [0] * len(self._columns())  # rows
+        self._saved_bytes = [0] * COLUMNS
+        self._saved_frames = 0
         self._saved_output = self._saved_hashes = 0
 
     @property
@@ -95,18 +96,25 @@ class Block:
 
         Nothing must be added to the block as long as it is used.
         """
-        gathered = self._columns()
-        tails = [each.tail(rows) for each, rows in zip(gathered, self._saved, strict=True)]
-        before = self._frames_before + self._saved[0] + self._saved[2]
-        self._saved = [len(each) for each in gathered]
+        tails: list[Part] = []
+        for number, column in enumerate(self._content()):
+            begin, end = self._saved_bytes[number], len(column)
+            tails.append(memoryview(column)[begin:] if end > begin else b"")
+            self._saved_bytes[number] = end
+        before = self._frames_before + self._saved_frames
+        self._saved_frames = len(self.frames)
         output, self._saved_output = self._output[self._saved_output :], len(self._output)
         hashes, self._saved_hashes = self._hashes[self._saved_hashes :], len(self._hashes)
-        return Second(self._shape, before, tails, output, hashes, list(self._entries.unmarked()))
+        entries = list(self._entries.unmarked()) if self._entries.are_new else []
+        return Second(self._shape, before, tails, output, hashes, entries)
 
     def put(self, second: Second) -> None:
         """Add what was saved of another block; raise ValueError if it is not valid."""
-        for columns, tail in zip(self._columns(), second.columns, strict=True):
-            columns.extend(tail)
+        at = 0
+        for columns in self._columns():
+            count = len(columns.content())
+            columns.extend(second.columns[at : at + count])
+            at += count
         self.readings.count = len(self.readings.single) + len(self.readings.passed)
         self._output += second.output
         self._hashes += second.hashes
@@ -135,6 +143,10 @@ class Block:
         """Return all columns: single frames, heads and frames of passages, and readings."""
         frames, readings = self.frames, self.readings
         return frames.single, frames.heads, frames.passed, readings.single, readings.passed
+
+    def _content(self) -> list[bytearray]:
+        """Return the bytes of all columns."""
+        return [column for columns in self._columns() for column in columns.content()]
 
     def _frame_messages(self) -> Iterator[Encoded]:
         if len(self.frames):

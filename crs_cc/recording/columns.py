@@ -2,8 +2,8 @@
 
 >>> columns = Columns(1, 2)
 >>> columns.extend([b"ab", b"1122"])
->>> len(columns), [bytes(each) for each in columns.tail(1)]
-(2, [b'b', b'22'])
+>>> len(columns), [bytes(each) for each in columns.content()]
+(2, [b'ab', b'1122'])
 """
 
 from __future__ import annotations
@@ -39,21 +39,9 @@ class Columns:
         """Return the columns, which must not grow as long as they are looked at."""
         return self._columns
 
-    def tail(self, number: int) -> list[memoryview]:
-        """Return the columns from a row on; none must grow as long as they are used."""
-        return [
-            memoryview(column)[size * number :]
-            for column, size in zip(self._columns, self._row_bytes, strict=True)
-        ]
-
     def extend(self, columns: Parts) -> None:
-        """Add what was the tail of others; raise ValueError if it has no whole rows.
-
-        Args:
-            columns: the columns, and perhaps empty ones behind them.
-        """
-        own = len(self._columns)
+        """Add what was gathered by others; raise ValueError if it has no whole rows."""
         rows = len(columns[0]) // self._row_bytes[0]
-        if any(columns[own:]) or [*map(len, columns[:own])] != [rows * n for n in self._row_bytes]:
+        if [*map(len, columns)] != [rows * size for size in self._row_bytes]:
             raise ValueError("columns that were saved do not belong together")
-        self.append(*map(bytes, columns[:own]))
+        self.append(*map(bytes, columns))

@@ -32,12 +32,17 @@ _Entry = tuple[int, bytes]  # its time [us] and its JSON
 
 
 class Entries:
-    """What waits to be written."""
+    """What waits to be written.
+
+    Attributes:
+        are_new: whether any were added since `unmarked`.
+    """
 
     def __init__(self) -> None:
         """Create one without entries."""
         self._found: dict[Channel, list[_Entry]] = {}
         self._marked: dict[Channel, int] = {}
+        self.are_new = False
 
     def add(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> int:
         """Add an entry; return how many bytes it takes."""
@@ -49,6 +54,7 @@ class Entries:
     def put(self, channel: Channel, time_us: int, content: bytes) -> None:
         """Add an entry that is in JSON already."""
         self._found.setdefault(channel, []).append((time_us, content))
+        self.are_new = True
 
     def messages(self) -> Iterator[tuple[Channel, int, bytes]]:
         """Yield a message of each channel, with its time."""
@@ -57,6 +63,7 @@ class Entries:
 
     def unmarked(self) -> Iterator[tuple[str, int, bytes]]:
         """Yield the entries that were added since the last time, each with topic and time [us]."""
+        self.are_new = False
         for channel, found in self._by_channel():
             begin = self._marked.get(channel, 0)
             self._marked[channel] = len(found)

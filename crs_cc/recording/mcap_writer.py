@@ -139,9 +139,10 @@ class McapWriter:
             last_ns: when it ends.
             parts: what is not pending: what replaces it will be added.
         """
-        content = b"".join(parts)
-        head = CHUNK_HEAD.pack(first_ns, last_ns, len(content), 0)
-        written = PREFIX.pack(SAVED, len(head) + len(content)) + head + content
+        content = list(parts)
+        size = sum(map(len, content))
+        head = PREFIX.pack(SAVED, CHUNK_HEAD.size + size)
+        written = b"".join([head, CHUNK_HEAD.pack(first_ns, last_ns, size, 0), *content])
         messages = sorted(self._pending[self._saved :], key=lambda each: each[:2])
         if messages:
             records, _ = self._content(messages, dict(self._counts))

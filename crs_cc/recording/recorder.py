@@ -128,7 +128,7 @@ class Recorder:
     def begin(self, session: Session) -> None:
         """Start with a session before its first timestep."""
         self._session = session
-        self._state = session.state
+        self._state, self._environment = session.state, session.environment
         self._timestep_s = session.environment.timestep_s
         self._per_second = max(1, round(1.0 / self._timestep_s))
         self._stride = max(1, round(self._options.every_s / self._timestep_s))
@@ -195,13 +195,13 @@ class Recorder:
         begin = -first % stride
         poses = passage.frames[begin::stride]
         if len(poses):
-            state = self._session.environment.last_state
+            state = self._environment.last_state
             self._block.frames.add_passage(first + begin, stride, self._timestep_s, poses, state)
         self._moved, self._last = last % stride != 0, last
 
     def _note_frame(self, timesteps: int) -> None:
         """Record where everything is after a timestep, if it has moved and a frame is due."""
-        if self._session.environment.names is not self._names:
+        if self._environment.names is not self._names:
             self._note_roster()
         if self._moved and timesteps // self._stride != self._last // self._stride:
             self._add_frame()
@@ -263,7 +263,7 @@ class Recorder:
         self._sampled = timesteps
         self._note_frame(timesteps)
         if self._foxglove_sensors is not None:
-            state = self._session.environment.last_state
+            state = self._environment.last_state
             for channel, time_ns, data in self._foxglove_sensors.messages(state):
                 self._writer.add(channel, time_ns, data)
         if timesteps >= self._next_hash:
@@ -331,7 +331,7 @@ class Recorder:
             self.written_s = self._session.time_s
 
     def _add_frame(self) -> None:
-        state = self._session.environment.last_state
+        state = self._environment.last_state
         time_s = state.cycle * self._timestep_s
         self._block.frames.add(time_s, state)
         self._moved = False

@@ -5,7 +5,8 @@ second of one robot takes a few copies. The form is little-endian, see `HEAD`, a
 knows it; `crs replay --recover` makes chunks of it.
 
 >>> hashes = [(9, Hash(20, "0f3a", 7, ""))]
->>> second = Second(Shape(1, 0, False), 0, [], [(5_000, 0, 1, b"hi\n")], hashes, [])
+>>> columns = [b""] * COLUMNS
+>>> second = Second(Shape(1, 0, False), 0, columns, [(5_000, 0, 1, b"hi\n")], hashes, [])
 >>> unpacked(b"".join(second.parts())) == second
 True
 """
@@ -27,13 +28,12 @@ Output = tuple[int, int, int, bytes]
 Entry = tuple[str, int, bytes]
 """An entry in JSON: its topic, its time [us], and its text."""
 
-HEAD: Final = struct.Struct("<IIBQ4I")
-"""Robots, movable objects, whether there are turrets, frames before; then the numbers of sets of
-columns, of pieces of output, of hashes and of entries, which follow."""
+COLUMNS: Final = 8
+HEAD: Final = struct.Struct(f"<IIBQ3I{COLUMNS}I")
+"""Robots, movable objects, whether there are turrets, frames before; the numbers of pieces of
+output, of hashes and of entries; the sizes of the columns, which follow, and then the others."""
 
 _MOST_FRAMES: Final = 2**40
-_MOST: Final = 4  # columns of a set
-_SIZES: Final = struct.Struct(f"<{_MOST}I")  # of the columns of a set, before them
 _OUTPUT: Final = struct.Struct("<qIBI")  # time [ns], robot, stream, size of what follows
 _HASH: Final = struct.Struct(f"<qQ{DIGITS}sI16s")  # time [ns], timesteps, digest, output, state
 _ENTRY: Final = struct.Struct("<qBI")  # time [us], sizes of the topic and of the text
@@ -45,7 +45,7 @@ class Second(NamedTuple):
     Attributes:
         shape: who is in its frames.
         before: how many frames there were before.
-        columns: what was gathered in columns, for each set of columns.
+        columns: what was gathered in columns, `COLUMNS` of them.
         output: pieces of output.
         hashes: hashes, each with its time [ns].
         entries: entries in JSON.
@@ -53,18 +53,16 @@ class Second(NamedTuple):
 
     shape: Shape
     before: int
-    columns: Sequence[Parts]
+    columns: Parts
     output: Sequence[Output]
     hashes: Sequence[tuple[int, Hash]]
     entries: Sequence[Entry]
 
     def parts(self) -> Iterator[Part]:
         """Yield its bytes."""
-        counts = (len(self.columns), len(self.output), len(self.hashes), len(self.entries))
-        yield HEAD.pack(*self.shape, self.before, *counts)
-        for columns in self.columns:
-            yield _SIZES.pack(*map(len, columns), *(0,) * (_MOST - len(columns)))
-            yield from columns
+        counts = (len(self.output), len(self.hashes), len(self.entries))
+        yield HEAD.pack(*self.shape, self.before, *counts, *map(len, self.columns))
+        yield from self.columns
         for time_ns, robot, stream, content in self.output:
             yield _OUTPUT.pack(time_ns, robot, stream, len(content)) + content
         for time_ns, found in self.hashes:
@@ -81,13 +79,14 @@ def unpacked(data: bytes) -> Second:
         struct.error, ValueError: it is not valid.
     """
     cursor = _Cursor(data)
-    robots, objects, turret, before, sets, outputs, hashes, entries = cursor.numbers(HEAD)
+    robots, objects, turret, before, *rest = cursor.numbers(HEAD)
+    outputs, hashes, entries, *sizes = rest
     if robots + objects > MAX_ROWS or before > _MOST_FRAMES:
         raise ValueError("what was saved has too many rows")
     second = Second(
         Shape(robots, objects, bool(turret)),
         before,
-        [cursor.columns() for _ in range(sets)],
+        [cursor.take(size) for size in sizes],
         [cursor.output() for _ in range(outputs)],
         [cursor.hash() for _ in range(hashes)],
         [cursor.entry() for _ in range(entries)],
@@ -114,9 +113,6 @@ class _Cursor:
             raise ValueError("what was saved is shorter than its content")
         self.at += size
         return self._data[self.at - size : self.at]
-
-    def columns(self) -> list[bytes]:
-        return [self.take(size) for size in self.numbers(_SIZES)]
 
     def output(self) -> Output:
         time_ns, robot, stream, size = self.numbers(_OUTPUT)
