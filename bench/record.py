@@ -83,8 +83,11 @@ class Run:
     def advance(self, until_s: float) -> None:
         """Advance the run to a time."""
         start = time.process_time()
-        while self._session.time_s < until_s - 1e-9:
-            self._session.step()
+        timestep_s = self._session.environment.timestep_s
+        while (left_s := until_s - self._session.time_s) > 1e-9:
+            if self._recorder:
+                left_s = min(left_s, self._recorder.seconds_left())
+            self._session.advance(max(1, round(left_s / timestep_s)), calmly=True)
             if self._recorder:
                 self._recorder.sample()
         self.used_s.append(time.process_time() - start)
