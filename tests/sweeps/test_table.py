@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import csv
+import json
 from pathlib import Path
 
 import pytest
 
 import crs_cc
+from crs_cc.sweeps.rows import RowFile, read_rows
 from tests.sweeps.trials import inline, write
 
 
@@ -34,3 +36,15 @@ def test_a_table_becomes_a_frame_where_one_is_installed(tmp_path: Path) -> None:
     frame = SweepTable(tmp_path, ("run", "x"), ({"run": 0, "x": 1.5}, {"run": 1})).frame()
     assert isinstance(frame, pandas.DataFrame)
     assert frame["x"].isna().tolist() == [False, True]
+
+
+def test_rows_share_the_names_that_they_have_in_common(tmp_path: Path) -> None:
+    lines = [json.dumps({"run": run, "measures": {"distance_m": float(run)}}) for run in range(3)]
+    (tmp_path / "rows.jsonl").write_text("\n".join(lines[:2]) + "\n")
+    with RowFile(tmp_path) as file:
+        file.add(json.loads(lines[2]))
+        rows = list(file.rows.values())
+    assert rows == list(read_rows(tmp_path / "rows.jsonl")[0].values())
+    assert [row["measures"] for row in rows] == [{"distance_m": float(run)} for run in range(3)]
+    names = [name for row in rows for each in (row, row["measures"]) for name in each]
+    assert len({id(name) for name in names}) == len(set(names))
