@@ -23,7 +23,7 @@
 #include "crs.h"
 
 #ifndef DETOUR
-#define DETOUR   1              /* 0: both branches are equally long */
+#define DETOUR   1              /* of the south; 0: both branches are equally long; 2: of the north, long */
 #endif
 #ifndef RELEASE
 #define RELEASE  3              /* s between two robots that leave first */
@@ -44,6 +44,7 @@
 #define AWAY     1.0            /* weights of a near one against that of the aim */
 #define ASIDE    0.6
 #define INCH     0.00254        /* m: a tenth of one */
+#define READINGS 5              /* of the place, from which random numbers are drawn */
 #define PI       3.14159265358979
 
 /* A corner of the way on its centre line, and where those who go east pass it, in lanes. */
@@ -52,10 +53,16 @@ struct corner {
     int right, up;
 };
 
-static const struct corner north_corners[] = { { 1.4, 3.15, 0, -1 }, { 4.2, 3.15, 0, -1 } };
+static const struct corner north_corners[] = {
+    { 1.4, 3.15, 0, -1 },
+#if DETOUR == 2
+    { 2.4, 3.15, 1, -1 }, { 2.4, 8.35, 1, -1 }, { 3.2, 8.35, -1, -1 }, { 3.2, 3.15, -1, -1 },
+#endif
+    { 4.2, 3.15, 0, -1 },
+};
 static const struct corner south_corners[] = {
     { 1.4, 2.45, 0, -1 },
-#if DETOUR
+#if DETOUR == 1
     { 2.4, 2.45, -1, -1 }, { 2.4, 0.5, -1, -1 }, { 3.2, 0.5, 1, -1 }, { 3.2, 2.45, 1, -1 },
 #endif
     { 4.2, 2.45, 0, -1 },
@@ -154,13 +161,21 @@ static void cross(int east)
 
 int main(void)
 {
+    unsigned seed = 0;
+    int i;
+
     trail = crs_find_field("trail");
     if (!connect_robot(1) || trail < 0)
         return 1;
     conf_tm(0);
-    look();
-    srand((unsigned)(1e6 * place_x + 1e3 * place_y));   /* noisy: another one for each seed */
+    for (i = 0; i < READINGS; i++) {
+        look();
+        seed = 31 * seed + (unsigned)(1e6 * place_x + 1e3 * place_y);
+        usleep(PERIOD);
+    }
+    srand(seed);
     sleep(RELEASE * crs_my_number());
+    go_to(&nest, 1);
     for (;;) {
         cross(1);
         go_to(&food, 1);

@@ -11,6 +11,7 @@ from crs_cc.sweeps.report.results import Results, results
 from crs_cc.sweeps.rows import Row
 
 _MEASURE: Final = "items_per_min"
+_CHANNEL: Final = "world.communication/channel"
 _SOUND: Final = "ideal"
 """The setup of robots without a fault: the definition itself."""
 
@@ -34,6 +35,17 @@ def with_faults(rows: Sequence[Row]) -> Results:
         if fault == _SOUND:
             return {"faulty": 0, "fault": "none"}
         return {"faulty": given["world.faulty.count"], "fault": fault}
+
+    return _renamed(rows, named)
+
+
+def with_losses(rows: Sequence[Row]) -> Results:
+    """Return the items per minute, by how many messages are lost, and how many in a row."""
+
+    def named(given: Mapping[str, Value]) -> dict[str, Value]:
+        begin, end = (float(given[f"{_CHANNEL}.burst-{name}"]) for name in ("begin", "end"))
+        lost = float(given[f"{_CHANNEL}.loss"]) if begin == 0.0 else begin / (begin + end)
+        return {"lost": f"{lost:.0%}", "in bursts of": round(1.0 / end) if begin else 1}
 
     return _renamed(rows, named)
 

@@ -19,9 +19,11 @@ from typing import Final
 
 import maze_model
 import tour_model
-from bridge_results import of_leader, of_short
+from bridge_results import of_leader, of_short, of_very_short
 from clustering_results import of_clusters
-from foraging_results import with_faults, with_trails
+from foraging_results import with_faults, with_losses, with_trails
+from means import with_means
+from path_results import of_paths
 from ways_results import over_shortest
 
 from crs_cc.sweeps.report.findings import medians
@@ -52,14 +54,20 @@ SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
     "bridge": (of_leader, "curve"),
     "clustering": (of_clusters, "values"),
     "detour": (of_short, "curve"),
+    "far_detour": (of_very_short, "curve"),
     "faults": (with_faults, "values"),
     "foraging": (partial(results, measure="items_per_min"), "curve"),
     "heat": (partial(results, measure="goal.cool.at_s"), "survival"),
     "maze": (_beside(maze_model), "curve"),
+    "path": (of_paths, "survival"),
+    "radio": (with_losses, "values"),
     "tour": (_beside(tour_model), "curve"),
     "trails": (with_trails, "curve"),
 }
 """Of each experiment: what its rows show, and the figure that shows it."""
+
+WITH_MEANS: Final = {"detour", "far_detour"}
+"""Experiments in which most values are at either end, so that medians say little."""
 
 _COLLISIONS: Final = "collisions_per_robot_min"
 
@@ -71,11 +79,21 @@ def renew(name: str, runs: Path = RUNS) -> None:
         name: its name.
         runs: the folder of the results of all runs.
     """
-    summarize, figure = SHOWN[name]
     sweep = Sweep(FOLDER / f"{name}.toml", runs / name)
     sweep.run(os.cpu_count() or 1, resume=True)
-    found = summarize([sweep.rows[number] for number in sorted(sweep.rows)])
-    table = medians(found)
+    write(name, [sweep.rows[number] for number in sorted(sweep.rows)])
+
+
+def write(name: str, rows: Sequence[Row]) -> None:
+    """Write the table and the figure of an experiment.
+
+    Args:
+        name: its name.
+        rows: its rows, by their numbers.
+    """
+    summarize, figure = SHOWN[name]
+    found = summarize(rows)
+    table = with_means(found) if name in WITH_MEANS else medians(found)
     RESULTS.mkdir(exist_ok=True)
     with (RESULTS / f"{name}.csv").open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")

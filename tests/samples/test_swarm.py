@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import csv
+import math
 import runpy
 from importlib import import_module
 from pathlib import Path
-from statistics import median
+from statistics import mean, median
 from types import ModuleType
 from typing import Any
 
@@ -192,13 +193,68 @@ def test_ants_without_bodies_find_the_shortest_tour_by_their_trails(
     assert median(without) > 1.2
 
 
-def test_ants_without_bodies_choose_the_short_branch_more_often() -> None:
-    model = runpy.run_path(str(SWARM / "bridge_model.py"))
+@pytest.fixture
+def bridge_model(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    monkeypatch.syspath_prepend(SWARM)
+    return import_module("bridge_model")
 
-    def won(second_s: float) -> float:
-        """Return the share of colonies that choose the first branch more often in the end."""
-        ends = [model["shares_by_minute"](second_s, 3, seed)[-1] for seed in range(200)]
-        return sum(end > 0.5 for end in ends) / len(ends)
 
-    assert won(model["SHORT_S"]) == pytest.approx(0.5, abs=0.1)
-    assert won(model["LONG_S"]) > 0.55
+def test_ants_without_bodies_choose_the_short_branch_more_often(bridge_model: ModuleType) -> None:
+    def share(bridge: object) -> float:
+        """Return the share of choices of the first branch in the third minute."""
+        return mean(bridge_model.shares_by_minute(bridge, 3, seed)[-1] for seed in range(400))
+
+    equal = share(bridge_model.EQUAL)
+    assert equal == pytest.approx(0.5, abs=0.06)
+    assert equal + 0.05 < share(bridge_model.DETOUR) < share(bridge_model.FAR_DETOUR)
+
+
+def test_the_share_of_the_short_branch_agrees_with_theory() -> None:
+    with (SWARM / "results" / "far_detour.csv").open(encoding="utf-8", newline="") as file:
+        rows = {(row["minute"], row["colony"]): row for row in csv.DictReader(file)}
+    for minute in "123":
+        low, high = map(float, rows[minute, "robots"]["95 % interval of the mean"].split(" to "))
+        assert 0.5 < low <= float(rows[minute, "without bodies"]["mean"]) <= high
+
+
+def test_robots_form_a_path_to_the_source(tmp_path: Path) -> None:
+    text = """
+        world = "path.xml"
+        measures = "path.py"
+        seeds = [21]
+        duration = "70s"
+        parameters = { world.ant.count = [8] }
+    """
+    (row,) = rows_of_text("path", text, tmp_path, most=1.0)
+    assert row["measures"]["has_path"] == 1
+    assert 10.0 < row["measures"]["path_s"] < 70.0
+
+
+def test_robots_without_bodies_need_three_for_a_path(chain_model: ModuleType) -> None:
+    assert all(chain_model.formed_s(1, 90.0, seed) == math.inf for seed in range(10))
+    few, many = (
+        sum(chain_model.formed_s(count, 180.0, seed) < 180.0 for seed in range(20))
+        for count in (4, 16)
+    )
+    assert few < many
+
+
+@pytest.fixture
+def chain_model(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    monkeypatch.syspath_prepend(SWARM)
+    return import_module("chain_model")
+
+
+def test_foragers_that_tell_each_other_bring_more(tmp_path: Path) -> None:
+    channel = '"world.communication/channel.loss"'
+    text = f"""
+        world = "radio.xml"
+        measures = "trails.py"
+        seeds = [1]
+        duration = "60s"
+        parameters = {{ {channel} = [0, 1] }}
+    """
+    told, alone = (
+        row["measures"]["items_brought"] for row in rows_of_text("radio", text, tmp_path, most=0.5)
+    )
+    assert alone < told
