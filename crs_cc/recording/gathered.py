@@ -8,7 +8,7 @@ it is here, and be gathered again from what was saved.
 from __future__ import annotations
 
 import struct
-from typing import TYPE_CHECKING, Final, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from crs_cc.recording.columns import Columns
 from crs_cc.recording.mcap_records import NS
 
 if TYPE_CHECKING:
-    from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, Records
+    from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
     from crs_cc.sim.state.env_state import EnvState
 
 PASSAGE_NUMBERS: Final = 7
@@ -25,23 +25,6 @@ PASSAGE_NUMBERS: Final = 7
 _ENDLESS_S: Final = 2.0**33  # no run takes so long
 _TIME: Final = struct.Struct("<d")
 _HEAD: Final = struct.Struct("<qqqd")
-
-
-class Passage(Protocol):
-    """Timesteps in which robots moved and had answers, and nothing else happened.
-
-    Attributes:
-        first: how many timesteps were before.
-        frames: where they were and believed to be after each, (k, robots, `PASSAGE_NUMBERS`).
-        answers: their answers by time, with the fields of `gathered_readings.ANSWER`.
-    """
-
-    @property
-    def first(self) -> int: ...  # noqa: D102
-    @property
-    def frames(self) -> FloatArray: ...  # noqa: D102
-    @property
-    def answers(self) -> Records: ...  # noqa: D102
 
 
 class Shape(NamedTuple):

@@ -27,7 +27,7 @@ from crs_cc.recording.content import as_fields
 from crs_cc.recording.digest import digest
 from crs_cc.recording.entries import SPAN_NS
 from crs_cc.recording.field_sketches import ChangedFields
-from crs_cc.recording.gathered import GatheredFrames, Passage, Shape
+from crs_cc.recording.gathered import GatheredFrames, Shape
 from crs_cc.recording.hashes import OUTPUT_BITS, STATE_DIGITS, Hash
 from crs_cc.recording.mcap_records import NS, Channel, ns
 from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from crs_cc.recording.foxglove.sensors import FoxgloveSensors
     from crs_cc.session.result import RunResult
     from crs_cc.session.session import Session
+    from crs_cc.sim.engine.passage import Passage
     from crs_cc.sim.engine.step import Step
     from crs_cc.sim.state.env_state import EnvState
 
