@@ -28,6 +28,7 @@ SMALLEST = {
     "requests.py": ["--steps", "3", "gs"],
     "start.py": ["--repeat", "1"],
     "sweep.py": ["--programs", "2", "4"],
+    "wander.py": ["--repeats", "1"],
     "workbench.py": ["--no-browser", "--pages", "2", "--seconds", "0.1", "4"],
 }
 """Of each script, the arguments with which it measures least."""
@@ -50,6 +51,7 @@ MEASURED = {
     "requests.py": ["\ngs ", "aim: "],
     "start.py": ["python -c pass ", "crs --help ", "crs run, warm ", "crs run, empty cache "],
     "sweep.py": ["\nlocal ", "\nworkers_killed ", "\nresumed "],
+    "wander.py": ["\ncalm time allowed ", "\nwithout calm time ", "the states are the same"],
     "workbench.py": ["frame bytes", "server %", "\n       4 "],
 }
 """Of each script, words of what it prints."""
