@@ -15,6 +15,7 @@ from crs_cc.workbench.static_files import POLICY
 
 ROOT = Path(__file__).parents[1]
 EXTENSION = ROOT / "editors" / "vscode"
+MANIFEST = json.loads((EXTENSION / "package.json").read_text())
 
 VIEW = """
 import sys, time
@@ -26,13 +27,16 @@ time.sleep(60)
 STARTED = """
 const Module = require("node:module");
 const [extension, command, cwd] = process.argv.slice(1);
-const said = [];
+const said = [], asked = [];
 const commands = {};
 let tracker, disposed;
 const session = {
   type: "crs",
   configuration: { type: "crs", program: ["go.c"], cwd, seed: 3 },
-  customRequest: async () => ({ result: "t = 1.500 s, tick 30" }),
+  customRequest: async (_, { expression }) => {
+    asked.push(expression);
+    return { result: "t = 1.500 s, tick 30" };
+  },
 };
 const panel = {
   webview: { html: "", postMessage: (message) => said.push(message) },
@@ -62,18 +66,21 @@ activate({ subscriptions: [] });
   said.length = 0;
   tracker.onDidSendMessage({ type: "event", event: "stopped" });
   await new Promise((resolve) => setTimeout(resolve, 50));
-  console.log(JSON.stringify({ html: panel.webview.html, said }));
+  asked.length = 0;
+  await commands["crs.stepBackInto"]();
+  await commands["crs.stepBackOut"]();
+  const names = Object.keys(commands);
+  console.log(JSON.stringify({ html: panel.webview.html, said, asked, names }));
   process.stdin.once("data", () => { panel.dispose(); process.stdin.pause(); });
 })();
 """
 
 
 def test_what_is_packaged_is_there() -> None:
-    manifest = json.loads((EXTENSION / "package.json").read_text())
-    for name in (manifest["main"], manifest["icon"], *manifest["files"], "README.md"):
+    for name in (MANIFEST["main"], MANIFEST["icon"], *MANIFEST["files"], "README.md"):
         assert (EXTENSION / name).is_file(), name
     assert (EXTENSION / "LICENSE").read_text() == (ROOT / "LICENSE").read_text()
-    with Image.open(EXTENSION / manifest["icon"]) as icon:
+    with Image.open(EXTENSION / MANIFEST["icon"]) as icon:
         assert icon.size == (128, 128)
 
 
@@ -89,6 +96,8 @@ def test_the_window_shows_the_run_of_the_debug_session_and_follows_it(tmp_path: 
     assert run.returncode == 0
     found = json.loads(out)
     assert found["said"] == [{"time": 1.5}]
+    assert found["asked"] == ["reverse-step", "reverse-finish"]
+    assert found["names"] == [each["command"] for each in MANIFEST["contributes"]["commands"]]
     assert '<iframe src="http://127.0.0.1:7777/#token=abc"' in found["html"]
     assert "default-src 'none'; frame-src http://127.0.0.1:7777;" in found["html"]
     assert (tmp_path / "words").read_text() == "view --no-open go.c --seed 3"

@@ -18,6 +18,28 @@ from docs.generate import ROOT, Fillers, cell, table
 EXTENSION: Final = ROOT / "editors" / "vscode" / "package.json"
 NEOVIM: Final = ROOT / "editors" / "nvim" / "crs.lua"
 
+_BACK: Final = {"enablement": "inDebugMode && debugType == 'crs'", "category": "CRS"}
+COMMANDS: Final = (
+    {
+        "command": "crs.showWorkbench",
+        "title": "Show the run in the workbench",
+        "category": "CRS",
+    },
+    {
+        "command": "crs.stepBackInto",
+        "title": "Step back, into calls",
+        "icon": "$(debug-step-into)",
+        **_BACK,
+    },
+    {
+        "command": "crs.stepBackOut",
+        "title": "Step back to the call of this function",
+        "icon": "$(debug-step-out)",
+        **_BACK,
+    },
+)
+"""The commands of the extension; VS Code itself steps back over calls."""
+
 CONFIGURATION: Final = {
     "name": "This program in a room",
     "type": "crs",
@@ -84,13 +106,14 @@ def extension() -> dict[str, Any]:
         "main": "./extension.js",
         "files": ["extension.js", "icon.png", "LICENSE", "README.md"],
         "contributes": {
-            "commands": [
-                {
-                    "command": "crs.showWorkbench",
-                    "title": "Show the run in the workbench",
-                    "category": "CRS",
-                }
-            ],
+            "commands": list(COMMANDS),
+            "menus": {
+                "debug/toolBar": [
+                    {"command": each["command"], "when": "debugType == 'crs'"}
+                    for each in COMMANDS
+                    if "enablement" in each
+                ]
+            },
             "configuration": {
                 "title": "CRS",
                 "properties": {

@@ -1,5 +1,6 @@
 // The window with the map: the workbench of `crs view` beside the editor. While a debug session of
-// crs stops, steps and goes back, the window follows its time.
+// crs stops, steps and goes back, the window follows its time. And the steps back that VS Code has no
+// buttons for: into calls, and out of the function.
 "use strict";
 
 const { spawn } = require("node:child_process");
@@ -119,9 +120,26 @@ async function follow(session) {
   }
 }
 
+/** The steps back that VS Code does not have, and the command of the debugger for each. */
+const STEPS_BACK = { "crs.stepBackInto": "reverse-step", "crs.stepBackOut": "reverse-finish" };
+
+/** Execute a command of the debugger; it tells the editor where the program stands then. */
+async function execute(command) {
+  const session = vscode.debug.activeDebugSession;
+  if (session?.type !== "crs") return;
+  const frameId = vscode.debug.activeStackItem?.frameId;
+  try {
+    await session.customRequest("evaluate", { expression: command, context: "repl", frameId });
+  } catch (error) {
+    vscode.window.showErrorMessage(`CRS: ${error.message}`);
+  }
+}
+
 function activate(context) {
+  const steps = Object.entries(STEPS_BACK);
   context.subscriptions.push(
     vscode.commands.registerCommand("crs.showWorkbench", showWorkbench),
+    ...steps.map(([name, command]) => vscode.commands.registerCommand(name, () => execute(command))),
     vscode.debug.registerDebugAdapterTrackerFactory("crs", {
       createDebugAdapterTracker: (session) => ({
         onDidSendMessage: (message) => {
