@@ -9,14 +9,15 @@ Read `engine` first: the operations of the debugger, without a user interface. I
 - `navigator`: moves the run forward or back to the next reason to stop; `step_conditions`: where
   steps end.
 - `locations`: where breakpoints are, as the user writes it; `breakpoints`: which of them are hit;
-  `condition_tests`: conditions that programs test themselves; `stop`: why a run has stopped.
+  `condition_tests`: conditions that programs test themselves; `kept_stops`: breakpoints that a
+  recording keeps; `stop`: why a run has stopped.
 - `watch`: accesses to watched bytes, detected inside the sandbox; `watchpoints`: the expressions
   that users watch; `world_watch`: those that use the world or several programs; `surroundings`:
   how expressions use these.
 - `past`: questions about the recorded past; `last_write`: who wrote an object before; `why`: a tree
-  of where a value came from, through `message_cause` to other robots; `returned_value`: what a call
-  has returned; `skips`: functions that steps do not enter; `call_sites`: calls that a step can be
-  told to enter.
+  of where a value came from, through `message_cause` to other robots, and through `motion_cause` to
+  what moves objects; `returned_value`: what a call has returned; `skips`: functions that steps do
+  not enter; `call_sites`: calls that a step can be told to enter.
 - `branches`: alternative histories; `branch_comparison`: the differences between two of them.
 - `data/`: C expressions, and values by their types.
 - `world/`: displays of the world, its events, and changes to it and to the run; `uploads`: programs

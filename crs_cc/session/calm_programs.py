@@ -41,7 +41,7 @@ class CalmPrograms:
         self._calm: CalmTime | None = None
         self._robots = 0  # that it was made for
         self._refused = _NEVER  # the cycle in which it was not calm
-        self.is_allowed = self.is_worthwhile = True
+        self.is_allowed, self.is_worthwhile = True, False
         self.passages: list[Passage] = []
 
     def run(self, cycles: int, *, keeps: bool) -> int:
