@@ -98,19 +98,23 @@ def test_structs_passed_to_small_functions_are_in_registers() -> None:
 @pytest.mark.parametrize(
     "body",
     [
-        "struct point b; b.x = n; return b.x;",
+        "struct point b; b.x = n; n = b.x; b.y = 2; return b.y + n;",
         "struct point b; if (n) b.x = 1; b.y = n; return b.y + b.x;",
         "while (n--) { struct point b; if (n > 2) b.x = b.y = n; else n -= b.x + b.y; } return 0;",
         "struct point *p = use(0) ? 0 : 0, b = *p; return b.x + b.y;",
         "int v[2]; struct point b; use(v); b.x = v[0]; b.y = v[1]; return b.x + b.y;",
-        "struct point b, c; b.x = n; c = b; return sizeof c;",
+        "struct point b, c; b.x = n; c = b; c.y = 1; return c.x + c.y;",
     ],
     ids=["half", "on_one_path", "of_last_pass", "from_memory", "of_deferred_values", "copied_half"],
 )
 def test_what_may_have_no_value_stays_in_memory_in_checked_builds(body: str) -> None:
-    body = f"struct point a = {{ n, 1 }}; n = a.y; {body}"
+    body = f"struct point a = {{ 3, 1 }}; int m = a.x + a.y; {body}"
     assert replaced(body) >= {"a", "b"}
     assert replaced(body, checked=True) == {"a"}
+
+
+def test_what_has_its_values_is_in_registers_in_checked_builds() -> None:
+    assert replaced("struct point b; b.x = n; b.y = 2; return b.x + b.y;", checked=True) == {"b"}
 
 
 @pytest.mark.parametrize(
