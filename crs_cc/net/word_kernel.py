@@ -49,7 +49,7 @@ _ERRORS: Final = (
 
 
 class Rules(NamedTuple):
-    """What may be changed, and what is looked for: a number for each word of a row.
+    """The rules for the words of a row, a number for each: what may change, what is looked for.
 
     Attributes:
         fixed: the bits that never change.

@@ -32,7 +32,7 @@ _Entry = tuple[int, bytes]  # its time [us] and its JSON
 
 
 class Entries:
-    """What waits to be written.
+    """The entries that wait to be written.
 
     Attributes:
         are_new: whether any were added since `unmarked`.

@@ -28,7 +28,7 @@ _HEAD: Final = struct.Struct("<qqqd")
 
 
 class Shape(NamedTuple):
-    """Who is in a frame.
+    """The robots and objects in a frame.
 
     Attributes:
         robots: how many robots.

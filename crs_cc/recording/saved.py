@@ -40,7 +40,7 @@ _ENTRY: Final = struct.Struct("<qBI")  # time [us], sizes of the topic and of th
 
 
 class Second(NamedTuple):
-    """What is new since the last time.
+    """The content of a recording that is new since it was last saved.
 
     Attributes:
         shape: who is in its frames.

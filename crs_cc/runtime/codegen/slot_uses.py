@@ -1,4 +1,4 @@
-"""What is done with the slots of a function: which parts are accessed, and what is copied."""
+"""The uses of the slots of a function: which parts are accessed, and what is copied."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class NotReplaceableError(Exception):
 
 @dataclass(slots=True)
 class Uses:
-    """What is done with the slots: accesses, and copies between them."""
+    """The uses of slots: accesses, and copies between them."""
 
     fields: dict[Slot, dict[int, MemoryType]] = field(default_factory=dict)
     copies: list[tuple[Place, Place, int]] = field(default_factory=list)
