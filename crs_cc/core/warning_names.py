@@ -69,6 +69,7 @@ WARNINGS: Final = {
     "sign-compare": "a negative constant is compared with an unsigned number",
     "sizeof-array-argument": "sizeof of an array parameter, which is a pointer",
     "string-compare": "the address of a string literal is compared",
+    "unavailable-function": "a call of a library function that always fails, such as fork",
     "uninitialized": "a variable is read that no path has assigned",
     "unused-function": "a static function that nothing calls",
     "unused-value": "a computed value is dropped",

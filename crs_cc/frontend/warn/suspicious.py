@@ -17,6 +17,7 @@ from crs_cc.frontend.check.tree_parts import walk
 from crs_cc.frontend.warn.flow import warn_paths
 from crs_cc.frontend.warn.robot_state import warn_state
 from crs_cc.frontend.warn.sequence import warn_order
+from crs_cc.frontend.warn.unavailable import warn_unavailable
 from crs_cc.frontend.warn.unused import warn_unused_names
 from crs_cc.ir.types import ArrayType, VoidType
 
@@ -44,6 +45,7 @@ def warn_unit(unit: Unit) -> None:
     """Check every function of a file."""
     warn_unused_names(unit)
     warn_state(unit)
+    warn_unavailable(unit)
     for function in unit.functions:
         for node in walk(function.body):
             for each in _full_expressions(node):
