@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.cli.compiler_options import gathered
+from crs_cc.cli.elsewhere import shown_names
 from crs_cc.cli.load import build_program, compiled_files
 from crs_cc.cli.messages import is_coloured, say, show_before_run
 from crs_cc.cli.net_address import shown_address, token_for
@@ -154,6 +155,8 @@ class _Host:
         if self._output is None:
             if not self._options.quiet:
                 say(f"crs: {', '.join(robots)} at {shown_address(self._options.address)}")
+                if found.awaited:
+                    say(f"crs: waiting for {shown_names(found.awaited)} to join")
             line = ProgressLine(None)
             self._output = ProgramOutput(robots, sys.stdout.buffer, sys.stderr.buffer, line)
         streams = Streams(self._write, self._input.read, self._input.waiting)

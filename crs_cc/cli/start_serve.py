@@ -41,7 +41,7 @@ def start_serve(options: ServeOptions) -> int:
     with logged() as files_read:
         world = load_world_of(options)
     resumption = None if options.resume is None else Resumption(options.resume)
-    roster = Roster(world.robots)
+    roster = Roster(world.robots, _awaited(world, options, resumption))
     with served_port(options, roster) as port:
         _greet(options, port)
         try:
@@ -101,6 +101,13 @@ def _seats(roster: Roster, options: ServeOptions, resumption: Resumption | None)
         without = f"crs: the run begins without {shown_names(late)}"
         say(without if late else "crs: every robot has its program: the run begins")
     return seats
+
+
+def _awaited(world: WorldModel, options: ServeOptions, resumption: Resumption | None) -> list[str]:
+    """Return the robots without whose hosts the run does not begin, if it needs more than one."""
+    if resumption is not None:
+        return [robot.id for robot in world.robots if robot.id not in resumption.absent]
+    return [] if options.start == "now" else [robot.id for robot in world.robots]
 
 
 def _late(

@@ -1,113 +1,105 @@
 """What has changed in the slots of some programs, as bytes.
 
-Both ends of a connection have a table with a row of 64-bit words for each program: its slot and its
-clock. Whoever changes rows sends a mask for each
+Both ends of a connection know the same table, with a row of 64-bit words for each program: its slot
+and its clock. Whoever changes rows sends a mask for each
 row, with a bit for each of its words, and the words that are new. So
 the used part of a slot crosses and nothing else, and both tables have the same bits afterwards.
 
->>> here, there = np.zeros((3, WORDS), np.uint64), np.zeros((3, WORDS), np.uint64)
->>> known = here.copy()
->>> here[1, 5], here[2, 0] = 7, 9
->>> content = pack(known, here)
->>> len(content), enter(content, there)
+>>> here, there = KnownRows(3), KnownRows(3)
+>>> table = np.zeros((3, WORDS), np.uint64)
+>>> table[1, 5], table[2, 0] = 7, 9
+>>> content = here.pack(table)
+>>> len(content), there.enter(content)
 (40, False)
->>> bool((there == here).all()), pack(known, here)  # what has been packed is known
+>>> bool((there.table() == table).all()), here.pack(table)  # what has been packed is known
 (True, b'')
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from crs_cc.net.word_kernel import ROWS, WORD_BYTES, WORDS, Rules, Table, word_kernel
+from crs_cc.net.word_kernel import ROWS, WORD_BYTES, WORDS, Rules, Table, WordKernel
 
-__all__ = ["WORDS", "Rules", "Table", "enter", "pack", "pack_all"]
+__all__ = ["WORDS", "KnownRows", "Rules", "Table"]
 
 
-def pack(known: Table, now: Table) -> bytes:
-    """Return what has changed in a table since the last call, and note it.
+class KnownRows:
+    """The rows that both ends of a connection know, in the memories of kernels.
 
-    Args:
-        known: the table as the other side knows it; becomes equal to `now`.
-        now: the table.
+    Attributes:
+        kernels: the kernels, each with `ROWS` rows at most.
     """
-    return pack_all([(known, now)])[0]
 
+    def __init__(self, rows: int, kernel: WordKernel | None = None) -> None:
+        """Begin with rows of zeros.
 
-def pack_all(tables: Sequence[tuple[Table, Table]]) -> list[bytes]:
-    """Return what has changed in several tables, see `pack`; several small ones cost as one."""
-    found: list[bytes] = []
-    together: list[tuple[Table, Table]] = []
-    rows = 0
-    for known, now in tables:
-        if rows + len(known) > ROWS:
-            found += _packed(together)
-            together, rows = [], 0
-        if len(known) > ROWS:
-            found.append(_in_parts(known, now))
-        else:
-            together.append((known, now))
-            rows += len(known)
-    return found + _packed(together)
+        Args:
+            rows: how many there are.
+            kernel: has them all, if it is given.
+        """
+        counts = [min(ROWS, rows - first) for first in range(0, rows, ROWS)]
+        self.kernels = [WordKernel() for _ in counts] if kernel is None else [kernel]
+        self._parts = list(zip(self.kernels, counts, strict=True))
 
+    def table(self) -> Table:
+        """Return the rows; those of one kernel are a view."""
+        tables = [kernel.known[:count] for kernel, count in self._parts]
+        return tables[0] if len(tables) == 1 else np.concatenate(tables)
 
-def _packed(tables: Sequence[tuple[Table, Table]]) -> list[bytes]:
-    """Pack tables that the kernel can take at once."""
-    return [masks + words if words else b"" for masks, words in _compared(tables)]
+    def set(self, table: Table) -> None:
+        """Make the rows of a table known, of which the other side has been told."""
+        first = 0
+        for kernel, count in self._parts:
+            kernel.known[:count] = table[first : first + count]
+            first += count
 
+    def pack(self, table: Table) -> bytes:
+        """Return what differs in a table from what is known, and make it known."""
+        if len(self._parts) == 1:
+            [(kernel, count)] = self._parts
+            kernel.now[:count] = table
+            return kernel.pack(count)
+        packed, first = [], 0
+        for kernel, count in self._parts:
+            kernel.now[:count] = table[first : first + count]
+            packed.append(kernel.pack(count))
+            first += count
+        if not any(packed):
+            return b""
+        # The masks of a part in which nothing has changed say so.
+        counts = [count for _, count in self._parts]
+        return b"".join(
+            part or bytes(count * WORD_BYTES) for part, count in zip(packed, counts, strict=True)
+        )
 
-def _in_parts(known: Table, now: Table) -> bytes:
-    """Pack a table that is too large for the kernel."""
-    parts = [
-        _compared([(known[first : first + ROWS], now[first : first + ROWS])])[0]
-        for first in range(0, len(known), ROWS)
-    ]
-    if not any(words for _, words in parts):
-        return b""
-    return b"".join(masks + words for masks, words in parts)
+    def enter(self, content: bytes | memoryview, rules: Rules | None = None) -> bool:
+        """Enter what the other side has changed.
 
+        Args:
+            content: the changes.
+            rules: what it may change; everything if None.
 
-def _compared(tables: Sequence[tuple[Table, Table]]) -> list[tuple[bytes, bytes]]:
-    """Return masks and words of tables that the kernel can take at once, and note them."""
-    kernel, last, counts = word_kernel(), 0, []
-    for known, now in tables:
-        first, last = last, last + len(known)
-        kernel.known[first:last], kernel.now[first:last] = known, now
-        known[...] = kernel.now[first:last]
-        counts.append(len(known))
-    return kernel.pack(counts)
+        Returns:
+            Whether any word that has been sent has a bit that the rules want.
 
-
-def enter(content: bytes, table: Table, rules: Rules | None = None) -> bool:
-    """Enter what the other side has changed in its table.
-
-    Args:
-        content: the changes.
-        table: the table, of as many rows.
-        rules: what it may change; everything if None.
-
-    Returns:
-        Whether any word that has been sent has a bit that the rules want.
-
-    Raises:
-        ValueError: the content does not fit to the table, or is not allowed; nothing is entered.
-    """
-    if not content:
-        return False
-    if len(content) % WORD_BYTES:
-        raise ValueError("changes end early")
-    kernel, rest, has_wanted = word_kernel(), memoryview(content), False
-    entered: list[Table] = []
-    for first in range(0, len(table), ROWS):
-        rows = min(ROWS, len(table) - first)
-        kernel.known[:rows] = table[first : first + rows]
-        used, is_wanted = kernel.enter(rest, rows, rules)
-        has_wanted |= is_wanted
-        rest = rest[used:]
-        entered.append(kernel.known[:rows] if rows == len(table) else kernel.known[:rows].copy())
-    if rest:
-        raise ValueError("changes of another size than announced")
-    table[...] = entered[0] if len(entered) == 1 else np.concatenate(entered)
-    return has_wanted
+        Raises:
+            ValueError: the content does not fit, or is not allowed; nothing is entered.
+        """
+        if not content:
+            return False
+        if len(content) % WORD_BYTES:
+            raise ValueError("changes end early")
+        rest, has_wanted = memoryview(content), False
+        if len(self._parts) == 1:
+            [(kernel, count)] = self._parts
+            return kernel.enter_all(rest, count, rules)
+        for kernel, count in self._parts:
+            used, is_wanted = kernel.check(rest, count, rules)
+            has_wanted |= is_wanted
+            rest = rest[used:]
+        if rest:
+            raise ValueError("changes of another size than announced")
+        for kernel, count in self._parts:
+            kernel.enter(count)
+        return has_wanted

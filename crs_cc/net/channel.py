@@ -25,13 +25,17 @@ from crs_cc.net.tls import Connection
 SILENCE_S: Final = 1.5
 """How long a side may say nothing [s]; with `ALIVE_S`, a loss is noticed in two seconds."""
 
+GREETING_S: Final = 5.0
+"""How long it may say nothing until it is known who it is [s]: it may be far away, or behind a slow
+connection, whose first packets are lost and sent again after seconds."""
+
 ALIVE_S: Final = 0.4
 """How often a side says that it is alive [s]."""
 
 MAGIC: Final = b"CRS slots\r\n\x1a"
 """The first bytes of a connection: no request of HTTP and no greeting of TLS begins so."""
 
-PROTOCOL: Final = 3
+PROTOCOL: Final = 4
 """The version of what is said here."""
 
 
@@ -68,12 +72,12 @@ _MOST: Final = {
 }
 """The largest content of a kind [bytes]; others are small. Chosen by us."""
 
-_HEAD: Final = struct.Struct("<IIII")
-"""Kind, size, number, and CRC-32 of the content; the CRC-32 of these follows, so that nobody waits
-for the rest of a message whose size is damaged."""
+_HEAD: Final = struct.Struct("<IIIII")
+"""Kind, size, number, and CRC-32 of the content; then the CRC-32 of these, so that nobody waits for
+the rest of a message whose size is damaged."""
 
+_CHECKED: Final = struct.Struct("<IIII")
 _CHECKSUM: Final = struct.Struct("<I")
-_HEAD_BYTES: Final = _HEAD.size + _CHECKSUM.size
 GONE: Final = "the other side has closed the connection"
 _DAMAGED: Final = "a message is missing, doubled or damaged"
 _LEAST, _CHUNK = 2**14, 2**20
@@ -102,17 +106,34 @@ class Channel:
         heard_s: when something has last come from the other side, by `time.monotonic()` [s].
     """
 
-    def __init__(self, connection: Connection) -> None:
-        """Store a connection."""
+    def __init__(self, connection: Connection, silence_s: float | None = None) -> None:
+        """Store a connection.
+
+        Args:
+            connection: a socket, perhaps encrypted.
+            silence_s: how long the other side may say nothing [s]; `SILENCE_S` if None.
+        """
         with contextlib.suppress(OSError):  # a socket of another family
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        limit_waits(connection, SILENCE_S)
         self.is_closed = False
         self._connection = connection
+        self.limit_silence(SILENCE_S if silence_s is None else silence_s)
         self._sending, self._receiving = threading.Lock(), threading.Lock()
         self._rest = bytearray()  # received, and not read
         self._sent = self._received = 0
         self._sent_s = self.heard_s = time.monotonic()
+
+    def limit_silence(self, silence_s: float) -> None:
+        """Set how long the other side may say nothing [s].
+
+        Raises:
+            ConnectionLostError: the connection has been closed.
+        """
+        self._silence_s = silence_s
+        try:
+            limit_waits(self._connection, silence_s)
+        except OSError as error:
+            raise ConnectionLostError(_reason(error)) from None
 
     def send(self, kind: Kind, content: bytes = b"") -> None:
         """Send a message.
@@ -121,7 +142,7 @@ class Channel:
             ConnectionLostError: it cannot be sent.
         """
         with self._sending:
-            head = _HEAD.pack(kind, len(content), self._sent, zlib.crc32(content))
+            head = _CHECKED.pack(kind, len(content), self._sent, zlib.crc32(content))
             message = b"".join((head, _CHECKSUM.pack(zlib.crc32(head)), content))
             self._sent = (self._sent + 1) & 0xFFFFFFFF
             try:
@@ -163,13 +184,13 @@ class Channel:
             content: bytes | None = None if end_s is not None or rest else self._next_message()
             if content is not None:
                 kind, _, checksum = self._head(content, allowed)
-                content = content[_HEAD_BYTES:]
+                content = content[_HEAD.size :]
             else:
-                self._await(_HEAD_BYTES, end_s)
+                self._await(_HEAD.size, end_s)
                 kind, size, checksum = self._head(rest, allowed)
-                end = _HEAD_BYTES + size
+                end = _HEAD.size + size
                 self._await(end, end_s)
-                content = bytes(rest[_HEAD_BYTES:end])
+                content = bytes(rest[_HEAD.size : end])
                 del rest[:end]
             if zlib.crc32(content) != checksum:
                 raise ConnectionLostError(_DAMAGED)
@@ -179,18 +200,14 @@ class Channel:
 
     def _head(self, message: bytes | bytearray, allowed: tuple[Kind, ...]) -> tuple[int, int, int]:
         """Return kind, size and checksum of what begins with a head, which is checked."""
-        *found, number, checksum = _HEAD.unpack_from(message)
-        is_whole = _CHECKSUM.unpack_from(message, _HEAD.size) == (
-            zlib.crc32(message[: _HEAD.size]),
-        )
-        if not is_whole or number != self._received:
+        kind, size, number, content_checksum, checksum = _HEAD.unpack_from(message)
+        if zlib.crc32(message[: _CHECKED.size]) != checksum or number != self._received:
             raise ConnectionLostError(_DAMAGED)
-        kind, size = found
-        if kind != Kind.ALIVE and kind not in allowed:
+        if kind not in allowed and kind != Kind.ALIVE:
             raise ConnectionLostError(f"unexpected message of kind {kind}")
         if size > _MOST.get(kind, _SMALL):
             raise ConnectionLostError(f"message of {size} bytes is too long")
-        return kind, size, checksum
+        return kind, size, content_checksum
 
     def _next_message(self) -> bytes | None:
         """Wait for something, and return it if it has the size of one message.
@@ -201,7 +218,7 @@ class Channel:
             if self._rest:  # somebody has listened meanwhile
                 return None
             part = self._part(_LEAST)
-            if len(part) >= _HEAD_BYTES and len(part) == _HEAD_BYTES + _HEAD.unpack_from(part)[1]:
+            if len(part) >= _HEAD.size and len(part) == _HEAD.size + _HEAD.unpack_from(part)[1]:
                 return part
             self._rest += part
             return None
@@ -219,14 +236,14 @@ class Channel:
             if (now_s := time.monotonic()) > look_s:
                 if len(rest) < min(size, least):
                     raise ConnectionLostError("too slow")
-                look_s, least = now_s + SILENCE_S, len(rest) + _LEAST_PROGRESS
+                look_s, least = now_s + self._silence_s, len(rest) + _LEAST_PROGRESS
 
     def _part(self, size: int) -> bytes:
         """Return some bytes, of so many that are wanted."""
         try:
             part = self._connection.recv(min(max(size, _LEAST), _CHUNK))
         except (TimeoutError, BlockingIOError):  # by Python, or by the operating system
-            raise ConnectionLostError(f"nothing heard for {SILENCE_S:g} s") from None
+            raise ConnectionLostError(f"nothing heard for {self._silence_s:g} s") from None
         except OSError as error:
             raise ConnectionLostError(_reason(error)) from None
         if not part:

@@ -7,14 +7,13 @@ rounds, as it would be if all programs were here. Hence output and recordings ar
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from crs_cc.core.arrays import any_of
 from crs_cc.core.source import Location
-from crs_cc.net import changed_words
 from crs_cc.net.host_link import HostGoneError, HostLink
 from crs_cc.requests import FAILED
 from crs_cc.runtime.driver import SLOTS
@@ -111,24 +110,20 @@ class DistantFleet(Fleet):
         granted = [
             link
             for link in self.links
-            if not link.ended and not link.is_ahead and runs[link.selection].any()
+            if not link.ended and not link.is_ahead and any_of(runs[link.selection])
         ]
-        granted = [link for link in granted if self._try(link, link.shorten_log)]
-        changes = changed_words.pack_all([link.tables(self._table) for link in granted])
-        for link, changed in zip(granted, changes, strict=True):
-            self._try(link, functools.partial(link.grant, end_s, changed))
+        for link in granted:  # a host begins while the next grant is made
+            self._try(link, link.grant, end_s, self._table)
         for link in granted:
             if not link.ended:
                 self._try(link, link.collect)
 
-    def _try(self, link: HostLink, action: Callable[[], object]) -> bool:
-        """Do something with a host; stop its programs and return False if it is lost for good."""
+    def _try(self, link: HostLink, action: Callable[..., object], *arguments: object) -> None:
+        """Do something with a host; stop its programs if it is lost for good."""
         try:
-            action()
+            action(*arguments)
         except HostGoneError as error:
             self._stop(link, str(error))
-            return False
-        return True
 
     def _stop(self, link: HostLink, reason: str) -> None:
         """Stop the programs of a host, which is lost for good, where they last stood."""
@@ -146,7 +141,7 @@ class DistantFleet(Fleet):
             runs = bool(self.timing["alive"][link.selection].any())
             if everyone or (link.has_run and not runs):
                 outcomes = [self.outcome(robot) for robot in link.robots.tolist()]
-                self._try(link, functools.partial(link.end, outcomes))
+                self._try(link, link.end, outcomes)
 
     def close(self) -> None:
         """Close all connections."""
@@ -163,7 +158,7 @@ class DistantFleet(Fleet):
         unknown = [link for link in self.links if not link.is_saved]
         for ask in (HostLink.ask_memories, HostLink.take_memories):
             for link in unknown:
-                self._try(link, functools.partial(ask, link))
+                self._try(link, ask, link)
         link = self.link(robot)
         slot = self.slots[robot : robot + 1].copy()
         for wish in WISHES:

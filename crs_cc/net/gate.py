@@ -17,7 +17,16 @@ from typing import Final
 
 from crs_cc.core.loopback import LOOPBACK
 from crs_cc.net.access import Access
-from crs_cc.net.channel import MAGIC, PROTOCOL, Channel, ConnectionLostError, Kind, Pulse
+from crs_cc.net.channel import (
+    GREETING_S,
+    MAGIC,
+    PROTOCOL,
+    SILENCE_S,
+    Channel,
+    ConnectionLostError,
+    Kind,
+    Pulse,
+)
 from crs_cc.net.handshake import Hello, Program, RefusedError
 from crs_cc.net.roster import Roster, Seat
 from crs_cc.net.tls import Connection
@@ -25,14 +34,14 @@ from crs_cc.net.tls import Connection
 MAX_MEETING: Final = 512
 """Connections that are met at the same time at most; more are closed. Chosen by us."""
 
-MEETING_S: Final = 5.0
-"""How long it may take until it is known who somebody is [s]."""
-
 MAX_VISITORS: Final = 200
 """Connections of pages at the same time at most; more are turned away. Chosen by us."""
 
 PROGRAM_S: Final = 60.0
 """How long a host may take to send its program [s]."""
+
+MAX_SHOWN: Final = 10
+"""Robots whose names a host is told, at most, for whom the run waits. Chosen by us."""
 
 _LOOK_S: Final = 0.01
 _PART: Final = 2**16
@@ -85,7 +94,7 @@ def led_to(port: int) -> Visitor:
 
     def lead(connection: Connection) -> None:
         try:
-            inner = socket.create_connection((LOOPBACK, port), MEETING_S)
+            inner = socket.create_connection((LOOPBACK, port), GREETING_S)
         except OSError:
             turn_away(connection)
             return
@@ -173,9 +182,9 @@ class Gate:
     def _meet(self, connection: socket.socket) -> None:
         """Find out who somebody is, in a thread."""
         try:
-            connection.settimeout(MEETING_S)
+            connection.settimeout(GREETING_S)
             if self._is_host(connection):
-                self._meet_host(Channel(self._secure(connection)))
+                self._meet_host(Channel(self._secure(connection), GREETING_S))
                 return
             visitor = self._secure(connection)
         except (OSError, ValueError):
@@ -193,7 +202,7 @@ class Gate:
 
     def _is_host(self, connection: socket.socket) -> bool:
         """Return whether the first bytes are those of a host; if so they are read."""
-        end_s = time.monotonic() + MEETING_S
+        end_s = time.monotonic() + GREETING_S
         while time.monotonic() < end_s:
             found = connection.recv(len(MAGIC), socket.MSG_PEEK)
             if not found:
@@ -211,17 +220,23 @@ class Gate:
         seat: Seat | None = None
         self._pulse.add(channel)
         try:
-            hello = Hello.of(channel.receive(Kind.HELLO, within_s=MEETING_S).content)
+            hello = Hello.of(channel.receive(Kind.HELLO, within_s=GREETING_S).content)
             self._access.require("robot", hello.token)
             seat = self._roster.claim(hello)
             is_known = seat.program is not None
-            answer = {"robots": seat.names, "send_program": not is_known, "protocol": PROTOCOL}
+            answer = {
+                "robots": seat.names,
+                "send_program": not is_known,
+                "awaited": self._roster.awaited(seat)[:MAX_SHOWN],
+                "protocol": PROTOCOL,
+            }
             channel.send(Kind.WELCOME, json.dumps(answer).encode())
             program = None
             if not is_known:
                 content = channel.receive(Kind.PROGRAM, within_s=PROGRAM_S).content
                 program = Program.of(content, hello.program)
             channel.receive(Kind.STARTED, within_s=PROGRAM_S)
+            channel.limit_silence(SILENCE_S)
             self._roster.offer(seat, channel, program)
         except RefusedError as error:
             with contextlib.suppress(ConnectionLostError):

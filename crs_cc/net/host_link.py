@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias, TypeVar
 import numpy as np
 
 from crs_cc.core.arrays import IndexArray
-from crs_cc.net import changed_words, memories
-from crs_cc.net.changed_words import WORDS, Table
+from crs_cc.net import memories
+from crs_cc.net.changed_words import KnownRows, Table
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import report_of
 from crs_cc.net.memories import Memory
@@ -86,7 +86,7 @@ class HostLink:
         self.reports: dict[int, ErrorReport] = {}
         self._channel = channel
         self._replace = replace
-        self._known: Table = np.zeros((len(robots), WORDS), np.uint64)
+        self._known = KnownRows(len(robots))
         self._log: list[bytes] = []
         self._log_bytes = 0
         self._number = 0
@@ -98,21 +98,22 @@ class HostLink:
 
     # -- rounds ----------------------------------------------------------------------------------
 
-    def shorten_log(self) -> None:
+    def _shorten_log(self) -> None:
         """Fetch the programs' memories if much has been granted since the last time."""
         most_bytes = max(LEAST_LOG_BYTES, len(self._start))
         if len(self._log) >= MAX_LOG_GRANTS or self._log_bytes >= most_bytes:
             self.memories()
 
-    def tables(self, table: Table) -> tuple[Table, Table]:
-        """Return the rows of the programs as the host knows them, and as they are in a table."""
-        return self._known, table[self.selection]
+    def grant(self, end_s: float, table: Table) -> None:
+        """Let the programs run until a time, with what has been changed in their rows of a table.
 
-    def grant(self, end_s: float, changes: bytes) -> None:
-        """Let the programs run until a time, with what has been changed in their rows."""
+        Raises:
+            HostGoneError: the host is lost, and its programs are not to go on.
+        """
+        self._shorten_log()
         self._saved = None
         self._number += 1
-        grant = GRANT.pack(self._number, end_s, True) + changes
+        grant = GRANT.pack(self._number, end_s, True) + self._known.pack(table[self.selection])
         self._log.append(grant)
         self._log_bytes += len(grant)
         self._waits = True
@@ -142,7 +143,7 @@ class HostLink:
         if number != self._number or rounds > MAX_ROUNDS:
             raise ValueError("answer to another grant")
         rules = RULES if rounds else QUIET
-        self.asks = changed_words.enter(content[RAN.size :], self._known, rules)
+        self.asks = self._known.enter(memoryview(content)[RAN.size :], rules)
         self.round += rounds
 
     def _note_failure(self, data: Any) -> None:
@@ -154,7 +155,7 @@ class HostLink:
     def enter(self, table: Table) -> None:
         """Enter what the programs have done into the table."""
         self.is_ahead = False
-        table[self.selection] = self._known
+        table[self.selection] = self._known.table()
 
     # -- memories and input ----------------------------------------------------------------------
 
@@ -283,7 +284,7 @@ class HostLink:
     def _restoring(self) -> bytes:
         """Return the message that brings a host to where the programs are now."""
         is_kept = self._number > 0
-        rows = RESTORE.pack(self._number, is_kept) + self._known.tobytes()
+        rows = RESTORE.pack(self._number, is_kept) + self._known.table().tobytes()
         return rows + (memories.pack(self._kept) if is_kept else b"")
 
 

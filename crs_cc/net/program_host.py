@@ -15,12 +15,13 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.core.arrays import IndexArray
-from crs_cc.net import changed_words, memories
-from crs_cc.net.changed_words import WORDS, Table
+from crs_cc.net import memories
+from crs_cc.net.changed_words import WORDS, KnownRows
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import data_of
 from crs_cc.net.host_link import GRANT, RAN, RESTORE
 from crs_cc.net.memories import Memory
+from crs_cc.net.word_kernel import WordKernel, partner_of
 from crs_cc.requests import CODES, DATA_SIZE, FAILED
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.snapshot import Snapshot
@@ -76,10 +77,12 @@ class ProgramHost:
         self.shown = shown
         self._streams = streams
         self._table = self.fleet.table()
-        self._known: Table = np.zeros((len(executables), WORDS), np.uint64)
+        self._partner = partner_of(self.fleet)
+        kernel = None if self._partner is None else WordKernel(self._partner.instance)
+        self._known = KnownRows(len(executables), kernel)
         self._asks, self._alive = self.fleet.timing["asks"], self.fleet.timing["alive"]
         self._status, self._codes = self.fleet.slots["status"], self.fleet.codes
-        self._asking: IndexArray = np.zeros(0, np.intp)
+        self._writes: list[tuple[int, int, bytes]] = []
 
     def serve(self, channel: Channel) -> Any:
         """Do what the environment asks for until the run ends; return what it says then.
@@ -113,22 +116,30 @@ class ProgramHost:
         if len(content) < GRANT.size:
             raise ValueError("a grant ends early")
         number, end_s, is_wanted = GRANT.unpack_from(content)
-        writers = self._writers()
-        changed_words.enter(content[GRANT.size :], self._known)
-        self._table[...] = self._known
         if number > self.shown:
             self.shown = number
-            for robot, stream, text in writers:
+            for robot, stream, text in self._writes:
                 self._streams.write(robot, stream, text)
-        rounds = self._run(end_s)
-        self._asking = self._asks.nonzero()[0]
-        changes = changed_words.pack(self._known, self._table)
+        rounds, changes = self._run(memoryview(content)[GRANT.size :], end_s)
+        asking = self._asks.nonzero()[0]
+        self._writes = self._written(asking)
         if not is_wanted:
             return None
-        self._tell_failures(channel)
+        if FAILED in self._status[asking].tolist():
+            self._tell_failures(asking, channel)
         return Kind.RAN, RAN.pack(number, rounds) + changes
 
-    def _run(self, end_s: float) -> int:
+    def _run(self, content: memoryview, end_s: float) -> tuple[int, bytes]:
+        """Run rounds with what has been changed in rows; return how many, and what changes then."""
+        if self._partner is not None:
+            [kernel] = self._known.kernels
+            rounds, changes = kernel.take_turn(self.fleet, self._partner, content, end_s)
+            return rounds, self._known.pack(self._table) if changes is None else changes
+        self._known.enter(content)
+        self._table[...] = self._known.table()
+        return self._run_rounds(end_s), self._known.pack(self._table)
+
+    def _run_rounds(self, end_s: float) -> int:
         """Run rounds; return how many."""
         total = 0
         while rounds := self.fleet.run_rounds(end_s):
@@ -137,25 +148,23 @@ class ProgramHost:
                 break
         return total
 
-    def _writers(self) -> list[tuple[int, int, bytes]]:
-        """Return what programs have asked to be written: robot, stream and content."""
-        writes = self._codes[self._asking] == _WRITE
-        if not np.count_nonzero(writes):
+    def _written(self, asking: IndexArray) -> list[tuple[int, int, bytes]]:
+        """Return what programs that ask want to be written: robot, stream and content."""
+        codes = self._codes[asking].tolist()
+        if _WRITE not in codes:
             return []
         found = []
-        writers = self._asking[writes]
-        for robot in writers[self._alive[writers]].tolist():
+        for robot, code in zip(asking.tolist(), codes, strict=True):
+            if code != _WRITE or not self._alive[robot]:
+                continue
             message = self.fleet.slots["message"][robot]
             stream, size = int(message["i"][0]), int(message["size"])
             if stream in (1, 2) and 0 <= size <= DATA_SIZE:
                 found.append((robot, stream, message["data"][:size].tobytes()))
         return found
 
-    def _tell_failures(self, channel: Channel) -> None:
-        failed = self._status[self._asking] == FAILED
-        if not np.count_nonzero(failed):
-            return
-        for robot in self._asking[failed].tolist():
+    def _tell_failures(self, asking: IndexArray, channel: Channel) -> None:
+        for robot in asking[self._status[asking] == FAILED].tolist():
             data = data_of(self.fleet.report(robot)) | {"robot": robot}
             channel.send(Kind.FAILED, json.dumps(data).encode())
 
@@ -174,8 +183,8 @@ class ProgramHost:
             for robot, memory in enumerate(memories.unpack(content[rows_end:], len(self.fleet))):
                 self.fleet.restore(robot, Snapshot(slots[robot : robot + 1], *memory))
         self._table[:] = rows
-        self._known[:] = rows
-        self._asking = self._asks.nonzero()[0]
+        self._known.set(rows)
+        self._writes = self._written(self._asks.nonzero()[0])
 
     def _memories(self) -> bytes:
         """Return the programs' memories."""

@@ -58,8 +58,15 @@ class Roster:
         has_ended: whether it has ended: no host is taken any more.
     """
 
-    def __init__(self, robots: Sequence[Robot]) -> None:
+    def __init__(self, robots: Sequence[Robot], awaited: Sequence[str] = ()) -> None:
+        """Create seats for robots.
+
+        Args:
+            robots: the robots.
+            awaited: those without whose hosts the run does not begin.
+        """
         self.has_begun = self.has_ended = False
+        self._awaited = tuple(awaited)
         self._definitions = {robot.id: definition_of(robot.model) for robot in robots}
         self._devices = devices_digest()
         self._seats: list[Seat] = []
@@ -161,6 +168,13 @@ class Roster:
             self._changed.notify_all()
         if old is not None:
             old.close()  # the run notices, if it has not
+
+    def awaited(self, seat: Seat) -> list[str]:
+        """Return the robots of other hosts whom the run waits for before it begins."""
+        if self.has_begun:
+            return []
+        missing = set(self.missing()) - set(seat.names)
+        return [name for name in self._awaited if name in missing]
 
     def withdraw(self, seat: Seat, channel: Channel) -> None:
         """Forget a host that has not become ready."""

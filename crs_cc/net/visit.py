@@ -8,11 +8,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.net.channel import GONE, MAGIC, Channel, ConnectionLostError, Kind, Pulse
+from crs_cc.net.channel import (
+    GONE,
+    GREETING_S,
+    MAGIC,
+    SILENCE_S,
+    Channel,
+    ConnectionLostError,
+    Kind,
+    Pulse,
+)
 from crs_cc.net.handshake import Hello, RefusedError
 from crs_cc.net.tls import Connection, UntrustedError
 
-CONNECT_S: Final = 5.0
 ANSWER_S: Final = 60.0
 """How long an environment may take to answer [s]."""
 
@@ -24,10 +32,12 @@ class Visit:
     Attributes:
         channel: the connection.
         robots: the robots whose programs run here.
+        awaited: others whom the run waits for before it begins, some of them if they are many.
     """
 
     channel: Channel
     robots: tuple[str, ...]
+    awaited: tuple[str, ...] = ()
 
 
 def visit(
@@ -51,10 +61,10 @@ def visit(
         RefusedError: it does not take this host, or is not who it should be.
     """
     try:
-        connection = socket.create_connection(address, CONNECT_S)
+        connection = socket.create_connection(address, GREETING_S)
         connection.sendall(MAGIC)
         secured = secure(connection)
-        channel = Channel(secured)
+        channel = Channel(secured, GREETING_S)
     except UntrustedError as error:
         raise RefusedError(str(error)) from None
     except OSError as error:
@@ -62,10 +72,11 @@ def visit(
     pulse.add(channel)
     try:
         channel.send(Kind.HELLO, hello.content())
-        robots, wants_program = _welcome(channel)
+        robots, awaited, wants_program = _welcome(channel)
         if wants_program:
             channel.send(Kind.PROGRAM, program)
         channel.send(Kind.STARTED)
+        channel.limit_silence(SILENCE_S)
     except (ConnectionLostError, RefusedError) as error:
         pulse.remove(channel)
         channel.close()
@@ -73,15 +84,17 @@ def visit(
             text = f"{GONE}; if it is served with --tls, give --fingerprint"
             raise ConnectionLostError(text) from None
         raise
-    return Visit(channel, robots)
+    return Visit(channel, robots, awaited)
 
 
-def _welcome(channel: Channel) -> tuple[tuple[str, ...], bool]:
+def _welcome(channel: Channel) -> tuple[tuple[str, ...], tuple[str, ...], bool]:
+    """Return what an environment says: our robots, awaited ones, whether it wants our program."""
     kind, content = channel.receive(Kind.WELCOME, Kind.REFUSED, within_s=ANSWER_S)
     if kind == Kind.REFUSED:
         raise RefusedError(content.decode("utf-8", "replace"))
     try:
         values = json.loads(content)
-        return tuple(map(str, values["robots"])), bool(values["send_program"])
+        robots, awaited = (tuple(map(str, values[each])) for each in ("robots", "awaited"))
+        return robots, awaited, bool(values["send_program"])
     except (ValueError, KeyError, TypeError, RecursionError):
         raise ConnectionLostError("the environment says what is not valid") from None

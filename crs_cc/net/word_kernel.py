@@ -1,16 +1,10 @@
-"""The kernel that finds and enters changed words, and how Python calls it, see `kernels/main.c`.
-
-Parts of tables are copied into the memory of the kernel and out of it. It is loaded on the first
-call, once for each thread.
-"""
+"""The kernel that finds and enters changed words, and how Python calls it, see `kernels/main.c`."""
 
 from __future__ import annotations
 
 import atexit
 import functools
 import struct
-import threading
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple, TypeAlias
 
@@ -21,12 +15,15 @@ from crs_cc.runtime.turns import RECORD
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
+    from crs_cc.runtime.fleet import Fleet
+    from crs_cc.runtime.kernel_instance import KernelInstance
+    from crs_cc.runtime.partner import Partner
 
 WORDS: Final = RECORD.itemsize // 8
 """Words of a row of a table."""
 
 ROWS: Final = 1024
-"""Rows that the kernel takes at once, as in `kernels/main.c`."""
+"""Rows that the kernel takes at most, as in `kernels/main.c`."""
 
 WORD_BYTES: Final = 8
 
@@ -35,16 +32,20 @@ Words: TypeAlias = npt.NDArray[np.uint64]
 Table: TypeAlias = npt.NDArray[np.uint64]
 """A row of `WORDS` words for each program."""
 
-_ADDRESSES, _PACK, _ENTER = range(3)
+_ADDRESSES, _PACK, _CHECK, _ENTER, _ENTER_ALL, _TURN = range(6)
 _ARGUMENTS: Final = tuple(struct.Struct(f"<{1 + count}i") for count in range(4))
-_RESULTS: Final = struct.Struct("<7i")
+_RESULTS: Final = struct.Struct("<8i")
+_BEGIN: Final = struct.Struct("<iid")
+"""The head of a turn that begins, see `partner.TURN`."""
 _MOST: Final = ROWS * (1 + WORDS) * WORD_BYTES
 """Of a content [bytes]."""
+_TOO_LONG: Final = "changes of another size than announced"
 _ERRORS: Final = (
     "",
     "changes end early",
     "changes of words that are not there",
     "it has changed what is not its own, or a clock goes back",
+    _TOO_LONG,
 )
 
 
@@ -65,21 +66,23 @@ class Rules(NamedTuple):
 
 
 class WordKernel:
-    """An instance of the kernel, which takes `ROWS` rows at most at once.
+    """An instance of the kernel, which has `ROWS` rows at most.
 
     Attributes:
-        known: rows before changes.
-        now: the same rows after changes that are to be packed.
+        known: the rows that both sides know.
+        now: the same rows, where changes are to be packed.
     """
 
-    def __init__(self) -> None:
-        # Not needed by a run whose programs are all in its process.
-        from crs_cc.runtime.kernel_instance import KernelInstance
+    def __init__(self, instance: KernelInstance | None = None) -> None:
+        """Take an instance of the kernel that has just been started, by default a new one."""
+        if instance is None:
+            # Not needed by a run whose programs are all in its process.
+            from crs_cc.runtime.kernel_instance import KernelInstance
 
-        instance = KernelInstance(_executable())
+            instance = KernelInstance(_executable())
         self._memory, self._resume = instance.memory.data, instance.resume
         self._place = int(instance.message[0])
-        rules, known, now, content, masks, words, ends = self._call(_ADDRESSES)
+        rules, known, now, content, packed, turn, *_ = self._call(_ADDRESSES)
 
         def table(begin: int, rows: int) -> Table:
             end = begin + rows * WORDS * WORD_BYTES
@@ -87,28 +90,15 @@ class WordKernel:
 
         self.known, self.now = table(known, ROWS), table(now, ROWS)
         self._table = table(rules, len(Rules._fields))
-        self._content, self._masks, self._words = content, masks, words
-        self._ends = instance.memory[ends : ends + ROWS * 4].view(np.int32)
+        self._content, self._packed, self._turn, self._now = content, packed, turn, now
         self._rules: Rules | None = None  # in the table
 
-    def pack(self, counts: Sequence[int]) -> list[tuple[bytes, bytes]]:
-        """Return how rows differ from those that are known: masks and words of groups of them.
+    def pack(self, rows: int) -> bytes:
+        """Return what differs in rows from those that are known, and make it known."""
+        return self._changes(rows, self._call(_PACK, rows)[1])
 
-        Args:
-            counts: how many rows each group has.
-        """
-        self._call(_PACK, sum(counts))
-        memory, mask, word, row, found = self._memory, self._masks, self._words, 0, []
-        for count in counts:
-            row += count
-            mask_end = mask + count * WORD_BYTES
-            word_end = self._words + self._ends.item(row - 1) * WORD_BYTES
-            found.append((bytes(memory[mask:mask_end]), bytes(memory[word:word_end])))
-            mask, word = mask_end, word_end
-        return found
-
-    def enter(self, content: memoryview, rows: int, rules: Rules | None) -> tuple[int, bool]:
-        """Enter changes of known rows.
+    def check(self, content: memoryview, rows: int, rules: Rules | None) -> tuple[int, bool]:
+        """Check changes of known rows, which `enter` then enters.
 
         Args:
             content: the changes; others may follow.
@@ -122,15 +112,78 @@ class WordKernel:
         Raises:
             ValueError: the content is not valid, or not allowed.
         """
+        _, _, _, used, is_found, *_ = self._read(_CHECK, content, rows, rules)
+        return used * WORD_BYTES, bool(is_found)
+
+    def enter(self, rows: int) -> None:
+        """Enter changes that have just been checked."""
+        self._call(_ENTER, rows)
+
+    def enter_all(self, content: memoryview, rows: int, rules: Rules | None) -> bool:
+        """Check and enter changes, all of which are about known rows.
+
+        Returns:
+            Whether any bit is there that the rules want.
+
+        Raises:
+            ValueError: the content is not valid, or not allowed.
+        """
+        if len(content) > _MOST:
+            raise ValueError(_TOO_LONG)
+        return bool(self._read(_ENTER_ALL, content, rows, rules)[4])
+
+    def _read(
+        self, kind: int, content: memoryview, rows: int, rules: Rules | None
+    ) -> tuple[int, ...]:
         if rules is not None and rules is not self._rules:
             self._table[...] = self._rules = rules
-        place, size = self._content, min(len(content), _MOST)
-        self._memory[place : place + size] = content[:size]
-        checks = rules is not None
-        error, _, _, used, is_found, *_ = self._call(_ENTER, rows, size // WORD_BYTES, checks)
+        results = self._call(kind, rows, self._take(content), rules is not None)
+        if results[0]:
+            raise ValueError(_ERRORS[results[0]])
+        return results
+
+    def take_turn(
+        self, fleet: Fleet, partner: Partner, content: memoryview, end_s: float
+    ) -> tuple[int, bytes | None]:
+        """Have the programs of a fleet run rounds with changes of their rows.
+
+        Args:
+            fleet: the programs, of which these are the rows.
+            partner: this kernel as their partner.
+            content: the changes.
+            end_s: the end of the cycle [s].
+
+        Returns:
+            the rounds, and what the programs have changed; None if one has trapped, so that it has
+            not been packed.
+
+        Raises:
+            ValueError: the content is not valid.
+        """
+        if len(content) % WORD_BYTES or len(content) > _MOST:
+            raise ValueError(_TOO_LONG if len(content) > _MOST else _ERRORS[1])
+        rows, size = len(fleet), self._take(content)
+        _ARGUMENTS[2].pack_into(self._memory, self._place, _TURN, rows, size)
+        _BEGIN.pack_into(self._memory, self._turn, 0, -1, end_s)
+        trapped = fleet.take_turns(partner, self._turn, self._now)
+        *_, error, words = _RESULTS.unpack_from(self._memory, self._place)
         if error:
             raise ValueError(_ERRORS[error])
-        return used * WORD_BYTES, bool(is_found)
+        if trapped:
+            return trapped, None
+        return _BEGIN.unpack_from(self._memory, self._turn)[1], self._changes(rows, words)
+
+    def _take(self, content: memoryview) -> int:
+        """Take what may be entered; return its size [words]."""
+        size = min(len(content), _MOST)
+        self._memory[self._content : self._content + size] = content[:size]
+        return size // WORD_BYTES
+
+    def _changes(self, rows: int, words: int) -> bytes:
+        """Return what has been packed: nothing if it is masks only."""
+        if words == rows:
+            return b""
+        return bytes(self._memory[self._packed : self._packed + words * WORD_BYTES])
 
     def _call(self, kind: int, *arguments: int) -> tuple[int, ...]:
         """Run the kernel; return what it says."""
@@ -139,21 +192,9 @@ class WordKernel:
         return _RESULTS.unpack_from(self._memory, self._place)
 
 
-class _Threads(threading.local):
-    """The instance of each thread, made on first use."""
-
-    kernel: WordKernel | None = None
-
-
-_threads: Final = _Threads()
-
-
-def word_kernel() -> WordKernel:
-    """Return this thread's kernel."""
-    found = _threads.kernel
-    if found is None:
-        found = _threads.kernel = WordKernel()
-    return found
+def partner_of(fleet: Fleet) -> Partner | None:
+    """Return a kernel as the partner of a fleet's programs, if they can have one."""
+    return fleet.partner(_executable()) if len(fleet) <= ROWS else None
 
 
 @functools.cache
@@ -165,6 +206,5 @@ def _executable() -> Executable:
 
 @atexit.register
 def _release() -> None:
-    """Release the instance while wasmtime can still do so."""
-    _threads.kernel = None
+    """Release the program while wasmtime can still do so."""
     _executable.cache_clear()

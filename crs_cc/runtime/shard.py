@@ -39,6 +39,18 @@ _CURRENT, _ROUNDS, _RAN = map(HEADER.names.index, ("current", "rounds", "ran")) 
 _FUNCTIONS: Final = "round", "begin", "end"
 _MOST_PAGES: Final = 2**16  # of the mailbox: the maximum, so that it never moves
 _NONE: Final = np.zeros(0, np.uint8)
+_MOST_CALLS: Final = 16
+"""Calls of a shard that are kept: its own functions, and those of partners."""
+
+_call_unchecked = ctypes.CFUNCTYPE(
+    ctypes.c_void_p,
+    ctypes.c_void_p,
+    ctypes.c_void_p,
+    ctypes.c_void_p,
+    ctypes.c_size_t,
+    ctypes.c_void_p,
+)(("wasmtime_func_call_unchecked", _ffi.dll))
+"""wasmtime's quickest call, with the interpreter's lock released: programs may run for long."""
 
 
 class Ran(NamedTuple):
@@ -143,6 +155,7 @@ class Shard:
         self.store = wasmtime.Store(engine())
         self.mailbox = mailbox
         self.instances = 0
+        self._calls: dict[tuple[Any, ...], _PreparedCall] = {}
         self._header = mailbox.headers()[number : number + 1]
         self._raw = memoryview(self._header.view(np.uint8))  # type: ignore[arg-type]
         self.raise_instance_limit()
@@ -275,22 +288,44 @@ class Shard:
 
         Return the trap, if any.
         """
-        trap = ctypes.POINTER(_ffi.wasm_trap_t)()
-        values = None
-        if arguments:
-            values = (_bindings.wasmtime_val_raw * len(arguments))()
-            for value, argument in zip(values, arguments, strict=True):
-                value.i32 = argument
-        error = _ffi.wasmtime_func_call_unchecked(
-            self.store._context(),
-            ctypes.byref(function._func),
-            values,
+        key = function, *arguments
+        call = self._calls.get(key)
+        if call is None:
+            if len(self._calls) >= _MOST_CALLS:
+                self._calls.clear()
+            call = self._calls[key] = _PreparedCall(self.store, function, arguments)
+        trap = call.make()
+        if trap is not None:
+            del self._calls[key]  # it has what the trap is made of
+        return trap
+
+
+class _PreparedCall:
+    """A call of a function, with what wasmtime is told made once: it takes as long as the call."""
+
+    def __init__(
+        self, store: wasmtime.Store, function: wasmtime.Func, arguments: tuple[int, ...]
+    ) -> None:
+        values = (_bindings.wasmtime_val_raw * len(arguments))()
+        for value, argument in zip(values, arguments, strict=True):
+            value.i32 = argument
+        self._trap = ctypes.POINTER(_ffi.wasm_trap_t)()
+        self._kept = store, function, values
+        self._told = (
+            ctypes.cast(store._context(), ctypes.c_void_p),
+            ctypes.addressof(function._func),
+            ctypes.addressof(values),
             len(arguments),
-            ctypes.byref(trap),
+            ctypes.addressof(self._trap),
         )
-        if error:  # type: ignore[truthy-bool]
-            return wasmtime.WasmtimeError._from_ptr(error)
-        return wasmtime.Trap._from_ptr(trap) if trap else None  # type: ignore[truthy-bool]
+
+    def make(self) -> Exception | None:
+        """Make the call; return the trap, if any, after which there is no other."""
+        error = _call_unchecked(*self._told)
+        if error:
+            pointer = ctypes.POINTER(_ffi.wasmtime_error_t)
+            return wasmtime.WasmtimeError._from_ptr(ctypes.cast(error, pointer))
+        return wasmtime.Trap._from_ptr(self._trap) if self._trap else None  # type: ignore[truthy-bool]
 
 
 @contextlib.contextmanager

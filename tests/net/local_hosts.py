@@ -21,7 +21,13 @@ Meddler = Callable[[socket.socket], socket.socket]
 
 
 class LocalHosts:
-    """Starts hosts, and others in place of those that are lost."""
+    """Starts hosts, and others in place of those that are lost.
+
+    Attributes:
+        threads: how many threads of each run programs, see `Fleet`.
+    """
+
+    threads: int | None = None
 
     def __init__(
         self,
@@ -89,6 +95,7 @@ class LocalHosts:
             build_driver(),
             Streams(write, no_input, lambda _robot, _clock_s: (0, 0.0)),
             self._shown.get(names, 0),
+            self.threads,
         )
         try:
             self.ended.append(host.serve(channel))

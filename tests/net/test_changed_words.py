@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from crs_cc.net.changed_words import WORDS, enter, pack, pack_all
+from crs_cc.net.changed_words import WORDS, KnownRows, Table
 from crs_cc.net.slot_rules import QUIET, RULES
 from crs_cc.net.word_kernel import ROWS, Rules
 from crs_cc.requests import timing_offset
@@ -15,6 +15,25 @@ from crs_cc.requests import timing_offset
 COUNT = 7
 ALL = 2**64 - 1
 ASKS = timing_offset("alive") // 8
+
+
+def pack(known: Table, now: Table) -> bytes:
+    """Return what differs in a table from one that is known, and make it known."""
+    rows = KnownRows(len(known))
+    rows.set(known)
+    content = rows.pack(now)
+    known[...] = rows.table()
+    return content
+
+
+def enter(content: bytes, table: Table, rules: Rules | None = None) -> bool:
+    """Enter changes in a table, if they are valid."""
+    rows = KnownRows(len(table))
+    rows.set(table)
+    try:
+        return rows.enter(content, rules)
+    finally:
+        table[...] = rows.table()
 
 
 def free() -> Rules:
@@ -81,21 +100,22 @@ def test_changes_of_another_number_of_words_than_declared_are_refused() -> None:
         assert not table.any()
 
 
-@pytest.mark.parametrize("counts", [(1, 3, 5), (ROWS, 1), (ROWS + 1,), (3, 2 * ROWS + 7, 2, ROWS)])
-def test_tables_of_any_size_are_packed_as_if_alone(counts: tuple[int, ...]) -> None:
-    random_ = np.random.default_rng(sum(counts))
-    tables = [random_.integers(0, 3, (count, WORDS)).astype(np.uint64) for count in counts]
-    tables[0][:] = 0
-    known = [np.zeros_like(table) for table in tables]
-    whole = pack_all(list(zip(known, tables, strict=True)))
-    alone = [pack(np.zeros_like(table), table) for table in tables]
-    assert whole == alone
-    assert whole[0] == b""
-    for content, table, here in zip(whole, tables, known, strict=True):
-        there = np.zeros_like(table)
-        enter(content, there)
-        assert (there == table).all()
-        assert (here == table).all()
+@pytest.mark.parametrize("count", [1, ROWS, ROWS + 1, 2 * ROWS + 7])
+def test_tables_of_any_size_have_masks_and_words_in_parts(count: int) -> None:
+    table = np.random.default_rng(count).integers(0, 3, (count, WORDS)).astype(np.uint64)
+    table[:2000] = 0
+    table[0, 1] = 5
+    known, there = np.zeros_like(table), np.zeros_like(table)
+    content = pack(known, table)
+    alone = [
+        pack(np.zeros_like(table[at : at + ROWS]), table[at : at + ROWS])
+        or bytes(8 * min(ROWS, count - at))
+        for at in range(0, count, ROWS)
+    ]
+    assert content == b"".join(alone)
+    enter(content, there)
+    assert (there == table).all()
+    assert (known == table).all()
 
 
 def test_one_bad_row_behind_many_keeps_all_from_being_entered() -> None:

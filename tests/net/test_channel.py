@@ -86,10 +86,10 @@ def test_nobody_waits_for_a_message_whose_size_is_damaged(
 
 
 def test_signs_of_life_do_not_stand_for_the_lost_part_of_a_message(
-    ends: tuple[Channel, socket.socket], monkeypatch: pytest.MonkeyPatch
+    ends: tuple[Channel, socket.socket],
 ) -> None:
     receiver, there = ends
-    monkeypatch.setattr(channel_module, "SILENCE_S", 0.1)
+    receiver.limit_silence(0.1)
     here, other = socket.socketpair()
     Channel(here).send(Kind.RAN, bytes(5_000))
     there.sendall(other.recv(10_000)[:2_000])

@@ -6,16 +6,19 @@ import math
 import random
 import socket
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from crs_cc.net.changed_words import WORDS, pack
+from crs_cc.core.source import Diagnostics
+from crs_cc.net.changed_words import WORDS, KnownRows
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
 from crs_cc.net.host_link import RAN, HostGoneError, HostLink
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.turns import RECORD
+from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.model.world import WorldModel
@@ -58,6 +61,23 @@ int main(void)
 COUNT = 5
 MOST_S = 8.0
 
+TRAPS = r"""
+#include <stdio.h>
+#include "Nclient.h"
+
+int main(void)
+{
+    int place;
+    connect_robot(1);
+    gs();
+    place = (int)State[STATE_SONAR_0] % 2 ? 0x7f000000 : (int)&place;
+    printf("%d\n", *(volatile int *)place);
+    vm(50, 0, 0);
+    gs();
+    return 3;
+}
+"""
+
 Written = list[tuple[int, int, bytes]]
 
 
@@ -93,10 +113,15 @@ def local(programs: list[Executable]) -> tuple[str, Written]:
     return session.state_hash(), written
 
 
-@pytest.mark.parametrize("count", [1, 2, COUNT])
+@pytest.mark.parametrize(("count", "threads"), [(1, 1), (2, 1), (COUNT, 1), (1, 2), (2, 3)])
 def test_a_run_on_hosts_is_the_same(
-    programs: list[Executable], local: tuple[str, Written], count: int
+    programs: list[Executable],
+    local: tuple[str, Written],
+    monkeypatch: pytest.MonkeyPatch,
+    count: int,
+    threads: int,
 ) -> None:
+    monkeypatch.setattr(LocalHosts, "threads", threads)
     shown: Written = []
     hosts = LocalHosts(programs, count, write=lambda *each: shown.append(each))
     session, written = finished(programs, fleet=hosts.fleet)
@@ -107,6 +132,25 @@ def test_a_run_on_hosts_is_the_same(
     hosts.close()
     assert sorted(shown) == sorted(written)
     assert len(hosts.ended) == count
+    assert not hosts.lost
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_a_program_that_traps_stops_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, threads: int
+) -> None:
+    source = tmp_path / "traps.c"
+    source.write_text(TRAPS)
+    unchecked = [build_executable([source], Diagnostics(), checked=False)] * COUNT
+    session, written = finished(unchecked)
+    outcomes = [each.outcome for each in session.result().robots]
+    assert {"failed", "exited"} == set(outcomes)
+    monkeypatch.setattr(LocalHosts, "threads", threads)
+    hosts = LocalHosts(unchecked, 2)
+    distant, also_written = finished(unchecked, fleet=hosts.fleet)
+    assert (distant.state_hash(), also_written) == (session.state_hash(), written)
+    assert [each.outcome for each in distant.result().robots] == outcomes
+    hosts.close()
     assert not hosts.lost
 
 
@@ -160,11 +204,12 @@ def test_what_a_host_says_is_believed_of_its_own_programs_only(field: str, value
         table = np.zeros((1, WORDS), np.uint64)
         rows = table.view(RECORD)[:, 0]
         rows["timing"]["clock_s"], rows["timing"]["fuel"], rows["timing"]["alive"] = 1.0, 7, True
-        link.grant(2.0, pack(*link.tables(table)))
-        known, said = table.copy(), table.copy()
+        link.grant(2.0, table)
+        known, said = KnownRows(1), table.copy()
+        known.set(table)
         part = "timing" if field in RECORD["timing"].names else "slot"
         said.view(RECORD)[:, 0][part][field] = value
-        Channel(there).send(Kind.RAN, RAN.pack(1, 1) + pack(known, said))
+        Channel(there).send(Kind.RAN, RAN.pack(1, 1) + known.pack(said))
         with pytest.raises(HostGoneError, match="not its own, or a clock goes back"):
             link.collect()
 
@@ -174,7 +219,7 @@ def test_a_grant_is_not_sent_twice_to_the_host_that_replaces_a_lost_one() -> Non
     link = HostLink(("robot0",), np.arange(1), Channel(lost[0]), lambda *_: Channel(here[0]))
     for each in lost:
         each.close()
-    link.grant(2.0, b"")
+    link.grant(2.0, np.zeros((1, WORDS), np.uint64))
     link.close()
     other = Channel(here[1])
     received = [other.receive(Kind.RESTORE, Kind.GRANT).kind for _ in range(2)]

@@ -6,12 +6,16 @@ import json
 import random
 import socket
 import threading
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
+from crs_cc.net import gate as gate_module
 from crs_cc.net import roster as roster_module
+from crs_cc.net import visit as visit_module
 from crs_cc.net.access import Access
 from crs_cc.net.channel import MAGIC, Channel, ConnectionLostError, Kind, Pulse
 from crs_cc.net.gate import Gate, bound
@@ -27,8 +31,8 @@ PROGRAM = Program("a.c", "a", sources=("/a.c",), files={"/a.c": ""})
 class Open:
     """A gate with a roster."""
 
-    def __init__(self) -> None:
-        self.roster = Roster(HALL.robots)
+    def __init__(self, awaited: Sequence[str] = ()) -> None:
+        self.roster = Roster(HALL.robots, awaited)
         tokens = (TOKEN,)
         access = Access({"robot": tokens, "view": ("v" * 16,), "control": ("c" * 16,)})
         self.gate = Gate(bound("127.0.0.1", 0), access, self.roster)
@@ -41,10 +45,16 @@ class Open:
     def connect(self) -> socket.socket:
         return socket.create_connection(self.address, 5.0)
 
-    def visit(self, *robots: str, host: str = "one", program: Program = PROGRAM) -> Visit:
+    def visit(
+        self,
+        *robots: str,
+        host: str = "one",
+        program: Program = PROGRAM,
+        secure: Callable[[socket.socket], socket.socket] = lambda connection: connection,
+    ) -> Visit:
         content = program.content()
         hello = Hello(TOKEN, host, robots, digest_of(content), devices=devices_digest())
-        return visit(self.address, hello, content, self.pulse)
+        return visit(self.address, hello, content, self.pulse, secure)
 
 
 @pytest.fixture
@@ -53,6 +63,20 @@ def opened() -> Iterator[Open]:
     with made.pulse:
         yield made
     made.gate.close()
+
+
+class Slow(socket.socket):
+    """A socket on a way that carries nothing for some time after the first bytes."""
+
+    def __init__(self, fileno: int, silent_s: float) -> None:
+        super().__init__(fileno=fileno)
+        self._silent_s = silent_s
+
+    def send(self, *given: Any) -> int:
+        if self._silent_s:
+            time.sleep(self._silent_s)
+            self._silent_s = 0.0
+        return super().send(*given)
 
 
 def wait_until_ready(opened: Open, *names: str) -> None:
@@ -227,3 +251,26 @@ def test_nobody_comes_in_after_the_end(opened: Open) -> None:
     opened.gate.close()
     with pytest.raises(ConnectionLostError):
         opened.visit("left")
+
+
+def test_a_greeting_may_take_longer_than_a_host_may_be_silent(
+    opened: Open, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in (gate_module, visit_module):
+        monkeypatch.setattr(module, "SILENCE_S", 0.1)
+    found = opened.visit("left", secure=lambda connection: Slow(connection.detach(), 0.5))
+    wait_until_ready(opened, "left")
+    with pytest.raises(ConnectionLostError, match=r"nothing heard for 0\.1 s"):
+        found.channel.receive(Kind.RESTORE)  # from now on, silence is a loss
+
+
+def test_a_host_is_told_whom_the_run_waits_for() -> None:
+    opened = Open(["left", "right"])
+    with opened.pulse:
+        assert opened.visit("left").awaited == ("right",)
+        wait_until_ready(opened, "left")
+        assert opened.visit("right", host="two").awaited == ()
+        wait_until_ready(opened, "right")
+        opened.roster.begin()
+        assert opened.visit("left").awaited == ()
+    opened.gate.close()
