@@ -90,6 +90,10 @@ def join(
         raise click.UsageError(f"{text} address HOST:PORT of an environment.")
     if every == bool(at):
         raise click.UsageError("name the robots before the address, or give --all.")
+    names = words[0].split(",") if at else []
+    if len(set(names)) < len(names):
+        twice = next(name for name in names if names.count(name) > 1)
+        raise click.UsageError(f"{twice} is named twice.")
     files = words[at + 1 :]
     if any(map(is_world, files)):
         raise click.UsageError("the world is the environment's: name C files only.")
@@ -100,7 +104,7 @@ def join(
         arguments=program_arguments(),
         checked=not unchecked,
         address=parse_address(words[at]),
-        robots=tuple(words[0].split(",")) if at else (),
+        robots=tuple(names),
         definition=_definition(model),
         **options,
     )

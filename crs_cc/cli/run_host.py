@@ -24,7 +24,7 @@ from crs_cc.core.errors import ProgramError
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.regular_file import read_regular_file
 from crs_cc.net.channel import ConnectionLostError, Pulse
-from crs_cc.net.handshake import Hello, Program, RefusedError, as_text, devices_digest, digest_of
+from crs_cc.net.handshake import Hello, Program, RefusedError, as_text, devices_digest
 from crs_cc.net.program_host import ProgramHost, Streams
 from crs_cc.net.tls import Client, Connection
 from crs_cc.net.visit import Visit, visit
@@ -52,7 +52,7 @@ def run_host(options: JoinOptions) -> int:
         )
     if not options.quiet:
         show_before_run(diagnostics.messages)
-    program = _program(options, executable, compiled_files(diagnostics)).content()
+    program = _program(options, executable, compiled_files(diagnostics))
     try:
         return _Host(options, executable, program).run()
     except RefusedError as error:
@@ -102,13 +102,14 @@ def _secure(options: JoinOptions) -> Callable[[socket.socket], Connection]:
 class _Host:
     """Robots' programs, over as many connections as it takes."""
 
-    def __init__(self, options: JoinOptions, executable: Executable, program: bytes) -> None:
-        self._options, self._executable, self._program = options, executable, program
+    def __init__(self, options: JoinOptions, executable: Executable, program: Program) -> None:
+        self._options, self._executable = options, executable
+        self._program = program.content()
         self._hello = Hello(
             "",
             secrets.token_hex(16),
             options.robots,
-            digest_of(program),
+            program.digest,
             options.definition,
             devices_digest(),
         )
@@ -138,15 +139,20 @@ class _Host:
     def _visit(self, pulse: Pulse) -> Visit:
         """Connect to the environment, as often as it takes for some time."""
         end_s, pause_s = time.monotonic() + self._options.retry_s, _FIRST_PAUSE_S
+        is_told = self._options.quiet
         while True:
             address = self._options.address
             token = token_for(self._options.token, address[1])
             hello = replace(self._hello, token=token)
             try:
                 return visit(address, hello, self._program, pulse, self._secure)
-            except ConnectionLostError:
+            except ConnectionLostError as error:
                 if time.monotonic() + pause_s > end_s:
                     raise
+                if not is_told:
+                    shown, retry_s = shown_address(address), self._options.retry_s
+                    say(f"crs: {shown}: {error}; trying again for {retry_s:g} s")
+                    is_told = True
             time.sleep(pause_s)
             pause_s = min(2.0 * pause_s, _LONGEST_PAUSE_S)
 

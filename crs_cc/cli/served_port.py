@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -101,7 +102,10 @@ def _gate(
     try:
         listener = bound(host, port)
     except OSError as error:
-        raise OSError(error.errno, error.strerror, shown_address((host, port))) from None
+        reason = error.strerror or str(error)
+        if error.errno == errno.EADDRINUSE:
+            reason += " (name another port by --listen HOST:PORT)"
+        raise OSError(error.errno, reason, shown_address((host, port))) from None
     with token_left(listener.getsockname()[1], access.token("robot")):
         gate = Gate(listener, access, roster, secure.secure if secure else lambda plain: plain)
         try:

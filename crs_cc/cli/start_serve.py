@@ -73,7 +73,8 @@ def start_serve(options: ServeOptions) -> int:
 def _greet(options: ServeOptions, port: ServedPort) -> None:
     greet(options, port)
     if options.tokens is None:
-        say(f"crs: robots join by: crs join ROBOT HOST:{port.number} PROGRAM.c")
+        secured = f" --fingerprint {port.fingerprint}" if options.tls else ""
+        say(f"crs: robots join by: crs join ROBOT HOST:{port.number} PROGRAM.c{secured}")
         say(f"crs: from other machines with: --token {port.access.token('robot')}")
 
 

@@ -50,7 +50,8 @@ class Access:
             RefusedError: it is not.
         """
         if not self.allows(role, given):
-            raise RefusedError(f"no valid token for the role '{role}'")
+            text = f"no valid token for the role '{role}': give that of crs serve by --token"
+            raise RefusedError(text)
 
     def token(self, role: Role) -> str:
         """Return the first token of a role."""

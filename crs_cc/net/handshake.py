@@ -10,9 +10,10 @@ from __future__ import annotations
 import binascii
 import hashlib
 import json
+import posixpath
 from base64 import b64decode, b64encode
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from typing import Any, Final, Self
 
 from crs_cc import __version__
@@ -38,7 +39,7 @@ class Hello:
         token: shows that it may run robots' programs.
         host: a name that it has chosen at random, by which it is known when it comes back.
         robots: the robots whose programs it runs; empty for all that have none.
-        program: the digest of its program, see `Program.content`.
+        program: the digest of its program, see `Program.digest`.
         definition: the definition that the robots must have, see `definition_of`; empty for any.
         devices: the digest of the devices' C libraries.
         version: its version of crs.
@@ -99,8 +100,33 @@ class Program:
     trap_overflow: bool = False
 
     def content(self) -> bytes:
-        """Return it as a message; its SHA-256 identifies it."""
+        """Return it as a message."""
         return json.dumps(asdict(self), sort_keys=True).encode()
+
+    @property
+    def digest(self) -> str:
+        """What identifies it on every machine: the folder that all its files are in does not count.
+
+        >>> one, other = (
+        ...     Program("a.c", "a", sources=(f"/{at}/a.c",), files={f"/{at}/a.h": ""})
+        ...     for at in ("home/ann", "tmp")
+        ... )
+        >>> one.digest == other.digest
+        True
+        """
+        folders = *map(posixpath.dirname, (*self.sources, *self.files)), *self.include_paths
+        root = posixpath.commonpath(folders)
+
+        def moved(path: str) -> str:
+            return posixpath.relpath(path, root)
+
+        found = replace(
+            self,
+            sources=tuple(map(moved, self.sources)),
+            files={moved(path): text for path, text in self.files.items()},
+            include_paths=tuple(map(moved, self.include_paths)),
+        )
+        return digest_of(found.content())
 
     @property
     def contents(self) -> dict[str, bytes]:
@@ -114,10 +140,10 @@ class Program:
         Raises:
             RefusedError: it is not valid, or another one than was announced.
         """
-        if digest_of(content) != digest:
-            raise RefusedError("the host sends another program than it has announced")
         program = cls(**_checked(cls, _object(content)))
         program.check()
+        if program.digest != digest:
+            raise RefusedError("the host sends another program than it has announced")
         return program
 
     def check(self) -> None:

@@ -70,16 +70,15 @@ def _unpacked(text: str) -> Executable:
     return found
 
 
-def announced(executable: Executable) -> bytes:
+def announced(executable: Executable) -> Program:
     """Return what a host says of a program that the environment itself has compiled."""
     code = digest_of(executable.machine_code)
-    program = Program(
+    return Program(
         executable.name,
         executable.command,
         sources=("/machine-code",),
         files={"/machine-code": as_text(code.encode())},
     )
-    return program.content()
 
 
 def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
@@ -106,10 +105,12 @@ def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
 
 def _visit(placement: Placement, executable: Executable, pulse: Pulse) -> Visit:
     program = announced(executable)
-    digest, devices = digest_of(program), devices_digest()
-    hello = Hello(placement.token, placement.name, placement.robots, digest, devices=devices)
+    devices = devices_digest()
+    hello = Hello(
+        placement.token, placement.name, placement.robots, program.digest, devices=devices
+    )
     address = placement.host, placement.port
-    return visit(address, hello, program, pulse, _secure(placement))
+    return visit(address, hello, program.content(), pulse, _secure(placement))
 
 
 def _secure(placement: Placement) -> Callable[[socket.socket], Connection]:

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 LOOK_S: Final = 0.1
 """How often a run that waits for hosts looks at interrupts [s]."""
 
+_SHOWN: Final = 5
+"""Robots that are named to a host that is refused, at most."""
+
 LISTEN_S: Final = 0.02
 """How often to listen whether a host is alive [s]."""
 
@@ -142,19 +145,22 @@ class Roster:
             if not common:
                 continue
             if seat.host != hello.host and not _is_lost(seat):
-                raise RefusedError(f"{min(common, key=order.index)} has a host already")
+                free = [name for name in self._free() if name not in common]
+                hint = f" (without one: {' '.join(free[:_SHOWN])})" if free else ""
+                name = min(common, key=order.index)
+                raise RefusedError(f"{name} has a host already{hint}")
             if not seat.is_in_run:
                 self._seats.remove(seat)
                 continue
             if seat.names != names:
                 text = f"{' and '.join(seat.names)} were lost together: join them together"
                 raise RefusedError(text)
-            require_same("program", seat.digest, hello.program)
+            _require_program(seat, hello)
             seat.host = hello.host
             return seat
         if self.has_begun:  # a recording has begun with the program that was there
             first = next(seat for seat in self._seats if seat.is_in_run)
-            require_same("program", first.digest, hello.program)
+            _require_program(first, hello)
         seat = Seat(names, hello.host, hello.program)
         self._seats.append(seat)
         return seat
@@ -247,6 +253,24 @@ class Roster:
         """Take no host any more."""
         with self._changed:
             self.has_ended = True
+
+
+def _require_program(seat: Seat, hello: Hello) -> None:
+    """Check that a host has the program of a seat.
+
+    Raises:
+        RefusedError: it has another.
+    """
+    if seat.digest != hello.program:
+        assert seat.program is not None
+        names, program = " and ".join(seat.names), seat.program.name
+        ours = f"the program of {names} is {program} ({_short(seat.digest)})"
+        raise RefusedError(f"{ours}; the host has another one ({_short(hello.program)})")
+
+
+def _short(digest: str) -> str:
+    """Return so much of a digest as tells programs apart."""
+    return digest[:12]
 
 
 def _is_lost(seat: Seat) -> bool:

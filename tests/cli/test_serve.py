@@ -21,6 +21,7 @@ from websockets.sync.client import connect
 
 from crs_cc.cli.changed_run import recorded_changes
 from crs_cc.cli.main import main
+from crs_cc.net.gate import bound
 from crs_cc.recording.recording import Recording
 from tests.session.programs import ROAM
 
@@ -309,20 +310,30 @@ def test_a_recording_has_the_program_of_each_robot_and_their_input(folder: Path)
         assert "the same run" in done.stdout + done.stderr
 
 
+def test_a_host_says_that_it_tries_again(folder: Path) -> None:
+    with bound("127.0.0.1", 0) as closed:  # nobody listens
+        at = f"127.0.0.1:{closed.getsockname()[1]}"
+        host = join(folder, "left", at, "echo.c", "--retry", "0.3")
+        _, said = host.communicate(timeout=MOST_S)
+    refused = f"crs: {at}: Connection refused"
+    assert (host.returncode, said) == (1, f"{refused}; trying again for 0.3 s\n{refused}\n")
+
+
 def test_hosts_that_do_not_fit_are_refused_with_the_reason(folder: Path) -> None:
     folder.joinpath("tokens").write_text("robot 0123456789abcdef\n")
     with served(folder, "--tokens", "tokens") as environment:
         at = environment.address
         again = command("serve", "world.xml", "--listen", at)
         done = subprocess.run(again, cwd=folder, capture_output=True, text=True, check=False)
-        assert (done.returncode, done.stderr) == (1, f"crs: error: Address already in use: {at}\n")
+        text = "Address already in use (name another port by --listen HOST:PORT)"
+        assert (done.returncode, done.stderr) == (1, f"crs: error: {text}: {at}\n")
         token = "--token", "0123456789abcdef"
         kept = join(folder, "left", at, "echo.c", *token)
         refused = [
-            ("left", "echo.c", "--token", "x", "no valid token"),
+            ("left", "echo.c", "--token", "x", "no valid token for the role 'robot': give that of"),
             ("middle", "echo.c", *token, "unknown robot 'middle' (known: left, right)"),
             ("right", "echo.c", "--robot", "nomad200", *token, "has right as scout"),
-            ("left", "echo.c", *token, "left has a host already"),
+            ("left", "echo.c", *token, "left has a host already (without one: right)"),
         ]
         environment.wait_for("waiting for right\n")
         for name, source, *rest, reason in refused:

@@ -19,7 +19,7 @@ from crs_cc.net import visit as visit_module
 from crs_cc.net.access import Access
 from crs_cc.net.channel import MAGIC, Channel, ConnectionLostError, Kind, Pulse
 from crs_cc.net.gate import Gate, bound
-from crs_cc.net.handshake import Hello, Program, RefusedError, devices_digest, digest_of
+from crs_cc.net.handshake import Hello, Program, RefusedError, devices_digest
 from crs_cc.net.roster import Roster
 from crs_cc.net.visit import Visit, visit
 from tests.session.programs import HALL
@@ -53,7 +53,7 @@ class Open:
         secure: Callable[[socket.socket], socket.socket] = lambda connection: connection,
     ) -> Visit:
         content = program.content()
-        hello = Hello(TOKEN, host, robots, digest_of(content), devices=devices_digest())
+        hello = Hello(TOKEN, host, robots, program.digest, devices=devices_digest())
         return visit(self.address, hello, content, self.pulse, secure)
 
 
@@ -99,7 +99,7 @@ def test_hosts_claim_robots_and_others_are_refused(opened: Open) -> None:
     first = opened.visit("left")
     assert first.robots == ("left",)
     wait_until_ready(opened, "left")
-    with pytest.raises(RefusedError, match="left has a host already"):
+    with pytest.raises(RefusedError, match=r"left has a host already \(without one: right\)"):
         opened.visit("left", host="two")
     with pytest.raises(RefusedError, match="unknown robot 'middle'"):
         opened.visit("middle", host="two")
@@ -129,9 +129,10 @@ def test_a_lost_host_is_replaced_by_one_with_the_same_program(opened: Open) -> N
     opened.roster.lose(seat)
     with pytest.raises(RefusedError, match="lost together"):
         opened.visit("left", host="two")
-    with pytest.raises(RefusedError, match="the environment has program"):
+    with pytest.raises(RefusedError, match=r"the program of left and right is a\.c \(\w+\); the"):
         opened.visit("left", "right", host="two", program=replace(PROGRAM, checked=False))
-    assert opened.visit(host="two").robots == ("left", "right")
+    elsewhere = replace(PROGRAM, sources=("/b/a.c",), files={"/b/a.c": ""})
+    assert opened.visit(host="two", program=elsewhere).robots == ("left", "right")
     assert opened.roster.take(seat, lambda: False)
 
 
@@ -169,7 +170,7 @@ def test_hosts_that_come_after_the_run_has_begun_have_the_same_program(opened: O
     opened.visit("left")
     wait_until_ready(opened, "left")
     assert [seat.names for seat in opened.roster.begin()] == [("left",)]
-    with pytest.raises(RefusedError, match="the environment has program"):
+    with pytest.raises(RefusedError, match=r"the program of left is a\.c \(\w+\); the host has"):
         opened.visit("right", host="two", program=replace(PROGRAM, checked=False))
     assert opened.roster.newcomers() == []
     opened.visit(host="two")
