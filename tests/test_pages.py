@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.cli.main import crs
+from crs_cc.cli.main import COMMANDS
 from docs.generate import DOCS, ROOT, fill, man, page_names, page_path, page_text
 from docs.generate.editors import EXTENSION, extension_text
 
@@ -43,7 +43,7 @@ def test_man_page_is_up_to_date(name: str, check_golden: Callable[[Path, bytes],
 
 def test_there_is_a_man_page_for_each_command_and_no_other() -> None:
     assert {path.name for path in man.MAN.iterdir()} == man.pages().keys()
-    assert {f"crs-{name}.1" for name in crs.commands} < man.pages().keys()
+    assert {f"crs-{name}.1" for name in COMMANDS} < man.pages().keys()
 
 
 def test_the_index_by_task_names_every_page() -> None:

@@ -3,36 +3,26 @@
 from __future__ import annotations
 
 import contextlib
+import importlib
 import os
 import sys
 import traceback
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import Any, Final
 
 import click
 
 from crs_cc import __version__
-from crs_cc.cli.build import build
-from crs_cc.cli.cache import cache
-from crs_cc.cli.check import check
-from crs_cc.cli.compile import compile_
-from crs_cc.cli.completion import completion
-from crs_cc.cli.debug import debug
-from crs_cc.cli.docs import docs
 from crs_cc.cli.exit_status import BROKEN_PIPE, INTERRUPTED, SYSTEM
-from crs_cc.cli.grade import grade
-from crs_cc.cli.join import join
 from crs_cc.cli.messages import say, show
-from crs_cc.cli.new import new
-from crs_cc.cli.replay import replay
-from crs_cc.cli.run import run
-from crs_cc.cli.samples import samples
-from crs_cc.cli.serve import serve
 from crs_cc.cli.streams import mute, prepare_streams
-from crs_cc.cli.sweep import sweep
-from crs_cc.cli.view import view
-from crs_cc.cli.world import world
 from crs_cc.core.errors import CrsError, InternalError
+
+COMMANDS: Final = (
+    *("run", "view", "debug", "replay", "check", "grade", "sweep", "serve", "join"),
+    *("compile", "new", "build", "world", "samples", "docs", "cache", "completion"),
+)
+"""The subcommands; each is in a module of its name."""
 
 _EPILOG = """
 \b
@@ -88,6 +78,18 @@ def _wrap_system_errors() -> Iterator[None]:
 
 
 class _Crs(click.Group):
+    """Imports the command that runs, not all of them, which takes longer than running some."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        if cmd_name not in COMMANDS:
+            return None
+        module = importlib.import_module(f"crs_cc.cli.{cmd_name}")
+        found = (each for each in vars(module).values() if isinstance(each, click.Command))
+        return next(each for each in found if each.name == cmd_name)
+
     def make_context(self, *args: Any, **extra: Any) -> click.Context:
         with _wrap_system_errors():  # --help and --version write here already
             return super().make_context(*args, **extra)
@@ -108,13 +110,6 @@ class _Crs(click.Group):
 @click.version_option(__version__, "-V", "--version", message="crs %(version)s")
 def crs() -> None:
     """Run unmodified C control programs for Nomadic robots in a simulated world."""
-
-
-for command in (
-    *(run, view, debug, replay, check, grade, sweep, serve, join),
-    *(compile_, new, build, world, samples, docs, cache, completion),
-):
-    crs.add_command(command)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -32,7 +32,6 @@ from crs_cc.runtime.driver import MOST_SHARDS, SLOTS
 from crs_cc.runtime.executable import Driver, Executable, compile_driver
 from crs_cc.runtime.shard import Mailbox, Ran, Sandbox, Shard, Trapped, memory_demanded
 from crs_cc.runtime.site_tests import STOP, TEST, SiteTests
-from crs_cc.runtime.sites import Access
 from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.runtime.turns import RECORD
 from crs_cc.runtime.watch_ranges import WATCHED
@@ -46,6 +45,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
     from crs_cc.runtime.diagnosis.report import ErrorReport
     from crs_cc.runtime.partner import Partner
+    from crs_cc.runtime.sites import Access
 
 MEMORY_END: Final = 0xFFFFFFFF  # the largest address
 PARALLEL_S: Final = 0.0003

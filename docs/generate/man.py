@@ -27,8 +27,16 @@ def pages() -> dict[str, str]:
 def _commands(name: str, command: click.Command) -> Iterator[tuple[str, click.Command]]:
     yield name, command
     if isinstance(command, click.Group):
-        for part, each in sorted(command.commands.items()):
+        for part, each in sorted(_subcommands(command)):
             yield from _commands(f"{name} {part}", each)
+
+
+def _subcommands(group: click.Group) -> Iterator[tuple[str, click.Command]]:
+    context = click.Context(group)
+    for name in group.list_commands(context):
+        command = group.get_command(context, name)
+        assert command is not None
+        yield name, command
 
 
 def _page(name: str, command: click.Command) -> str:
@@ -70,7 +78,7 @@ def _options(command: click.Command, context: click.Context) -> Iterator[str]:
 def _parts(name: str, command: click.Command) -> Iterator[str]:
     if isinstance(command, click.Group):
         yield ".SH COMMANDS"
-        for part, each in command.commands.items():
+        for part, each in _subcommands(command):
             yield from (".TP", f".B {_escaped(f'{name} {part}')}", _escaped(_summary(each)))
 
 

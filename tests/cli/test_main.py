@@ -13,7 +13,7 @@ import pytest
 
 from crs_cc import __version__
 from crs_cc.cli import check
-from crs_cc.cli.main import crs, main
+from crs_cc.cli.main import COMMANDS, main
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Location
 
@@ -29,7 +29,7 @@ def test_version(capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().out == f"crs {__version__}\n" * 2
 
 
-@pytest.mark.parametrize("command", [[], *([name] for name in crs.commands)])
+@pytest.mark.parametrize("command", [[], *([name] for name in COMMANDS)])
 def test_help_of_every_command_has_examples(
     command: list[str], capsys: pytest.CaptureFixture[str]
 ) -> None:
