@@ -165,6 +165,8 @@ class _Host:
                     say(f"crs: waiting for {shown_names(found.awaited)} to join")
             line = ProgressLine(None)
             self._output = ProgramOutput(robots, sys.stdout.buffer, sys.stderr.buffer, line)
+        elif not self._options.quiet:
+            say(f"crs: {shown_address(self._options.address)} is reached again")
         streams = Streams(self._write, self._input.read, self._input.waiting)
         executables = [self._executable] * len(robots)
         host = ProgramHost(executables, build_driver(), streams, self._shown, self._options.threads)

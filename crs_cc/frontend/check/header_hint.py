@@ -33,8 +33,10 @@ def header_hint(name: str, folders: Sequence[Path]) -> str:
 @lru_cache(maxsize=4)
 def _headers(folder: Path) -> tuple[tuple[str, str], ...]:
     """Return the names and texts of the headers in a directory, the preferred ones first."""
-    paths = [*sorted(folder.glob("*.h")), *sorted(folder.glob("sys/*.h"))]
-    own = [path for path in paths if not path.name.startswith("crs")]
-    found = {path.relative_to(folder).as_posix(): path.read_text("utf-8") for path in own}
+    paths = [*folder.glob("*.h"), *folder.glob("*/*.h")]
+    paths.sort(key=lambda path: (len(path.parts), path.parent.name != "sys", path))
+    named = {path.relative_to(folder).as_posix(): path for path in paths}
+    own = {name: path for name, path in named.items() if not name.startswith("crs")}
+    found = {name: path.read_text("utf-8") for name, path in own.items()}
     usual = {name: found.pop(name) for name in _USUAL if name in found}
     return tuple((usual | found).items())
