@@ -64,7 +64,8 @@ Examples:
     "--threads",
     type=click.IntRange(1, 64),
     metavar="N",
-    help="Run programs in up to N threads. Default: the number of processors.",
+    help="Run programs in N threads. Default: one, and one for each processor if they compute for "
+    "long.",
 )
 @click.option(
     "--unchecked", is_flag=True, help="Do not check memory accesses; programs run faster."

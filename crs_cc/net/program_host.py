@@ -16,12 +16,12 @@ import numpy as np
 
 from crs_cc.core.arrays import IndexArray
 from crs_cc.net import memories
-from crs_cc.net.changed_words import WORDS, KnownRows
+from crs_cc.net.changed_words import WORDS
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import data_of
 from crs_cc.net.host_link import GRANT, RAN, RESTORE
+from crs_cc.net.hosted_programs import HostedPrograms
 from crs_cc.net.memories import Memory
-from crs_cc.net.word_kernel import WordKernel, partner_of
 from crs_cc.requests import CODES, DATA_SIZE, FAILED
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.snapshot import Snapshot
@@ -53,7 +53,7 @@ class ProgramHost:
     """Programs, and how far they have come; lives as long as one connection.
 
     Attributes:
-        fleet: the programs.
+        shown: the number of the last grant whose output has been shown.
     """
 
     def __init__(
@@ -71,18 +71,17 @@ class ProgramHost:
             driver: the module that runs rounds.
             streams: the programs' streams.
             shown: the number of the last grant whose output has been shown already.
-            threads: how many threads may run programs, see `Fleet`.
+            threads: how many threads may run programs, see `HostedPrograms`.
         """
-        self.fleet = Fleet(executables, driver, threads)
         self.shown = shown
         self._streams = streams
-        self._table = self.fleet.table()
-        self._partner = partner_of(self.fleet)
-        kernel = None if self._partner is None else WordKernel(self._partner.instance)
-        self._known = KnownRows(len(executables), kernel)
-        self._asks, self._alive = self.fleet.timing["asks"], self.fleet.timing["alive"]
-        self._status, self._codes = self.fleet.slots["status"], self.fleet.codes
+        self._programs = HostedPrograms(executables, driver, threads)
         self._writes: list[tuple[int, int, bytes]] = []
+
+    @property
+    def fleet(self) -> Fleet:
+        """The programs."""
+        return self._programs.fleet
 
     def serve(self, channel: Channel) -> Any:
         """Do what the environment asks for until the run ends; return what it says then.
@@ -120,42 +119,27 @@ class ProgramHost:
             self.shown = number
             for robot, stream, text in self._writes:
                 self._streams.write(robot, stream, text)
-        rounds, changes = self._run(memoryview(content)[GRANT.size :], end_s)
-        asking = self._asks.nonzero()[0]
+        rounds, changes = self._programs.run(memoryview(content)[GRANT.size :], end_s)
+        asking = self._asking()
         self._writes = self._written(asking)
         if not is_wanted:
             return None
-        if FAILED in self._status[asking].tolist():
+        if FAILED in self.fleet.slots["status"][asking].tolist():
             self._tell_failures(asking, channel)
         return Kind.RAN, RAN.pack(number, rounds) + changes
 
-    def _run(self, content: memoryview, end_s: float) -> tuple[int, bytes]:
-        """Run rounds with what has been changed in rows; return how many, and what changes then."""
-        if self._partner is not None:
-            [kernel] = self._known.kernels
-            rounds, changes = kernel.take_turn(self.fleet, self._partner, content, end_s)
-            return rounds, self._known.pack(self._table) if changes is None else changes
-        self._known.enter(content)
-        self._table[...] = self._known.table()
-        return self._run_rounds(end_s), self._known.pack(self._table)
-
-    def _run_rounds(self, end_s: float) -> int:
-        """Run rounds; return how many."""
-        total = 0
-        while rounds := self.fleet.run_rounds(end_s):
-            total += rounds
-            if self.fleet.is_whole or self._asks.any():
-                break
-        return total
+    def _asking(self) -> IndexArray:
+        """Return the programs that ask for anything."""
+        return self.fleet.timing["asks"].nonzero()[0]
 
     def _written(self, asking: IndexArray) -> list[tuple[int, int, bytes]]:
         """Return what programs that ask want to be written: robot, stream and content."""
-        codes = self._codes[asking].tolist()
+        codes = self.fleet.codes[asking].tolist()
         if _WRITE not in codes:
             return []
         found = []
         for robot, code in zip(asking.tolist(), codes, strict=True):
-            if code != _WRITE or not self._alive[robot]:
+            if code != _WRITE or not self.fleet.timing["alive"][robot]:
                 continue
             message = self.fleet.slots["message"][robot]
             stream, size = int(message["i"][0]), int(message["size"])
@@ -164,7 +148,7 @@ class ProgramHost:
         return found
 
     def _tell_failures(self, asking: IndexArray, channel: Channel) -> None:
-        for robot in asking[self._status[asking] == FAILED].tolist():
+        for robot in asking[self.fleet.slots["status"][asking] == FAILED].tolist():
             data = data_of(self.fleet.report(robot)) | {"robot": robot}
             channel.send(Kind.FAILED, json.dumps(data).encode())
 
@@ -182,9 +166,8 @@ class ProgramHost:
             slots = rows.reshape(-1).view(RECORD)["slot"]
             for robot, memory in enumerate(memories.unpack(content[rows_end:], len(self.fleet))):
                 self.fleet.restore(robot, Snapshot(slots[robot : robot + 1], *memory))
-        self._table[:] = rows
-        self._known.set(rows)
-        self._writes = self._written(self._asks.nonzero()[0])
+        self._programs.set(rows)
+        self._writes = self._written(self._asking())
 
     def _memories(self) -> bytes:
         """Return the programs' memories."""

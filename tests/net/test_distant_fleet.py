@@ -13,10 +13,12 @@ import numpy as np
 import pytest
 
 from crs_cc.core.source import Diagnostics
+from crs_cc.net import hosted_programs
 from crs_cc.net.changed_words import WORDS, KnownRows
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
 from crs_cc.net.host_link import RAN, HostGoneError, HostLink
 from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.turns import RECORD
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
@@ -133,6 +135,26 @@ def test_a_run_on_hosts_is_the_same(
     assert sorted(shown) == sorted(written)
     assert len(hosts.ended) == count
     assert not hosts.lost
+
+
+def test_programs_that_compute_for_long_are_moved_to_several_threads(
+    programs: list[Executable], local: tuple[str, Written], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    counts: list[int] = []
+
+    class Counted(Fleet):
+        def __init__(self, executables: Any, driver: Any, threads: int) -> None:
+            counts.append(threads)
+            super().__init__(executables, driver, threads)
+
+    monkeypatch.setattr(hosted_programs, "Fleet", Counted)
+    monkeypatch.setattr(hosted_programs, "default_threads", lambda _: 2)
+    monkeypatch.setattr(hosted_programs, "SPREAD_S", 1e-5)
+    hosts = LocalHosts(programs, 1)
+    session, written = finished(programs, fleet=hosts.fleet)
+    assert (session.state_hash(), written) == local
+    hosts.close()
+    assert counts == [1, 2]
 
 
 @pytest.mark.parametrize("threads", [1, 2])
