@@ -33,11 +33,13 @@ class Scatter:
         element: its element.
         number: its number among those of the file.
         copies: the elements that it stands for.
+        example: one of them, also if there are none; None after an error.
     """
 
     element: Element
     number: int
     copies: list[Element]
+    example: Element | None
 
     def place(self, radius_m: float, area: Area, taken: Taken, seed: int, reader: Reader) -> None:
         """Set the places of the copies; report an error if they do not fit.
@@ -86,26 +88,29 @@ def taken_out(root: Element, most: int, reader: Reader) -> list[Scatter]:
     found: list[Scatter] = []
     for number, element in enumerate(elements):
         left = most - sum(len(each.copies) for each in found)
-        found.append(Scatter(element, number, _copies(element, left, reader)))
+        found.append(_scatter(element, number, left, reader))
     return found
 
 
-def _copies(element: Element, most: int, reader: Reader) -> list[Element]:
+def _scatter(element: Element, number: int, most: int, reader: Reader) -> Scatter:
+    """Return a scatter of at most `most` copies. None are valid: a sweep may begin at 0."""
     kinds = [kind for kind in _KINDS if kind in element.attributes]
     if len(kinds) != 1:
         reader.refuse(element, "expected one of the attributes robot and object")
-        return []
+        return Scatter(element, number, [], None)
     kind = kinds[0]
-    count = reader.whole(element, "count", 1, most)
+    count = reader.whole(element, "count", 0, most)
     if kind == "object" and element.children:
         reader.refuse(element, "only robots have arguments")
+        return Scatter(element, number, [], None)
     shared = {name: each for name, each in element.attributes.items() if name not in _OWN}
     shared[_KINDS[kind]] = element.attributes[kind]
     name = element.attributes["id"]
-    return [
-        Element(kind, element.line, {**shared, "id": f"{name}.{number}"}, children=element.children)
-        for number in range(count)
+    copies = [
+        Element(kind, element.line, {**shared, "id": f"{name}.{each}"}, children=element.children)
+        for each in range(max(count, 1))
     ]
+    return Scatter(element, number, copies[:count], copies[0])
 
 
 def _region(element: Element, area: Area, reader: Reader) -> Region:

@@ -75,10 +75,10 @@ class Things:
         taken = Taken(self.area, [solid for _, solid in self.objects], self.robots)
         messages = reader.diagnostics.messages
         for each in scatters:
-            if not each.copies:
+            if each.example is None:
                 continue
             known = len(messages)
-            radius_m = self._radius_m(each.copies[0])
+            radius_m = self._radius_m(each.example)
             if len(messages) == known:
                 each.place(radius_m, self.area, taken, seed, reader)
             for copy in each.copies:

@@ -94,13 +94,15 @@ def test_gap_is_kept() -> None:
         ('robot="scout" object="can" count="1"', "one of the attributes robot and object"),
         ('robot="nothing" count="3"', "unknown robot definition 'nothing'"),
         ('object="nothing" count="3"', "unknown definition 'nothing'"),
-        ('robot="scout" count="0"', "count: '0' is not an integer from 1 to 100000"),
         ('robot="scout" count="1" in="1m"', "in: expected x,y of two opposite corners"),
         ('robot="scout" count="1" in="1m,1m 1m,x"', "in: 'x' is not a length"),
         ('robot="scout" count="1" x="1m" y="1m"', "expected with one of radius and deviation"),
         ('robot="scout" count="1" x="1m" y="1m" radius="0"', "must be greater than 0"),
         ('robot="scout" count="1" gap="-1m"', "must not be negative"),
         ('id="r" robot="scout" count="1"', "duplicate id 'r'"),
+        ('robot="scout" count="-1"', "count: '-1' is not an integer from 0 to"),
+        ('robot="no" count="0"', "unknown robot definition 'no'"),
+        ('robot="scout" count="0" in="1m"', "in: expected x,y of two opposite corners"),
         ('robot="scout" count="3" program="no.c" setup="none"', "setup"),
     ],
 )
@@ -109,6 +111,13 @@ def test_impossible_scatters_are_one_error(scatter: str, text: str) -> None:
         world(f"<scatter {scatter}/>{SCREEN}")
     assert text in str(caught.value)
     assert len(caught.value.diagnostics) <= 2
+
+
+def test_none_scattered_is_a_world_like_any_other() -> None:
+    others = '<scatter robot="scout" count="2" id="b"/>'
+    none = '<scatter robot="scout" count="0" id="a"/><scatter object="can" count="0"/>'
+    assert [robot.id for robot in world(none + others).robots] == ["b.0", "b.1"]
+    assert not world(none).robots
 
 
 def test_id_of_what_is_scattered_is_taken() -> None:
