@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import pickle
 from collections.abc import Callable
 from dataclasses import replace
 from decimal import Decimal, getcontext
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,8 +16,10 @@ from crs_cc.api.session import Session
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.edits import edit
 from crs_cc.requests import CODES, MESSAGE
+from crs_cc.sim.devices.antennae import Antennae
 from crs_cc.sim.engine.environment import Environment
-from crs_cc.sim.files.world_xml import parse_world
+from crs_cc.sim.files.world_xml import load_world, parse_world
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.world import Pose, WorldModel
 from tests.device.robot import scout_with
 from tests.sim.driver import Driver
@@ -310,3 +314,34 @@ def test_a_sketch_is_that_of_now_though_quiet_time_was_skipped(world):
     environment.skip(60)
     expected = 100.0 * np.exp(-61 * DT_S / 0.5)
     assert environment.field_sketch("trail", 60)[0].max() == pytest.approx(expected, abs=2 * UNIT)
+
+
+def test_robots_with_different_antennae_smell_at_their_own_ends(tmp_path):
+    kinds = ({"number": 3, "reach_m": 0.4}, {"number": 2, "reach_m": 0.25}, {"number": 1})
+    antennae = [Antennae(**each) for each in kinds]
+    robots = ""
+    for number, each in enumerate(antennae):
+        own = f'<antennae number="{each.number}" reach="{each.reach_m}m"/>'
+        file = Path(scout_with(tmp_path, "<gland/>", own))
+        file.rename(tmp_path / f"scout{number}.xml")
+        robots += (
+            f'<robot definition="scout{number}.xml" x="{1 + 2 * number}m" y="2m"'
+            f' heading="{50 * number}deg"/>'
+        )
+    field = '<field name="trail" cell="10cm" diffusion="0.04"/>'
+    text = f'<world version="1"><area length="6m" width="4m"/>{field}{robots}</world>'
+    (tmp_path / "world.xml").write_text(text)
+    driver = Driver.of(load_world(tmp_path / "world.xml"))
+    for robot in range(3):
+        post(driver, "DEPOSIT", 1000.0, robot=robot)
+    driver.run(60)
+    found = driver.environment.field("trail")
+    for robot, each in enumerate(antennae):
+        ahead = exact.turn(math.radians(50 * robot))
+        for antenna, (x_m, y_m) in enumerate(each.ends_m()):
+            end = complex(1 + 2 * robot, 2) + ahead * complex(x_m, y_m)
+            expected = found[int(end.imag / 0.1), int(end.real / 0.1)]
+            reply, _ = driver.post("SMELL", 0, antenna, robot=robot)
+            assert reply["f"][0] == pytest.approx(expected, rel=1e-12)
+            assert expected > 0.0
+        assert driver.post("SMELL", 0, each.number, robot=robot)[0]["result"] == 0

@@ -17,19 +17,28 @@ if TYPE_CHECKING:
 
 def read(state: FieldState, grid: FieldGrid, cells: Int64Array) -> Int64Array:
     """Return the integers in cells, 0 for `NOWHERE`."""
-    slots = state.directory(grid.tiles)[cells // TILE]
-    return state.amount.ravel().take(slots * TILE + cells % TILE)
+    return state.amount.ravel().take(_places(state.directory(grid.tiles), cells, cells // TILE))
 
 
 def add(
-    state: FieldState, grid: FieldGrid, cells: Int64Array, amounts: Int64Array, most: Int64Array
+    state: FieldState,
+    grid: FieldGrid,
+    cells: Int64Array,
+    amounts: Int64Array,
+    most: Int64Array | np.int64,
 ) -> None:
-    """Add integers to cells, each of them once, up to a largest one for each."""
+    """Add integers to cells, up to a largest one for each; cells may be named several times."""
     tiles, directory = cells // TILE, state.directory(grid.tiles)
-    state.make(tiles[directory[tiles] == EMPTY])
-    places = directory[tiles] * TILE + cells % TILE
+    state.make(tiles[directory.take(tiles) == EMPTY])
+    places = _places(directory, cells, tiles)
     flat = state.amount.reshape(-1)
-    flat[places] = np.minimum(flat[places] + amounts, most)
+    np.add.at(flat, places, amounts)
+    flat[places] = np.minimum(flat.take(places), most)
+
+
+def _places(directory: IndexArray, cells: Int64Array, tiles: Int64Array) -> IndexArray:
+    """Return the places of cells in these tiles among all integers that are stored."""
+    return cells + (directory.take(tiles) - tiles) * TILE
 
 
 def of(state: FieldState, grid: FieldGrid, field: int) -> IndexArray:

@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, all_of
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.devices import field_tiles
 from crs_cc.sim.devices.name_lookup import look_up, numbers_of
@@ -85,11 +85,14 @@ class Fields:
             place_m: its place, nothing happens to those outside of the area, (k, 2).
             amount: the amount, 0 or more, (k,).
         """
-        cells = self._grid.cells(field, place_m[:, 0], place_m[:, 1])
+        one = _the_one(field)
+        cells = self._grid.cells(one, place_m[:, 0], place_m[:, 1])
         there = cells >= 0
-        cells, field = cells[there], field[there]
-        amount = np.minimum(amount[there], self._saturation[field])
-        deposit = np.rint(amount / self._units(state.fields, state.cycle, 1)[field])
+        if not all_of(there):
+            cells, amount = cells[there], amount[there]
+            one = one if isinstance(one, int) else one[there]
+        amount = np.minimum(amount, self._saturation[one])
+        deposit = np.rint(amount / self._units(state.fields, state.cycle, 1)[one])
         state.fields.deposit_cell = np.concatenate([state.fields.deposit_cell, cells])
         state.fields.deposit = np.concatenate([
             state.fields.deposit, deposit.astype(np.int64)
@@ -97,7 +100,7 @@ class Fields:
 
     def read(self, state: EnvState, field: int, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
         """Return the amounts in the cells at places, 0 outside of the area."""
-        found = field_tiles.read(state.fields, self._grid, self._grid.cells(_one(field), x_m, y_m))
+        found = field_tiles.read(state.fields, self._grid, self._grid.cells(field, x_m, y_m))
         return np.asarray(found * self._units(state.fields, state.cycle)[field])
 
     def end_cycle(self, state: EnvState) -> None:
@@ -176,14 +179,10 @@ class Fields:
         fields = state.fields
         if not len(fields.deposit):
             return
-        order = np.argsort(fields.deposit_cell)
-        cells, deposit = fields.deposit_cell[order], fields.deposit[order]
+        cells, deposit = fields.deposit_cell, fields.deposit
         fields.deposit_cell, fields.deposit = cells[:0].copy(), deposit[:0].copy()
-        first = np.flatnonzero(np.diff(cells, prepend=-1))
-        cells, deposit = cells[first], np.add.reduceat(deposit, first)
-        field = np.searchsorted(self._grid.first_tile, cells // (SIDE * SIDE), side="right") - 1
         most = np.rint(self._saturation / self._units(fields, state.cycle, 1)).astype(np.int64)
-        field_tiles.add(fields, self._grid, cells, deposit, most[field])
+        field_tiles.add(fields, self._grid, cells, deposit, most[self._grid.field(cells)])
 
     def _pass(self, fields: FieldState, cycle: int) -> None:
         """Let the fields diffuse at the end of a cycle, and rebase those whose time has come."""
@@ -213,5 +212,7 @@ class Fields:
         return UNIT * exact.exp(-(since * self._timestep_s / fields.evaporation_s))
 
 
-def _one(field: int) -> IndexArray:
-    return np.array([field])
+def _the_one(field: IndexArray) -> IndexArray | int:
+    """Return the field that all deposits are in, or the fields: one takes less time."""
+    first = int(field[0]) if len(field) else 0
+    return first if (field == first).all() else field

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray, any_of
-from crs_cc.sim.state.rows import take
+from crs_cc.sim.state.rows import simplest, take
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -28,12 +28,16 @@ if TYPE_CHECKING:
 
 def mount_poses(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
     """Return x, y [m] and direction [rad] of robots' mounts, world frame, shape (k, 3)."""
-    moved_m, slipping = take(state.drive.moved_m, rows), state.bodies.slipping
+    robots = len(state.drive.facing_rad)
+    which, slipping = simplest(rows, robots), state.bodies.slipping
+    moved_m = take(state.drive.moved_m, which)
     if any_of(slipping):
         moved_m = np.where(slipping[rows, None], 0.0, moved_m)
-    facing_rad, turret_rad = state.drive.facing_rad[rows], state.drive.turret_rad[rows]
+    facing_rad = turret_rad = state.drive.facing_rad[which]
+    if constants.drives.turrets:
+        turret_rad = state.drive.turret_rad[which]
     poses = np.empty((len(rows), 3))
-    np.add(take(state.bodies.position_m, rows), moved_m, out=poses[:, :2])
+    np.add(take(state.bodies.position_m[:robots], which), moved_m, out=poses[:, :2])
     poses[:, 2] = mount_rad(state, constants, rows, facing_rad, turret_rad)
     return poses
 

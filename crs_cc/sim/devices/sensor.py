@@ -11,19 +11,20 @@ The row of a sensor whose reading is a few numbers is made by `number_sensor`.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final, Self, TypeAlias
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, all_of
 from crs_cc.core.time_grid import is_due
 from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.measured import measured
 from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.model.robot import devices_of
 from crs_cc.sim.state.random_streams import Noise
+from crs_cc.sim.state.rows import simplest
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
@@ -57,6 +58,22 @@ class Measurement:
     rows: IndexArray
     at_s: FloatArray
     settings: Mapping[str, FloatArray]
+
+
+class _Settings(Mapping[str, FloatArray]):
+    """The constants of some sensors, selected when they are needed."""
+
+    def __init__(self, columns: Mapping[str, FloatArray], rows: IndexArray) -> None:
+        self._columns, self._rows = columns, rows
+
+    def __getitem__(self, name: str) -> FloatArray:
+        return self._columns[name][self._rows]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
 
 
 Measure: TypeAlias = Callable[[Measurement], FloatArray]
@@ -112,6 +129,7 @@ class Sensor:
         width: int,
         *,
         missing: float = np.nan,
+        columns: int | None = None,
         errors: Errors | None = None,
         is_on: Callable[[EnvState], BoolArray] | None = None,
         readings: Callable[[EnvState], Readings] | None = None,
@@ -125,12 +143,14 @@ class Sensor:
             measure: the measuring function.
             width: number of values with noise and degradations; what else it measures follows them.
             missing: the reading for a missing value.
+            columns: number of values that are measured, the first ones; by default all readings.
             errors: adds the errors; by default they have the definition's standard deviation.
             is_on: returns which sensors are on, (n,); by default all are.
             readings: returns the readings in a state; by default all of the device's state.
         """
         self.row = row
         self._measure, self._width, self._missing = measure, width, missing
+        self._columns = columns
         self._errors, self._is_on = errors, is_on
         self.readings = readings or (lambda state: state.device(row.name, Readings))
         models = devices_of([robot.model for robot in world.robots], row.name)
@@ -184,32 +204,35 @@ class Sensor:
             at_s: the time of each, shape (k,).
         """
         readings, mine = self.readings(state), constants.numbers[self.row.name][rows]
-        due = is_due(readings.at_s[mine], at_s, self._interval_s[mine])
+        which = simplest(mine, len(readings.at_s))
+        due = is_due(readings.at_s[which], at_s, self._interval_s[which])
         if self._is_on is not None:
-            due &= self._is_on(state)[mine]
-        rows, mine, at_s = rows[due], mine[due], at_s[due]
+            due &= self._is_on(state)[which]
+        if not all_of(due):
+            rows, mine, at_s = rows[due], mine[due], at_s[due]
+            which = mine
         if not len(rows):
             return
-        settings = {name: column[mine] for name, column in self.settings.items()}
-        now = Measurement(state, constants, rays, rows, at_s, settings)
-        value = measured(self.row, self._measure, now, (len(rows), readings.value.shape[1]))
+        now = Measurement(state, constants, rays, rows, at_s, _Settings(self.settings, mine))
+        columns = self._columns or readings.value.shape[1]
+        value = measured(self.row, self._measure, now, (len(rows), columns))
         value, extra = value[:, : self._width], value[:, self._width :]
         if self._sigma is not None:
             deviates = self._noise.rows(rows, readings.count[mine])
             if self._errors is not None:
                 value = self._errors(now, value, deviates)
             else:
-                error = deviates * self._sigma[mine, None]
+                error = deviates * self._sigma[which, None]
                 value = value * (1.0 + error) if self._is_relative else value + error
         value = constants.degradations.alter(state, self.row.name, rows, value, at_s)
         lost = np.isnan(value)
         if lost.any():
             value = np.where(lost, self._missing, value)
-        readings.value[mine, : self._width] = value
+        readings.value[which, : self._width] = value
         if extra.size:
-            readings.value[mine, self._width :] = extra
-        readings.at_s[mine] = at_s
-        readings.count[mine] += 1
+            readings.value[which, self._width :] = extra
+        readings.at_s[which] = at_s
+        readings.count[which] += 1
 
     def asked(self, context: RequestContext) -> tuple[BoolArray, IndexArray]:
         """Measure for requests with the sensors that have no timer.
@@ -220,7 +243,7 @@ class Sensor:
         numbers = context.constants.numbers[self.row.name][context.rows]
         has = np.asarray(numbers >= 0)
         read_on_request(context, self.read, self.row.number, has)
-        return has, numbers[has]
+        return has, numbers if all_of(has) else numbers[has]
 
 
 def last_values(device: str) -> Callable[[EnvState, Any, int], FloatArray]:

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, IndexArray
+from crs_cc.core.arrays import BoolArray, IndexArray, all_of
 from crs_cc.requests import LARGEST
 from crs_cc.sim.model.registry import sensor_count
 
@@ -118,5 +118,7 @@ def read_on_request(
     requested = which
     if sensor is not None:
         requested = which & context.state.timers.on_request(context.rows, sensor)
-    rows, at_s = context.rows[requested], context.at_s[requested]
+    rows, at_s = context.rows, context.at_s
+    if not all_of(requested):
+        rows, at_s = rows[requested], at_s[requested]
     read(context.state, context.constants, context.rays, rows, at_s)

@@ -18,7 +18,7 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, all_of
 from crs_cc.sim.model.fields import Field
 from crs_cc.sim.model.world import Area
 
@@ -56,23 +56,34 @@ class FieldGrid:
         """The number of all tiles."""
         return int(self.first_tile[-1])
 
-    def cells(self, field: IndexArray, x_m: FloatArray, y_m: FloatArray) -> Int64Array:
+    def cells(self, field: IndexArray | int, x_m: FloatArray, y_m: FloatArray) -> Int64Array:
         """Return the cells that places are in, `NOWHERE` outside of the area.
 
         Args:
-            field: the fields; the three arrays broadcast.
+            field: the fields, or one for all; the arrays broadcast.
             x_m: the places, world frame.
             y_m: the same.
         """
         cell_m = self.cell_m[field]
-        column = np.floor((x_m - self._corner_m[0]) / cell_m)
-        row = np.floor((y_m - self._corner_m[1]) / cell_m)
-        inside = (column >= 0) & (column < self.columns[field])
-        inside &= (row >= 0) & (row < self.rows[field])
-        column, row = np.where(inside, column, 0).astype(np.int64), np.where(inside, row, 0)
-        row = row.astype(np.int64)
-        tile = self.first_tile[field] + (row // SIDE) * self._across[field] + column // SIDE
-        return np.where(inside, tile * TILE + row % SIDE * SIDE + column % SIDE, NOWHERE)
+        across = (x_m - self._corner_m[0]) / cell_m
+        up = (y_m - self._corner_m[1]) / cell_m
+        inside = (across >= 0) & (across < self.columns[field])
+        inside &= (up >= 0) & (up < self.rows[field])
+        are_inside = all_of(inside)
+        if not are_inside:
+            across, up = np.where(inside, across, 0), np.where(inside, up, 0)
+        column, row = across.astype(np.int64), up.astype(np.int64)
+        # As tile * TILE + row % SIDE * SIDE + column % SIDE, in fewer passes.
+        cell = (column // SIDE) * (TILE - SIDE) + column
+        cell += (row // SIDE) * ((self._across[field] - 1) * TILE) + row * SIDE
+        cell += self.first_tile[field] * TILE
+        return cell if are_inside else np.where(inside, cell, NOWHERE)
+
+    def field(self, cells: Int64Array) -> IndexArray | int:
+        """Return the fields of cells, or the only one."""
+        if len(self.cell_m) == 1:
+            return 0
+        return np.searchsorted(self.first_tile, cells // TILE, side="right") - 1
 
     def place(self, field: int, tiles: Int64Array) -> tuple[Int64Array, Int64Array]:
         """Return row and column of the lower left cells of tiles, each (tiles,)."""

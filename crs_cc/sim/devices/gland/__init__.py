@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, any_of
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, all_of, any_of
 from crs_cc.core.quantity import AMOUNT
 from crs_cc.requests import device_request
 from crs_cc.requests.request import fields
@@ -29,7 +29,7 @@ from crs_cc.sim.model.attribute import attribute
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.robot import devices_of
-from crs_cc.sim.state.rows import simplest, take
+from crs_cc.sim.state.rows import ALL, simplest, take
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -128,8 +128,10 @@ class Glands:
             return
         rows = np.flatnonzero(constants.numbers[self._name] >= 0)
         robots = simplest(rows, len(state.distance_m))
-        distance_m = take(state.distance_m, robots)
+        # Copies that lie together: all that follows takes less time.
+        distance_m = np.ascontiguousarray(take(state.distance_m, robots))
         position_m = take(state.bodies.position_m[: len(state.distance_m)], robots)
+        position_m = np.ascontiguousarray(position_m)
         way_m, moved_m = position_m - glands.from_m, distance_m - glands.distance_m
         glands.from_m[:], glands.distance_m[:] = position_m, distance_m
         lays = (glands.per_m > 0.0) & (moved_m > 0.0) & state.presence.present[rows]
@@ -137,15 +139,17 @@ class Glands:
             return
         straight_m = exact.hypot(way_m[:, 0], way_m[:, 1])
         way_m[~(straight_m <= moved_m + _SLACK_M)] = 0.0  # carried, or new in the world
-        rows, position_m, way_m = rows[lays], position_m[lays], way_m[lays]
+        laying = ALL if all_of(lays) else lays
+        rows, position_m, way_m = rows[laying], position_m[laying], way_m[laying]
         at = np.full(len(rows), at_s)
-        per_m = self._altered(state, constants, rows, glands.per_m[lays], at)
-        field = glands.field[lays]
-        pieces = np.ceil(straight_m[lays] / self._cell_m[field])
-        pieces = np.where(pieces <= _PIECES, np.maximum(pieces, 1.0), _PIECES).astype(np.intp)
-        amount = per_m * moved_m[lays] / pieces
+        per_m = self._altered(state, constants, rows, glands.per_m[laying], at)
+        field = glands.field[laying]
+        pieces = np.ceil(straight_m[laying] / self._cell_m[field])
+        pieces = np.where(pieces <= _PIECES, np.maximum(pieces, 1.0), _PIECES)
+        amount = per_m * moved_m[laying] / pieces
         for number in range(int(pieces.max())):
-            some = np.flatnonzero(pieces > number)
+            there = pieces > number
+            some = ALL if all_of(there) else np.flatnonzero(there)
             back = 1.0 - (number + 0.5) / pieces[some]
             place_m = position_m[some] - way_m[some] * back[:, None]
             self._fields.deposit(state, field[some], place_m, amount[some])
@@ -166,6 +170,8 @@ class Glands:
         at_s: FloatArray,
     ) -> FloatArray:
         """Return amounts after degradation, (k,)."""
+        if not constants.degradations.concern(state, self._name):
+            return amount
         values = constants.degradations.alter(state, self._name, rows, amount[:, None], at_s)
         return np.maximum(np.nan_to_num(values[:, 0], nan=0.0), 0.0)
 
