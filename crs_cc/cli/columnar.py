@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 
 from crs_cc.cli.tables import tables
+from crs_cc.cli.written_file import written_file
 
 if TYPE_CHECKING:
     from crs_cc.recording.recording import Recording
@@ -36,14 +37,15 @@ def write_columnar(recording: Recording, folder: Path, form: Form) -> None:
     for name, heading, rows in tables(recording):
         schema: Any = pa.schema([(title, _type(title)) for title in heading])
         path = folder / f"{name}.{form}"
-        if form == "parquet":
-            writer: Any = pq.ParquetWriter(path, schema, compression="zstd")
-        else:
-            writer = pa.ipc.new_file(str(path), schema)
-        with writer:
-            source = iter(rows)
-            while batch := list(itertools.islice(source, ROWS)):
-                writer.write_table(_table(schema, batch))
+        with written_file(path):
+            if form == "parquet":
+                writer: Any = pq.ParquetWriter(path, schema, compression="zstd")
+            else:
+                writer = pa.ipc.new_file(str(path), schema)
+            with writer:
+                source = iter(rows)
+                while batch := list(itertools.islice(source, ROWS)):
+                    writer.write_table(_table(schema, batch))
 
 
 def check_pyarrow(option: str) -> None:

@@ -14,6 +14,7 @@ import click
 from crs_cc.cli.inputs import is_animation
 from crs_cc.cli.instants import recorded_instant
 from crs_cc.cli.messages import printable, show
+from crs_cc.cli.written_file import written_file
 from crs_cc.core.errors import RecordingError, ReplayMismatch
 from crs_cc.core.source import Diagnostic, Location
 from crs_cc.recording import topics
@@ -64,7 +65,10 @@ def show_recording(
             return 0
         if not recording.is_complete:
             text = f"the recording ends at {recording.end_ns / NS:.2f} s, before the end of the run"
-            hint = "crs replay --recover FILE.mcap makes it readable for other programs"
+            is_mended = recording.mcap.is_complete
+            hint = (
+                "" if is_mended else "crs replay --recover FILE.mcap makes it readable for others"
+            )
             show([Diagnostic("warning", Location(str(path)), text, hint=hint)])
         if at_s is not None:
             _print(state_at(recording, recorded_instant(recording, at_s)))
@@ -99,11 +103,14 @@ def _write_plot(recording: Recording, path: Path) -> None:
     if is_animation(path):
         from crs_cc.cli.animation import write_animation
 
-        write_animation(recording, path)
+        with written_file(path):
+            write_animation(recording, path)
         return
     from crs_cc.cli.recording_plot import recorded_picture
 
-    path.write_bytes(recorded_picture(recording).render())
+    picture = recorded_picture(recording).render()
+    with written_file(path):
+        path.write_bytes(picture)
 
 
 def _write_tables(recording: Recording, folder: Path) -> None:
@@ -125,7 +132,9 @@ def _write_page(recording: Recording, path: Path) -> None:
     from crs_cc.cli.recording_plot import world_of
     from crs_cc.workbench.page import html_page
 
-    path.write_text(html_page(recording, world_of(recording)), "utf-8", errors="replace")
+    page = html_page(recording, world_of(recording))
+    with written_file(path):
+        path.write_text(page, "utf-8", errors="replace")
 
 
 _EXPORTS: Final[dict[str, Export]] = {
@@ -181,7 +190,8 @@ def _recover(recording: Recording, target: Path) -> None:
 
     if target.exists() and target.samefile(recording.path):
         raise click.UsageError("--recover needs another file than the damaged one.")
-    found = recover(recording, target)
+    with written_file(target):
+        found = recover(recording, target)
     click.echo(
         f"{target}: {found.messages} messages in {found.chunks} chunks up to {found.end_s:.2f} s;"
         f" lost: {found.damaged} chunks, {found.lost_bytes} bytes at the end"

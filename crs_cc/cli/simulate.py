@@ -27,6 +27,7 @@ from crs_cc.cli.run_hints import RunHints
 from crs_cc.cli.save_files import discarded_warning, missed_warning, save_all
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.typed_input import OwnInput, Script, read_script
+from crs_cc.cli.written_file import written_file
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
 from crs_cc.session.session import Listener, Session
@@ -347,7 +348,8 @@ class Runner:
             programs = [f"{Path(row[0]).name}.c" for row in self._loaded.arguments]
             sensors = self._options.plot_sensors
             picture = self._plot.picture(self.session, run, programs, sensors=sensors)
-            _write(self._options.plot, picture)
+            with written_file(self._options.plot):
+                self._options.plot.write_bytes(picture)
 
     def _read(self, robot: int, size: int) -> bytes:
         with self._waiting_for_input():
@@ -457,15 +459,6 @@ def _trace(what: str, world: WorldModel) -> Listener:
     if what == "requests":
         return Trace(say, names)
     return MessageTrace(say, names, [channel.name for channel in world.communication.channels])
-
-
-def _write(path: Path, picture: bytes) -> None:
-    try:
-        path.write_bytes(picture)
-    except OSError as error:
-        raise OSError(
-            error.errno, error.strerror, str(path)
-        ) from None  # for a full disk, there is no file name
 
 
 def _save_files(session: Session, run: Run, options: RunOptions) -> bool:

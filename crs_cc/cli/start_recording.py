@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from crs_cc.cli.written_file import written_file
 from crs_cc.core.suggest import unknown
 from crs_cc.frontend.preprocess.regular_file import read_regular_file
 from crs_cc.net.vendor.relay import RELAY
@@ -72,7 +73,8 @@ def start_recording(
         foxglove_robots=options.foxglove_robots,
         for_debugger=for_debugger,
     )
-    return Recorder(options.record, wanted, description.metadata(), attachments)
+    with written_file(options.record):
+        return Recorder(options.record, wanted, description.metadata(), attachments)
 
 
 def _description(

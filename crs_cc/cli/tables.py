@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
+from crs_cc.cli.written_file import written_file
 from crs_cc.recording import topics
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.message_contents import MessageContents, shown
@@ -76,13 +77,13 @@ def text_cell(cell: Any) -> Any:
 
 @contextmanager
 def _table(path: Path, heading: Sequence[str]) -> Iterator[Any]:
-    try:
-        with path.open("w", newline="", encoding="utf-8", errors="replace") as file:
-            writer = csv.writer(file)
-            writer.writerow(heading)
-            yield writer
-    except OSError as error:
-        raise OSError(error.errno, error.strerror, str(path)) from None
+    with (
+        written_file(path),
+        path.open("w", newline="", encoding="utf-8", errors="replace") as file,
+    ):
+        writer = csv.writer(file)
+        writer.writerow(heading)
+        yield writer
 
 
 def _poses(recording: Recording) -> Iterator[Sequence[Any]]:
