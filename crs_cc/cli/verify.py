@@ -20,7 +20,7 @@ from crs_cc.debug.uploads import Uploads
 from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.recording.description import versions
 from crs_cc.recording.digest import digest
-from crs_cc.recording.hashes import OUTPUT_BITS, STATE_DIGITS
+from crs_cc.recording.hashes import DIGEST_BITS, STATE_DIGITS
 from crs_cc.session.session import Session
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ class _Rerun:
                 raise self._mismatch(timesteps, str(error)) from None
             if self._session.timesteps != timesteps or expected.digest != digest(self._session):
                 raise self._mismatch(timesteps, "the state differs")
-            if expected.output != self._output_crc & OUTPUT_BITS:
+            if expected.output != self._output_crc & DIGEST_BITS:
                 raise self._mismatch(timesteps, "the programs have printed something else")
             hashes += 1
             if expected.state:

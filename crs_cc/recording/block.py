@@ -8,12 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final
 
-from crs_cc.recording import topics
+import numpy as np
+
+from crs_cc.recording import beliefs, frames, topics
 from crs_cc.recording.columns import Columns, Part
 from crs_cc.recording.content import as_fields
+from crs_cc.recording.courses import Course
 from crs_cc.recording.entries import Entries
-from crs_cc.recording.frames import messages
-from crs_cc.recording.gathered import GatheredFrames, Shape
+from crs_cc.recording.gathered import Frames, GatheredFrames, Shape
 from crs_cc.recording.gathered_readings import GatheredReadings
 from crs_cc.recording.hashes import Hash, entry_of
 from crs_cc.recording.mcap_records import Channel
@@ -41,6 +43,7 @@ class Block:
         frames: its frames.
         readings: its readings of `State`.
         entries_size: the bytes of everything in JSON but hashes, roughly.
+        is_whole: whether its messages have to be in the same chunk; known when they are made.
     """
 
     def __init__(self, begin_s: float, shape: Shape, frames_before: int = 0) -> None:
@@ -52,10 +55,10 @@ class Block:
             frames_before: how many frames the recording has before it.
         """
         self.begin_s = begin_s
-        self.seconds = self.entries_size = 0
-        self.frames, self.readings = GatheredFrames(shape), GatheredReadings()
+        self.seconds, self.is_whole = 0, False
+        self.frames = GatheredFrames(shape)
+        self._gather()
         self._shape, self._frames_before = shape, frames_before
-        self._entries = Entries()
         self._output: list[Output] = []
         self._hashes: list[tuple[int, Hash]] = []
         self._saved_bytes = [0] * COLUMNS
@@ -97,10 +100,14 @@ class Block:
         Nothing must be added to the block as long as it is used.
         """
         tails: list[Part] = []
-        for number, column in enumerate(self._content()):
-            begin, end = self._saved_bytes[number], len(column)
-            tails.append(memoryview(column)[begin:] if end > begin else b"")
-            self._saved_bytes[number] = end
+        saved = self._saved_bytes
+        for number, column in enumerate(self._content):
+            begin, end = saved[number], len(column)
+            if end > begin:
+                tails.append(memoryview(column)[begin:])
+                saved[number] = end
+            else:
+                tails.append(b"")
         before = self._frames_before + self._saved_frames
         self._saved_frames = len(self.frames)
         output, self._saved_output = self._output[self._saved_output :], len(self._output)
@@ -125,9 +132,18 @@ class Block:
             self._entries.put(channel, time_us, text)
 
     def messages(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
-        """Yield the messages of all that is in the block; the encoder knows the readings before."""
-        yield from self._frame_messages()
-        yield from _reading_messages(encoder, self.readings)
+        """Yield the messages of all that is in the block; the encoder knows the readings before.
+
+        Where its frames are a group, readings depend on them: `is_whole` is true.
+        """
+        course = None
+        if len(self.frames):
+            found = self.frames.frames()
+            yield from _frame_messages(found, self._first_believed)
+            if self.readings.count:
+                course = _course(found, self._first_believed)
+                self.is_whole = course is not None
+        yield from _reading_messages(encoder, self.readings, course)
         self._encode_output()
         yield from self._entries.messages()
         yield from _hash_messages(self._hashes)
@@ -137,28 +153,22 @@ class Block:
         yield from _reading_messages(encoder, self.readings)
         self._encode_output()
         yield from self._entries.messages()
-        self.readings, self._entries, self.entries_size = GatheredReadings(), Entries(), 0
+        self._gather()
 
     def _columns(self) -> tuple[Columns, ...]:
         """Return all columns: single frames, heads and frames of passages, and readings."""
         frames, readings = self.frames, self.readings
         return frames.single, frames.heads, frames.passed, readings.single, readings.passed
 
-    def _content(self) -> list[bytearray]:
-        """Return the bytes of all columns."""
-        return [column for columns in self._columns() for column in columns.content()]
+    def _gather(self) -> None:
+        """Begin to gather readings and entries."""
+        self.readings, self._entries, self.entries_size = GatheredReadings(), Entries(), 0
+        self._content = [column for columns in self._columns() for column in columns.content()]
 
-    def _frame_messages(self) -> Iterator[Encoded]:
-        if len(self.frames):
-            found = self.frames.frames()
-            for time_ns, data in messages(found.times_ns.tolist(), found.poses):
-                yield topics.FRAME, time_ns, data
-            believed = found.of(
-                slice(-self._frames_before % ODOMETRY_FRAMES, None, ODOMETRY_FRAMES)
-            )
-            if len(believed.times_ns):
-                for time_ns, data in messages(believed.times_ns.tolist(), believed.believed):
-                    yield topics.ODOMETRY, time_ns, data
+    @property
+    def _first_believed(self) -> int:
+        """The number of the first frame with which it is recorded what robots believe."""
+        return -self._frames_before % ODOMETRY_FRAMES
 
     def _encode_output(self) -> None:
         for time_ns, robot, stream, content in self._output:
@@ -182,13 +192,36 @@ def saved_messages(data: bytes) -> Iterator[Encoded]:
         yield message
 
 
-def _reading_messages(encoder: ReadingEncoder, gathered: GatheredReadings) -> Iterator[Encoded]:
+def _frame_messages(found: Frames, first_believed: int) -> Iterator[Encoded]:
+    """Yield the messages of frames, and of what robots believe in some of them."""
+    for time_ns, data in frames.messages(found.times_ns.tolist(), found.poses):
+        yield topics.FRAME, time_ns, data
+    some = found.of(slice(first_believed, None, ODOMETRY_FRAMES))
+    if len(some.times_ns):
+        last = np.searchsorted(found.times_ns, some.times_ns, side="right") - 1  # of that time
+        true = found.poses[last]
+        for time_ns, data in beliefs.messages(some.times_ns.tolist(), some.believed, true):
+            yield topics.ODOMETRY, time_ns, data
+
+
+def _course(found: Frames, first_believed: int) -> Course | None:
+    """Return what frames say of odometry at any time, None if they do not."""
+    some = found.of(slice(first_believed, None, ODOMETRY_FRAMES))
+    if not (frames.are_grouped(found.poses) and some.believed.size):
+        return None
+    true, believed = frames.whole_numbers(found.poses), frames.whole_numbers(some.believed)
+    return Course(found.times_ns, true, some.times_ns, believed)
+
+
+def _reading_messages(
+    encoder: ReadingEncoder, gathered: GatheredReadings, course: Course | None = None
+) -> Iterator[Encoded]:
     """Yield the messages of readings."""
     if gathered.count:
         time_ns, rows = gathered.rows()
         for begin in range(0, len(rows.robots), MAX_ROWS):
             part = rows.of(slice(begin, begin + MAX_ROWS))
-            yield topics.STATE, time_ns, encoder.encode(part, time_ns)
+            yield topics.STATE, time_ns, encoder.encode(part, time_ns, course)
 
 
 def _hash_messages(found: Sequence[tuple[int, Hash]]) -> Iterator[Encoded]:

@@ -26,7 +26,7 @@ from typing import Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import FloatArray
+from crs_cc.core.arrays import FloatArray, Int64Array
 
 HEAD: Final = struct.Struct("<BBHI")
 """Kind, number of columns, version, number of rows."""
@@ -63,11 +63,7 @@ def encode(block: FloatArray) -> list[bytes]:
     Args:
         block: numbers [m, rad], NaN for what is not in the world, shape (frames, columns, rows).
     """
-    content = np.ascontiguousarray(_planes(block).swapaxes(2, 3)).reshape(len(block), -1)
-    _, columns, rows = block.shape
-    kinds = (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(block))
-    heads = (HEAD.pack(kinds[frame], columns, VERSION, rows) for frame in range(len(block)))
-    return [head + each.tobytes() for head, each in zip(heads, content, strict=True)]
+    return _alone(_steps(block), (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(block)))
 
 
 def messages(times_ns: Sequence[int], block: FloatArray) -> list[tuple[int, bytes]]:
@@ -77,23 +73,54 @@ def messages(times_ns: Sequence[int], block: FloatArray) -> list[tuple[int, byte
         times_ns: the frames' times.
         block: see `encode`.
     """
-    frames, columns, rows = block.shape
-    if frames == 1 or block.size * _BYTES > MAX_GROUP:
-        return list(zip(times_ns, encode(block), strict=True))
+    return written(times_ns, _steps(block), (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(block)))
+
+
+def written(
+    times_ns: Sequence[int], steps: Numbers, kinds: Sequence[int]
+) -> list[tuple[int, bytes]]:
+    """Return such messages of frames of which the differences are known.
+
+    Args:
+        times_ns: the frames' times.
+        steps: what each says, given those before it, (frames, columns, rows).
+        kinds: what the differences are to, where each frame is a message, for each of them.
+    """
+    if not are_grouped(steps):
+        return list(zip(times_ns, _alone(steps, kinds), strict=True))
+    frames, columns, rows = steps.shape
     head = HEAD.pack(GROUP, columns, VERSION, rows) + _COUNT.pack(frames)
-    steps_ns = np.array(times_ns, "<u8")
-    steps_ns[1:] -= steps_ns[:-1].copy()
-    steps_ns[0] = 0
-    content = _planes(block).transpose(3, 1, 0, 2).tobytes()
-    return [(times_ns[0], head + steps_ns.tobytes() + content)]
+    after_ns = np.array(times_ns, "<u8")
+    after_ns[1:] -= after_ns[:-1].copy()
+    after_ns[0] = 0
+    content = _planes(steps).transpose(3, 1, 0, 2).tobytes()
+    return [(times_ns[0], head + after_ns.tobytes() + content)]
 
 
-def _planes(block: FloatArray) -> npt.NDArray[np.uint8]:
-    """Return the bytes of what is written of a block, (frames, columns, rows, 4)."""
+def are_grouped(block: npt.NDArray[Any]) -> bool:
+    """Return whether some frames make one message."""
+    return len(block) > 1 and block.size * _BYTES <= MAX_GROUP
+
+
+def _alone(steps: Numbers, kinds: Sequence[int]) -> list[bytes]:
+    """Return a message for each frame."""
+    content = np.ascontiguousarray(_planes(steps).swapaxes(2, 3)).reshape(len(steps), -1)
+    _, columns, rows = steps.shape
+    heads = (HEAD.pack(kinds[frame], columns, VERSION, rows) for frame in range(len(steps)))
+    return [head + each.tobytes() for head, each in zip(heads, content, strict=True)]
+
+
+def _steps(block: FloatArray) -> Numbers:
+    """Return what frames say, the first a key frame, the others as the differences to it."""
     whole = whole_numbers(block)
     whole[1:] -= whole[:-1].copy()
     whole[2:] -= whole[1:-1].copy()
-    return folded(whole).view(np.uint8).reshape(*block.shape, _BYTES)
+    return whole
+
+
+def _planes(steps: Numbers) -> npt.NDArray[np.uint8]:
+    """Return the bytes of what is written, (frames, columns, rows, 4)."""
+    return folded(steps).view(np.uint8).reshape(*steps.shape, _BYTES)
 
 
 def difference(before: Numbers, now: Numbers) -> bytes:
@@ -146,26 +173,9 @@ class FrameDecoder:
             yield time_ns, self.decode(message)
             return
         self.forget()
-        count, begin = count_in(message), HEAD.size + _COUNT.size
-        _, columns, version, rows = HEAD.unpack_from(message)
-        size = columns * rows * _BYTES + _TIME
-        if (
-            version != VERSION
-            or not 0 < columns <= len(COLUMNS)
-            or count * rows == 0
-            or len(message) != begin + count * size
-            or len(message) > _LARGEST_GROUP
-        ):
-            raise ValueError("a group of frames has an unknown form")
-        after_ns = np.frombuffer(message, "<u8", count, begin).cumsum().astype(np.int64)
-        if after_ns.min() < 0 or (np.diff(after_ns) < 0).any():
-            raise ValueError("a group of frames has an unknown form")
-        planes = np.frombuffer(message, np.uint8, offset=begin + count * _TIME)
-        planes = planes.reshape(_BYTES, columns, count, rows).transpose(2, 1, 3, 0)
-        content = np.ascontiguousarray(planes).view("<u4").reshape(count, columns, rows)
-        steps = unfolded(content)
+        after_ns, steps = group_in(message)
         steps[1:] = steps[1:].cumsum(axis=0, dtype=np.uint32)
-        values = _values(steps.cumsum(axis=0, dtype=np.uint32))
+        values = values_of(steps.cumsum(axis=0, dtype=np.uint32))
         for each_ns, each in zip(after_ns.tolist(), values, strict=True):
             yield time_ns + each_ns, each
 
@@ -175,21 +185,8 @@ class FrameDecoder:
         Raises:
             ValueError: it is no frame, or the frame before is missing.
         """
-        if len(data) < HEAD.size:
-            raise ValueError("a frame is too short")
-        kind, columns, version, rows = HEAD.unpack_from(data)
-        if (
-            version != VERSION
-            or kind > EXTRAPOLATION
-            or not 0 < columns <= len(COLUMNS)
-            or rows > MAX_ROWS
-        ):
-            raise ValueError("a frame has an unknown form")
-        if len(data) != HEAD.size + columns * rows * _BYTES:
-            raise ValueError("a frame has the wrong length")
-        planes = np.frombuffer(data, np.uint8, offset=HEAD.size).reshape(columns, _BYTES, rows)
-        content = np.ascontiguousarray(planes.swapaxes(1, 2)).view("<u4").reshape(columns, rows)
-        return _values(self._whole(unfolded(content), kind))
+        kind, found = frame_in(data)
+        return values_of(self._whole(found, kind))
 
     def _whole(self, found: Numbers, kind: int) -> Numbers:
         """Return the numbers of a frame, given its content."""
@@ -213,6 +210,51 @@ class FrameDecoder:
         self._last = self._step = None
 
 
+def group_in(message: bytes) -> tuple[Int64Array, Numbers]:
+    """Return the frames of a group: when each is after the first [ns], and what it says.
+
+    Raises:
+        ValueError: it is no such message.
+    """
+    count, begin = count_in(message), HEAD.size + _COUNT.size
+    _, columns, version, rows = HEAD.unpack_from(message)
+    size = columns * rows * _BYTES + _TIME
+    if (
+        version != VERSION
+        or not 0 < columns <= len(COLUMNS)
+        or count * rows == 0
+        or len(message) != begin + count * size
+        or len(message) > _LARGEST_GROUP
+    ):
+        raise ValueError("a group of frames has an unknown form")
+    after_ns = np.frombuffer(message, "<u8", count, begin).cumsum().astype(np.int64)
+    if after_ns.min() < 0 or (np.diff(after_ns) < 0).any():
+        raise ValueError("a group of frames has an unknown form")
+    planes = np.frombuffer(message, np.uint8, offset=begin + count * _TIME)
+    planes = planes.reshape(_BYTES, columns, count, rows).transpose(2, 1, 3, 0)
+    content = np.ascontiguousarray(planes).view("<u4").reshape(count, columns, rows)
+    return after_ns, unfolded(content)
+
+
+def frame_in(data: bytes) -> tuple[int, Numbers]:
+    """Return a frame's kind, and what it says; raise ValueError if it is none."""
+    if len(data) < HEAD.size:
+        raise ValueError("a frame is too short")
+    kind, columns, version, rows = HEAD.unpack_from(data)
+    if (
+        version != VERSION
+        or kind > EXTRAPOLATION
+        or not 0 < columns <= len(COLUMNS)
+        or rows > MAX_ROWS
+    ):
+        raise ValueError("a frame has an unknown form")
+    if len(data) != HEAD.size + columns * rows * _BYTES:
+        raise ValueError("a frame has the wrong length")
+    planes = np.frombuffer(data, np.uint8, offset=HEAD.size).reshape(columns, _BYTES, rows)
+    content = np.ascontiguousarray(planes.swapaxes(1, 2)).view("<u4").reshape(columns, rows)
+    return kind, unfolded(content)
+
+
 def is_group(message: bytes) -> bool:
     """Return whether a message has several frames."""
     return message[:1] == bytes([GROUP])
@@ -223,7 +265,8 @@ def is_key(message: bytes) -> bool:
     return message[:1] in (bytes([KEY]), bytes([GROUP]))
 
 
-def _values(whole: Numbers) -> FloatArray:
+def values_of(whole: Numbers) -> FloatArray:
+    """Return the numbers [m, rad] that are written as whole ones, NaN for `NOWHERE`."""
     signed = whole.view(np.int32)
     return np.where(signed == NOWHERE, np.nan, signed / PER_UNIT)
 

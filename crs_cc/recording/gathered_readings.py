@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.step import Served
 
 ANSWER: Final = np.dtype(
-    [("code", "<i4"), ("robot", "<i4"), ("clock_s", "<f8"), ("state", "<i4", (STATE,))]
+    [("clock_s", "<f8"), ("code", "<i4"), ("robot", "<i4"), ("state", "<i4", (STATE,))]
 )
-"""What is kept of an answer in a passage of timesteps."""
+"""What is kept of an answer in a passage of timesteps: the first fields of it."""
 
 _ENDLESS_S: Final = 2.0**33  # no run takes so long
 _CODE: Final = 4  # bytes
@@ -52,12 +52,10 @@ class GatheredReadings:
                 vectors += states.tobytes()
 
     def add_passage(self, answers: Records) -> None:
-        """Add the answers in a passage, which have the fields of `ANSWER` and others."""
-        found = np.empty(len(answers), ANSWER)
-        for name in ANSWER.names or ():
-            found[name] = answers[name]
-        self.count += len(found)
-        self.passed.append(found.tobytes())
+        """Add the answers in a passage: records that begin with the fields of `ANSWER`."""
+        rows = answers.view(np.uint8).reshape(len(answers), answers.itemsize)
+        self.count += len(answers)
+        self.passed.append(rows[:, : ANSWER.itemsize].tobytes())
 
     def rows(self) -> tuple[int, Readings]:
         """Return the answers, at least one, and a time not after any of them [ns].
@@ -65,8 +63,16 @@ class GatheredReadings:
         Raises:
             ValueError: they are not valid.
         """
-        codes, robots, clocks, states = self.single.content()
         passed = np.frombuffer(self.passed.content()[0], ANSWER)
+        if not len(self.single):
+            rows = Readings(
+                passed["code"].astype(np.int64),
+                passed["robot"].astype(np.intp),
+                passed["clock_s"],
+                passed["state"],
+            )
+            return _begin_ns(rows), rows
+        codes, robots, clocks, states = self.single.content()
         vectors = np.frombuffer(states, "<i4").reshape(-1, STATE)
         rows = Readings(
             np.concatenate([np.frombuffer(codes, "<i4"), passed["code"]], dtype=np.int64),
@@ -74,8 +80,14 @@ class GatheredReadings:
             np.concatenate([np.frombuffer(clocks, "<f8"), passed["clock_s"]]),
             np.concatenate([vectors, passed["state"]]),
         )
-        if not ((rows.clock_s >= 0.0) & (rows.clock_s < _ENDLESS_S)).all():
-            raise ValueError("the time of a reading is not valid")
-        if len(self.single) and len(passed):
+        begin_ns = _begin_ns(rows)
+        if len(passed):
             rows = rows.of(np.argsort(rows.clock_s, kind="stable"))
-        return int(rows.clock_s.min() * NS), rows
+        return begin_ns, rows
+
+
+def _begin_ns(rows: Readings) -> int:
+    """Return a time not after any reading [ns]; raise ValueError if one is not valid."""
+    if not ((rows.clock_s >= 0.0) & (rows.clock_s < _ENDLESS_S)).all():
+        raise ValueError("the time of a reading is not valid")
+    return int(rows.clock_s.min() * NS)

@@ -10,29 +10,27 @@ True
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import accumulate
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 DIGITS: Final = 4
 """Hexadecimal digits of a digest, and of the hash of all output: a run that differs does so in all
 seconds that follow, and the hash of all state at the end is longer."""
 
-OUTPUT_BITS: Final = 16**DIGITS - 1
-"""The bits of the CRC-32 of all output that are recorded."""
+DIGEST_BITS: Final = 16**DIGITS - 1
+"""The bits that are recorded of the CRC-32 of what moves, and of that of all output."""
 
 STATE_DIGITS: Final = 16
 """So many digits of a hash of all state are recorded: enough to see that a run is another one."""
 
 
-@dataclass(frozen=True, slots=True)
-class Hash:
+class Hash(NamedTuple):
     """What a run is compared by, after some timesteps.
 
     Attributes:
         timesteps: how many.
         digest: of what moves and of all clocks.
-        output: the lowest bits of the CRC-32 of all output, see `OUTPUT_BITS`.
+        output: the lowest bits of the CRC-32 of all output, see `DIGEST_BITS`.
         state: of all state; empty if it was not taken.
     """
 

@@ -4,9 +4,10 @@ A message has all readings of a span of time, a row for each answer, by robot an
 of time. A vector is written as its differences from the one before of the same robot: those of
 elements that often change, such as odometry, for all rows, one element after the other; of the
 others, such as sonars of which one fires at a time, those that are not 0, each with its row and
-element. Most are small, and zstd shortens their bytes well. At least each ten seconds a message
-begins anew, from zeros, so that a reader need not begin with the file; others begin where the one
-before ended.
+element. What odometry says is written as the difference to what the frames of the same block lead
+one to expect, see `courses`, where there are such frames. Most numbers are small, and zstd shortens
+their bytes well. At least each ten seconds a message begins anew, from zeros, so that a reader need
+not begin with the file; others begin where the one before ended.
 
 >>> states = np.zeros((2, STATE), np.int32)
 >>> states[:, 3] = -7
@@ -14,12 +15,13 @@ before ended.
 >>> data = ReadingEncoder().encode(rows, 0)
 >>> again = ReadingDecoder().decode(data, 0)
 >>> len(data), again.robots.tolist(), again.clock_s.tolist(), again.states[1, :4].tolist()
-(39, [4, 4], [0.03, 0.1], [0, 0, 0, -7])
+(47, [4, 4], [0.03, 0.1], [0, 0, 0, -7])
 """
 
 from __future__ import annotations
 
 import struct
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -27,14 +29,20 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.recording.courses import Course
 from crs_cc.recording.frames import folded, unfolded
 from crs_cc.recording.mcap_records import NS
 
-HEAD: Final = struct.Struct("<HHIIQ")
+HEAD: Final = struct.Struct("<HHIIQq")
 """Version, number of the message since one that begins anew, rows, changes that are written one by
-one, a bit for each element that is written for all rows."""
+one, a bit for each element that is written for all rows, the time of the frames that say where
+odometry has the robots [ns], `ALONE` if none do."""
 
-VERSION: Final = 3
+VERSION: Final = 4
+ALONE: Final = -1
+PLACE: Final = slice(34, 37)
+"""The elements that say where odometry has the robot."""
+
 OFTEN: Final = 5
 """Elements that change in more than each so many rows are written for all rows."""
 
@@ -44,6 +52,7 @@ PERIOD_NS: Final = 10 * NS
 
 MAX_ROWS: Final = 200_000
 _US: Final = 1_000_000
+_NS_PER_US: Final = 1000
 _PLANES: Final = 4  # bytes of a number
 
 
@@ -111,12 +120,13 @@ class ReadingEncoder:
     def __init__(self) -> None:
         self._memory = _Memory()
 
-    def encode(self, rows: Readings, time_ns: int) -> bytes:
+    def encode(self, rows: Readings, time_ns: int, course: Course | None = None) -> bytes:
         """Return a message.
 
         Args:
             rows: the readings, at most `MAX_ROWS`.
             time_ns: the message's time, not after any of theirs.
+            course: where odometry should have the robots, if frames tell.
         """
         number = self._memory.begin(time_ns)
         if (rows.robots[1:] < rows.robots[:-1]).any():
@@ -128,22 +138,30 @@ class ReadingEncoder:
         changes[first] = states[first] - self._memory.last(robots[first])
         ends = np.append(first[1:], len(robots)) - 1
         self._memory.keep(robots[ends], states[ends])
-        count = np.count_nonzero(changes, axis=0)
-        often = np.flatnonzero(count * OFTEN > len(states))
-        seldom = np.flatnonzero((count > 0) & (count * OFTEN <= len(states)))
-        row, place = np.nonzero(changes[:, seldom])
-        element = seldom[place]
         after_us = np.rint((rows.clock_s - time_ns / NS) * _US).astype(np.int64)
+        missed, frames_ns = b"", ALONE
+        if course is not None:
+            frames_ns = course.begin_ns
+            off = states[:, PLACE] - course.at(robots, _at_us(time_ns, after_us))
+            missed = b"".join(map(sparse, off.T))
+            changes[:, PLACE] = 0
+        place = np.flatnonzero(changes != 0)
+        row, element = np.divmod(place, STATE)
+        count = np.bincount(element, minlength=STATE)
+        often = np.flatnonzero(count * OFTEN > len(states))
+        is_seldom = (count * OFTEN <= len(states))[element]
+        row, element = row[is_seldom], element[is_seldom]
         bits = sum(1 << column for column in often.tolist())
         parts = (
-            HEAD.pack(VERSION, number, len(states), len(row), bits),
+            HEAD.pack(VERSION, number, len(states), len(row), bits, frames_ns),
             rows.codes.astype("<u2").tobytes(),
             packed(_steps(robots)),
             packed(_steps(after_us)),
             *(packed(changes[:, column]) for column in often),
             element.astype(np.uint8).tobytes(),
             packed(_steps(row)),
-            packed(changes[row, element]),
+            packed(changes.ravel()[place[is_seldom]]),
+            missed,
         )
         return b"".join(parts)
 
@@ -154,15 +172,22 @@ class ReadingDecoder:
     def __init__(self) -> None:
         self._memory = _Memory()
 
-    def decode(self, data: bytes, time_ns: int) -> Readings | None:
+    def decode(
+        self, data: bytes, time_ns: int, course_of: Callable[[int], Course] | None = None
+    ) -> Readings | None:
         """Return the readings in a message of a time; None if one before it is missing.
+
+        Args:
+            data: the message.
+            time_ns: its time.
+            course_of: returns what the frames of a time [ns] lead to, or raises ValueError.
 
         Raises:
             ValueError: it is no such message.
         """
         if len(data) < HEAD.size:
             raise ValueError("readings are too short")
-        version, number, count, seldom, bits = HEAD.unpack_from(data)
+        version, number, count, seldom, bits, frames_ns = HEAD.unpack_from(data)
         if version != VERSION or count > MAX_ROWS or bits >> STATE or seldom > count * STATE:
             raise ValueError("readings have an unknown form")
         if number == 0:
@@ -177,6 +202,11 @@ class ReadingDecoder:
         by_element = [found.packed(count) for _ in often]
         element = found.plain("u1", seldom)
         row, value = np.cumsum(found.packed(seldom)), found.packed(seldom)
+        off = (
+            []
+            if frames_ns == ALONE
+            else [found.sparse(count) for _ in range(*PLACE.indices(STATE))]
+        )
         is_valid = found.at == len(data) and _are_within(element, STATE) and _are_within(row, count)
         if not is_valid or not _are_within(robots, 2**32):
             raise ValueError("readings have an unknown form")
@@ -184,12 +214,21 @@ class ReadingDecoder:
         for column, values in zip(often, by_element, strict=True):
             changes[:, column] = values
         changes[row, element] = value
-        states = self._summed(robots, changes)
+        place = None
+        if off and count:
+            if course_of is None:
+                raise ValueError("the frames of readings are missing")
+            found_us = _at_us(time_ns, after_us)
+            expected = course_of(frames_ns).at(robots, found_us)
+            place = expected + np.stack(off, axis=1, dtype=np.int32, casting="same_kind")
+        states = self._summed(robots, changes, place)
         clock_s = time_ns / NS + after_us / _US
         return Readings(codes, robots, clock_s, states).of(np.argsort(clock_s, kind="stable"))
 
-    def _summed(self, robots: IndexArray, changes: Int32Array) -> Int32Array:
-        """Return the vectors, and remember each robot's last."""
+    def _summed(
+        self, robots: IndexArray, changes: Int32Array, place: Int32Array | None
+    ) -> Int32Array:
+        """Return the vectors, of which `PLACE` may be known, and remember each robot's last."""
         if not len(robots):
             return changes
         if (np.diff(robots) < 0).any():
@@ -201,9 +240,16 @@ class ReadingDecoder:
         before = np.zeros((len(first), STATE), np.int32)
         before[1:] = sums[first[1:] - 1]
         states = sums - np.repeat(before, lengths, axis=0)
+        if place is not None:
+            states[:, PLACE] = place
         ends = first + lengths - 1
         self._memory.keep(robots[ends], states[ends])
         return states
+
+
+def _at_us(time_ns: int, after_us: Int64Array) -> Int64Array:
+    """Return the instants of readings [us], the same for those who write and read them."""
+    return time_ns // _NS_PER_US + after_us
 
 
 def _firsts(robots: IndexArray) -> IndexArray:
@@ -235,6 +281,16 @@ def packed(values: npt.NDArray[Any]) -> bytes:
     return bytes([count]) + planes[:count].tobytes()
 
 
+def sparse(values: npt.NDArray[Any]) -> bytes:
+    """Return numbers of which most are 0: a bit for each, 1 for those that follow, `packed`.
+
+    >>> sparse(np.array([0, 0, 0, -1, 0, 0, 0, 0, 2])).hex()
+    '0801010104'
+    """
+    is_there = values != 0
+    return np.packbits(is_there, bitorder="little").tobytes() + packed(values[is_there])
+
+
 class _Numbers:
     """Reads arrays one after the other, and raises ValueError where there are no more.
 
@@ -259,6 +315,14 @@ class _Numbers:
         u = np.zeros((count, _PLANES), np.uint8)
         u[:, :planes] = content.T
         return unfolded(u.view("<u4").ravel()).view(np.int32).astype(np.int64)
+
+    def sparse(self, count: int) -> Int64Array:
+        """Return numbers that were written by `sparse`."""
+        bits = np.frombuffer(self._take(-(-count // 8)), np.uint8)
+        is_there = np.unpackbits(bits, count=count, bitorder="little").astype(np.bool_)
+        values = np.zeros(count, np.int64)
+        values[is_there] = self.packed(int(is_there.sum()))
+        return values
 
     def _take(self, size: int) -> bytes:
         if size > len(self._data) - self.at:

@@ -28,7 +28,7 @@ from crs_cc.recording.digest import digest
 from crs_cc.recording.entries import SPAN_NS
 from crs_cc.recording.field_sketches import ChangedFields
 from crs_cc.recording.gathered import GatheredFrames, Shape
-from crs_cc.recording.hashes import OUTPUT_BITS, STATE_DIGITS, Hash
+from crs_cc.recording.hashes import DIGEST_BITS, STATE_DIGITS, Hash
 from crs_cc.recording.mcap_records import NS, Channel, ns
 from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
 from crs_cc.recording.readings import ReadingEncoder
@@ -47,8 +47,9 @@ if TYPE_CHECKING:
 
 Sensors = Literal["none", "read", "all"]
 
-FULL_HASH_SECONDS: Final = 30
-"""How often the hash of all state is recorded: for 10,000 robots it takes 0.7 s, for one 1 ms."""
+FULL_HASH_SECONDS: Final = 60
+"""How often the hash of all state is recorded: of 10,000 robots it takes 0.7 s, of one 1 ms. It is
+in the middle of such a span of time: many runs last whole minutes, and there is one at the end."""
 
 BLOCK_S: Final = SPAN_NS / NS
 """A chunk holds at most so much simulated time: more would save little. What a second brings is
@@ -287,12 +288,12 @@ class Recorder:
     # -- frames and seconds ----------------------------------------------------------------------
 
     def _end_second(self) -> None:
-        self._next_hash = (self._session.timesteps // self._per_second + 1) * self._per_second
-        seconds = self._session.timesteps // self._per_second
-        is_full = seconds % FULL_HASH_SECONDS == 0
-        self._add_fields()
-        self._add_hash(self._session.state_hash() if is_full else "")
         session, block = self._session, self._block
+        seconds = session.timesteps // self._per_second
+        self._next_hash = (seconds + 1) * self._per_second
+        is_full = seconds % FULL_HASH_SECONDS == FULL_HASH_SECONDS // 2
+        self._add_fields()
+        self._add_hash(session.state_hash() if is_full else "")
         lasted_s = session.time_s - block.begin_s
         size = block.size + self._writer.pending
         second_s = self._per_second * self._timestep_s
@@ -319,12 +320,12 @@ class Recorder:
         """Encode and write what has been gathered."""
         for message in self._block.messages(self._encoder):
             self._writer.add(*message)
-        level = SMALL_LEVEL if self._block.seconds else LEVEL
+        level, is_whole = SMALL_LEVEL if self._block.seconds else LEVEL, self._block.is_whole
         self._block = Block(self._session.time_s, self._shape, self._block.frames_after)
-        self._cut(level)
+        self._cut(level, is_whole=is_whole)
 
-    def _cut(self, level: int) -> None:
-        self._try(lambda: self._writer.cut(level))
+    def _cut(self, level: int, *, is_whole: bool = False) -> None:
+        self._try(lambda: self._writer.cut(level, is_whole=is_whole))
         self._note_written()
 
     def _note_written(self) -> None:
@@ -372,7 +373,7 @@ class Recorder:
         self._note_ends()
         session = self._session
         state = "" if self._hides_state else state_hash[:STATE_DIGITS]
-        found = Hash(session.timesteps, digest(session), self._output_crc & OUTPUT_BITS, state)
+        found = Hash(session.timesteps, digest(session), self._output_crc & DIGEST_BITS, state)
         self._block.add_hash(ns(session.time_s), found)
 
     def _note_ends(self) -> None:

@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING, Any, Final, Self
 from crs_cc.recording import readings, topics
 from crs_cc.recording.description import RunDescription
 from crs_cc.recording.entries import SPAN_NS, entries_of
-from crs_cc.recording.frames import COLUMNS, MAX_ROWS, FrameDecoder, is_key
+from crs_cc.recording.frame_reader import Courses, FrameReader
+from crs_cc.recording.frames import COLUMNS, MAX_ROWS, is_key
 from crs_cc.recording.hashes import Hash, hashes_in
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_records import NS, Message
@@ -182,20 +183,12 @@ class Recording:
         Raises:
             RecordingError: a chunk is damaged.
         """
-        decoder, last = FrameDecoder(), None
-        is_broken = True
+        last, decoder = None, FrameReader(topic)
         begin_ns = self._key_before(since_ns, topic)
-        for message in self.messages(topic, since_ns=begin_ns, until_ns=until_ns):
-            if is_broken and not is_key(message.data):
-                continue
-            is_broken = False
-            try:
-                parts = decoder.frames(message.time_ns, message.data)
-                found = [Frame(time_ns, values) for time_ns, values in parts]
-            except ValueError:
-                is_broken = True
-                decoder.forget()
-                continue
+        if topic == topics.ODOMETRY.topic:
+            begin_ns = self._key_before(begin_ns, topics.FRAME.topic)
+        for message in self.messages(*decoder.topics, since_ns=begin_ns, until_ns=until_ns):
+            found = [Frame(*each) for each in decoder.frames(message)]
             for frame in found:
                 if not self._fits(frame, topic):
                     text = f"a frame at {frame.time_s:.3f} s does not fit the roster"
@@ -226,11 +219,17 @@ class Recording:
         second_ns = max(0, since_ns - SPAN_NS - 2 * NS)
         begin_ns = second_ns // readings.PERIOD_NS * readings.PERIOD_NS
         decoder = readings.ReadingDecoder()
-        for message in self.messages(topics.STATE.topic, since_ns=begin_ns, until_ns=until_ns):
-            with self.errors():
-                found = decoder.decode(message.data, message.time_ns)
-            if found is not None and message.time_ns >= second_ns:
-                yield found
+        for chunk in self._mcap.chunks:
+            if chunk.last_ns >= begin_ns and chunk.first_ns <= until_ns:
+                messages = list(self._mcap.messages(chunk))
+                courses = Courses(messages)
+                for message in messages:
+                    is_wanted = begin_ns <= message.time_ns <= until_ns
+                    if message.topic == topics.STATE.topic and is_wanted:
+                        with self.errors():
+                            found = decoder.decode(message.data, message.time_ns, courses.of)
+                        if found is not None and message.time_ns >= second_ns:
+                            yield found
 
     def hashes(self) -> Iterator[Hash]:
         """Yield the hashes.

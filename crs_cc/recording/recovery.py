@@ -67,8 +67,9 @@ def recover(recording: Recording, target: Path) -> Recovered:
                     end_ns = max(end_ns, message.time_ns)
                     messages += 1
             if not chunk.is_saved or writer.pending > MAX_CHUNK:
-                writer.cut()
+                writer.cut(is_whole=True)
             chunks += 1
+        writer.cut(is_whole=True)
         writer.finish()
     lost = source.size - source.intact_bytes
     return Recovered(chunks, damaged, messages, 0 if source.is_complete else lost, end_ns / NS)

@@ -5,12 +5,11 @@ Messages in JSON have entries, see `crs_cc.recording.entries`; `docs/recordings.
 
 from __future__ import annotations
 
-import json
 from typing import Final
 
 from crs_cc.recording.mcap_records import Channel
 
-FORMAT_VERSION: Final = 5
+FORMAT_VERSION: Final = 6
 """Increased when a reader of today could not read what is written then."""
 
 RUN: Final = "crs.run"
@@ -19,12 +18,8 @@ RESULT: Final = "crs.result"
 """Names of metadata: what was run, who was there from when on, and how it ended."""
 
 
-_ENTRIES: Final = {"type": "object", "properties": {"entries": {"type": "array"}}}
-
-
 def _entries(topic: str) -> Channel:
-    schema = json.dumps(_ENTRIES, separators=(",", ":")).encode()
-    return Channel(topic, "json", "crs.Entries", "jsonschema", schema)
+    return Channel(topic, "json")
 
 
 FRAME: Final = Channel("/crs/frame", "crs.frame")

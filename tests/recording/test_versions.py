@@ -64,7 +64,7 @@ def test_a_recording_that_is_checked_in_is_of_todays_format_and_the_same_run(
             shutil.copy(record(tmp_path), GOLDEN)
             pytest.fail(f"{GOLDEN.name} was rewritten; say why runs are others, then run again")
     recording = Recording(GOLDEN)
-    assert json.loads(recording.mcap.metadata["crs.run"]["format"]) == FORMAT_VERSION == 5
+    assert json.loads(recording.mcap.metadata["crs.run"]["format"]) == FORMAT_VERSION == 6
     assert recording.is_complete
     frames = [(each.time_s, each.values[:, 0].tolist()) for each in recording.frames()]
     recording.close()
@@ -80,9 +80,9 @@ def test_a_recording_that_is_checked_in_is_of_todays_format_and_the_same_run(
 def test_a_recording_of_an_older_format_says_what_reads_it(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
-    assert main(["replay", str(GOLDEN.with_name("drive_format_4.mcap"))]) == 120
+    assert main(["replay", str(GOLDEN.with_name("drive_format_5.mcap"))]) == 120
     said = capfd.readouterr().err
-    assert "its format is 4 (this version reads 5); it is read by the crs that recorded it" in said
+    assert "its format is 5 (this version reads 6); it is read by the crs that recorded it" in said
 
 
 def other_python() -> str:

@@ -262,7 +262,7 @@ class CalmTime:
             data.physics.pass_over(ended, room_m)
             data.is_weary = bool(is_weary)
             if self._keeps:
-                passage = self._passage(ended, answers[: answered - served].copy())
+                passage = self._passage(ended, answers[: answered - served])
             state.cycle = cycle
             self._dispatcher.served = []
         if served:
@@ -275,9 +275,8 @@ class CalmTime:
         data = self._data
         frames = frames_of(self.kernel, ended, len(data.state.connected))
         cycle, served = data.state.cycle, self._dispatcher.served
-        if served:
-            answers = np.concatenate([answers_of(served, cycle), answers])
-        return Passage(cycle, data.timestep_s, frames, answers)
+        before = answers_of(served, cycle) if served else answers[:0]
+        return Passage(cycle, data.timestep_s, frames, np.concatenate([before, answers]))
 
 
 def _is_like_ours(served: Served) -> bool:

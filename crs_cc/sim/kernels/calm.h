@@ -26,9 +26,10 @@ struct record {
 };
 
 struct answer {
-    long long cycle;
     double clock;
-    int batch, code, robot, result, arguments[8], state[45], padding;
+    int code, robot, state[45], batch;
+    long long cycle;
+    int result, arguments[8], padding;
 };
 
 /* Where a robot is at the end of a cycle, and where it believes to be. */

@@ -57,11 +57,13 @@ CALM: Final = np.dtype(
 
 ANSWER: Final = np.dtype(
     [
-        ("cycle", "<i8"), ("clock_s", "<f8"), ("batch", "<i4"), ("code", "<i4"), ("robot", "<i4"),
-        ("result", "<i4"), ("arguments", "<i4", 8), ("state", "<i4", NUM_STATE), ("_", "<i4"),
+        ("clock_s", "<f8"), ("code", "<i4"), ("robot", "<i4"), ("state", "<i4", NUM_STATE),
+        ("batch", "<i4"), ("cycle", "<i8"), ("result", "<i4"), ("arguments", "<i4", 8),
+        ("_", "<i4"),
     ]
 )  # fmt: skip
-"""An answer that is logged: answers with the same batch were given together."""
+"""An answer that is logged: answers with the same batch were given together. Recorders copy the
+first four fields as they are, see `recording/gathered_readings.py`."""
 FRAME: Final = 7
 """Numbers of a frame: x, y [m], heading, turret [rad]; x, y [m] and heading [rad] believed."""
 

@@ -214,12 +214,11 @@ class EnvState(_InRows):
 
     def sha256(self) -> str:
         """Return a digest of the whole state."""
-        digest = hashlib.sha256()
+        parts = list[bytes]()
         for name, value in _leaves(self, ""):
             array = np.asarray(value)
-            digest.update(_head(name, array.shape))
-            digest.update(array.tobytes())
-        return digest.hexdigest()
+            parts += _head(name, array.shape), array.tobytes()
+        return hashlib.sha256(b"".join(parts)).hexdigest()
 
 
 def _whole(count: int) -> Int64Array:
