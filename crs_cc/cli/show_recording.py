@@ -65,10 +65,9 @@ def show_recording(
             return 0
         if not recording.is_complete:
             text = f"the recording ends at {recording.end_ns / NS:.2f} s, before the end of the run"
-            is_mended = recording.mcap.is_complete
-            hint = (
-                "" if is_mended else "crs replay --recover FILE.mcap makes it readable for others"
-            )
+            hint = "crs replay --recover FILE.mcap makes it readable for other programs"
+            if recording.mcap.is_complete:  # as it was recovered
+                hint = ""
             show([Diagnostic("warning", Location(str(path)), text, hint=hint)])
         if at_s is not None:
             _print(state_at(recording, recorded_instant(recording, at_s)))

@@ -137,7 +137,8 @@ def difference(before: Numbers, now: Numbers) -> bytes:
 
 def whole_numbers(values: FloatArray) -> Numbers:
     """Return numbers [m, rad] as they are written: rounded, `NOWHERE` for NaN."""
-    scaled = np.rint(values * PER_UNIT)
+    with np.errstate(over="ignore", invalid="ignore"):  # of a file that somebody has changed
+        scaled = np.rint(values * PER_UNIT)
     np.minimum(scaled, _LARGEST, out=scaled)  # np.clip takes longer for few numbers
     np.maximum(scaled, -_LARGEST, out=scaled)
     missing = np.isnan(scaled)

@@ -101,6 +101,13 @@ class Recording:
         """
         self.path = path
         self._mcap = McapReader(path)
+        try:
+            self._read_metadata()
+        except BaseException:
+            self.close()
+            raise
+
+    def _read_metadata(self) -> None:
         metadata = self._mcap.metadata
         if topics.RUN not in metadata:
             raise self._mcap.error("not a recording of crs", "make one with crs run --record")

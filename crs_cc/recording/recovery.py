@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from crs_cc.core.errors import RecordingError
 from crs_cc.recording.foxglove.messages import known_channel
 from crs_cc.recording.mcap_records import NS
-from crs_cc.recording.mcap_writer import MAX_CHUNK, McapWriter
+from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
 from crs_cc.recording.topics import TOPICS
 
 if TYPE_CHECKING:
@@ -67,9 +67,14 @@ def recover(recording: Recording, target: Path) -> Recovered:
                     end_ns = max(end_ns, message.time_ns)
                     messages += 1
             if not chunk.is_saved or writer.pending > MAX_CHUNK:
-                writer.cut(is_whole=True)
+                _cut(writer)
             chunks += 1
-        writer.cut(is_whole=True)
+        _cut(writer)
         writer.finish()
     lost = source.size - source.intact_bytes
     return Recovered(chunks, damaged, messages, 0 if source.is_complete else lost, end_ns / NS)
+
+
+def _cut(writer: McapWriter) -> None:
+    """Write what is pending as one chunk, as its messages may depend on each other."""
+    writer.cut(SMALL_LEVEL if writer.pending <= MAX_CHUNK else LEVEL, is_whole=True)

@@ -101,6 +101,15 @@ def test_frames_are_exact_to_a_tenth_of_a_millimetre_and_of_a_milliradian(
     np.testing.assert_allclose(again, block, atol=0.5e-4)
 
 
+def test_numbers_beyond_all_bounds_are_written_without_a_warning() -> None:
+    """A file that somebody has changed may have any numbers."""
+    strange = np.array([[1e308], [-np.inf], [np.nan]])
+    strange.view(np.uint64)[2] = 0x7FF0000000000001  # signals when it is used
+    with np.errstate(all="raise"):
+        found = frames.whole_numbers(strange).view(np.int32)
+    assert found.ravel().tolist() == [2**31 - 1, -(2**31) + 1, frames.NOWHERE]
+
+
 def test_readings_are_exact_and_none_are_wrong_after_a_lost_message() -> None:
     random = np.random.default_rng(4)
     encoder, decoder, sparse = ReadingEncoder(), ReadingDecoder(), ReadingDecoder()

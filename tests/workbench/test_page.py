@@ -118,3 +118,4 @@ def test_a_browser_shows_it_without_a_network(html: Path, tmp_path: Path) -> Non
     assert 'data-time="0.000"' in done.stdout  # a frame was drawn
     assert "<title>drive.c in room.xml" in done.stdout
     assert "0.000 s</output>" in done.stdout  # the clock
+    assert 'title="Play the recording"' in done.stdout

@@ -38,7 +38,9 @@ page.go = (place, robot = -1) => {
 /** Go to a happening: to its place, if it is known, or else to its time. @param {any[]} happening */
 page.goTo = ([time, , robot, , , , , place]) => (place && model.can("debug") ? page.go(place, robot) : page.timeline.seek(time));
 
-const start = button({ icon: "play", text: "Run", title: "Let the run begin", className: "start", onclick: () => model.ask("play") });
+/** The run that a page holds which was written to a file; empty where a server runs it. */
+const held = part("run").textContent.trim();
+const start = button({ icon: "play", text: held ? "Play" : "Run", title: held ? "Play the recording" : "Let the run begin", className: "start", onclick: () => model.ask("play") });
 start.hidden = true;
 part("world").append(start);
 
@@ -56,7 +58,6 @@ model.on("state", (state) => {
   start.hidden = !(model.can("play") && !state.playing && !state.busy && state.t === 0 && state.halt.reason !== "goto");
 });
 
-const held = part("run").textContent.trim();
 model.channel = held ? new PageChannel(JSON.parse(held), (message) => model.hear(message)) : new SocketChannel((message) => model.hear(message));
 
 // A picture in which nothing moves is drawn now and then only: software drawing takes a whole core.
