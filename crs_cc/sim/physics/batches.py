@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import pymunk
 from pymunk import batch
 
 from crs_cc.core.arrays import FloatArray, IndexArray
@@ -31,6 +30,8 @@ _NO_PAIRS: Final = (np.zeros((0, 2), dtype=np.intp), np.zeros((0, 3)))
 class Batches:
     """Writes and reads the bodies of a sequence of spaces.
 
+    Bodies are numbered as in `Bodies`; those that move in a space may be some of them.
+
     Attributes:
         force_n: the forces on the bodies in the next substep, (bodies, 2); see `push`.
     """
@@ -46,45 +47,55 @@ class Batches:
         # Batches also write the static bodies, among them the floor; their rows stay 0.
         self._motion = np.zeros((names + 1, 6))
         self.force_n = np.zeros((names + 1, 2))
+        self._forces_n = self.force_n.copy()
         self._write_motion.set_float_buf(self._motion)
-        self._write_force.set_float_buf(self.force_n)
+        self._write_force.set_float_buf(self._forces_n)
 
     def learn(self, space: Space) -> None:
-        """Map pymunk's ids of bodies to our numbers."""
-        ids = [body.id for body in space.bodies]
+        """Find out in which order pymunk lists a space's bodies, and which ids it gave them."""
+        ids = np.array([body.id for body in space.bodies], dtype=np.uintp)
+        numbers = np.array(space.numbers, dtype=np.intp)
         self._read.clear()
         batch.get_space_bodies(space.inner, batch.BodyFields.BODY_ID, self._read)
-        # Batches list the dynamic bodies, then the static ones, each in the order of addition.
-        assert np.frombuffer(self._read.int_buf(), dtype=np.uintp).tolist() == ids
-        self._by_id = np.argsort(np.array(ids, dtype=np.uintp))
-        self._ids = np.array(ids, dtype=np.uintp)[self._by_id]
+        listed = np.frombuffer(self._read.int_buf(), dtype=np.uintp)
+        by_id = np.argsort(ids)
+        self._ids, self._by_id = ids[by_id], numbers[by_id]
+        # The bodies that move come first; a removed one has left its place to the last of them.
+        moving = by_id[np.searchsorted(self._ids, listed[: space.moving])]
+        order = np.argsort(np.argsort(numbers[: space.moving]))[moving]
+        is_rising = np.array_equal(order, np.arange(space.moving))
+        self._order: IndexArray | slice = slice(None) if is_rising else order
 
     def write(self, space: Space, bodies: Bodies, rigid: Rigid) -> None:
-        """Set the poses and velocities of a space's bodies."""
-        motion = self._motion[: len(bodies.position_m)]
+        """Set the poses and velocities of the bodies that move in a space."""
+        motion = np.empty((len(bodies.position_m), 6))
         motion[:, 0:2], motion[:, 2] = bodies.position_m, bodies.angle_rad
         motion[:, 3:5], motion[:, 5] = bodies.velocity_mps, bodies.spin_radps
-        rigid.load(motion)
+        rigid.load(motion[len(bodies.slipping) :])
+        self._motion[: len(motion)] = motion[self._order]
+        self._motion[len(motion) :] = 0.0
+        self._forces_n[len(motion) :] = self.force_n[:] = 0.0
         batch.set_space_bodies(space.inner, _MOTION, self._write_motion)
 
     def push(self, space: Space) -> None:
         """Apply `force_n` to the bodies in the next substep."""
+        self._forces_n[: space.moving] = self.force_n[: space.moving][self._order]
         batch.set_space_bodies(space.inner, batch.BodyFields.FORCE, self._write_force)
 
     def read(self, space: Space, bodies: Bodies, rigid: Rigid) -> None:
-        """Read the poses and velocities of a space's bodies."""
-        motion = self._body_fields(space.inner, _MOTION, 6)[: len(bodies.position_m)]
+        """Read the poses and velocities of the bodies that move in a space."""
+        motion = self._body_fields(space, _MOTION, 6)[: space.moving]
         bodies.position_m[:], bodies.angle_rad[:] = motion[:, 0:2], motion[:, 2]
         bodies.velocity_mps[:], bodies.spin_radps[:] = motion[:, 3:5], motion[:, 5]
         rigid.place(bodies)
 
     def velocity_mps(self, space: Space) -> FloatArray:
-        """Return the velocities of the bodies, (bodies, 2); valid until the next reading."""
-        return self._body_fields(space.inner, batch.BodyFields.VELOCITY, 2)
+        """Return the velocities of the bodies, (bodies, 2)."""
+        return self._body_fields(space, batch.BodyFields.VELOCITY, 2)
 
     def position_m(self, space: Space) -> FloatArray:
-        """Return the positions of the bodies, (bodies, 2); valid until the next reading."""
-        return self._body_fields(space.inner, batch.BodyFields.POSITION, 2)
+        """Return the positions of the bodies, (bodies, 2)."""
+        return self._body_fields(space, batch.BodyFields.POSITION, 2)
 
     def touching(self, space: Space) -> tuple[IndexArray, FloatArray]:
         """Return the pairs of bodies in contact, and x, y, distance [m] of each."""
@@ -100,7 +111,10 @@ class Batches:
         order = np.lexsort((places[:, 1], places[:, 0], pairs[:, 1], pairs[:, 0]))
         return pairs[order], places[order]
 
-    def _body_fields(self, inner: pymunk.Space, what: batch.BodyFields, columns: int) -> FloatArray:
+    def _body_fields(self, space: Space, what: batch.BodyFields, columns: int) -> FloatArray:
         self._read.clear()
-        batch.get_space_bodies(inner, what, self._read)
-        return np.frombuffer(self._read.float_buf()).reshape(-1, columns)
+        batch.get_space_bodies(space.inner, what, self._read)
+        listed = np.frombuffer(self._read.float_buf()).reshape(-1, columns)
+        found = listed.copy()
+        found[: space.moving][self._order] = listed[: space.moving]
+        return found

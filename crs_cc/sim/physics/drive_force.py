@@ -8,8 +8,9 @@ a limited force: a force alone would let it creep.
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
 
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 
     from crs_cc.sim.physics.space import Space
 
+_BORNE: Final = "borne_kg", "mass_kg", "_grip_n", "_drive_n", "_roll_n"
 _SAME_N: Final = 1e-9  # smaller forces need no limit
 
 
@@ -71,6 +73,13 @@ class DriveForce:
         self._drive_n = np.minimum(self._force_n, self._grip_n)
         self._roll_n = self.borne_kg * self._roll_out_mps2
 
+    def part(self, robots: IndexArray) -> Self:
+        """Return the drives of some robots, which are the only ones in a space."""
+        some = copy(self)
+        for name in _BORNE:
+            setattr(some, name, getattr(self, name)[robots])
+        return some
+
     def begin(
         self,
         space: Space,
@@ -107,11 +116,11 @@ class DriveForce:
 
     def write(
         self, force_n: FloatArray, drawn: Drawn, velocity_mps: FloatArray, substep_s: float
-    ) -> None:
-        """Write the forces of the next substep.
+    ) -> bool:
+        """Write the forces of the next substep; return whether there are any.
 
         Args:
-            force_n: receives the forces, (bodies, 2).
+            force_n: receives the forces, (bodies, 2), if there are any.
             drawn: the drive forces of the cycle.
             velocity_mps: the current velocities, (robots, 2).
             substep_s: duration of the forces.
@@ -119,7 +128,9 @@ class DriveForce:
         lag_mps = drawn.wanted_mps - velocity_mps
         if drawn.incline is not None:
             self._write_sloping(force_n, drawn, drawn.incline, lag_mps, substep_s)
-            return
+            return True
+        if not np.count_nonzero(lag_mps):
+            return False
         robots, pull = len(self.mass_kg), drawn.pull
         lagging = np.flatnonzero((lag_mps[:, 0] != 0.0) | (lag_mps[:, 1] != 0.0))
         mass_kg = self.mass_kg.take(lagging)
@@ -130,6 +141,7 @@ class DriveForce:
         share = np.minimum(1.0, drawn.limit_n.take(lagging) / np.maximum(size_n, _SAME_N))
         force_n[:robots] = 0.0
         force_n[lagging] = needs_n * share[:, None]
+        return True
 
     def _write_sloping(
         self,

@@ -62,6 +62,7 @@ class Rigid:
         wholes: the contents of each movable body: all parts of its object for the first part, the
             body itself for a single object, only a mass for the other parts.
         others: the numbers of the other parts.
+        lever_m: the largest distance of a part from its object's centre of mass.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -85,9 +86,11 @@ class Rigid:
             rows += numbers
             places.append(place)
         self.others = frozenset(rows) - {numbers[0] for numbers in groups.values()}
-        self._rows = np.array(rows, dtype=np.intp) + scene.robots
+        self._rows = np.array(rows, dtype=np.intp)  # among the objects
         self._first = np.array(first, dtype=np.intp)
         self._place = np.concatenate(places)
+        lever_m = exact.hypot(self._place[:, 0], self._place[:, 1])
+        self.lever_m = float(lever_m.max(initial=0.0))
         self._loaded = np.zeros((0, 3))
         self._poses = np.zeros((0, 3))
 
@@ -95,7 +98,7 @@ class Rigid:
         """Move the bodies of objects to their centres of mass.
 
         Args:
-            motion: x, y [m], angle [rad], velocity [m/s] and spin [rad/s] of all bodies, (n, 6);
+            motion: x, y [m], angle [rad], velocity [m/s] and spin [rad/s] of all objects, (n, 6);
                 changed in place.
         """
         if not len(self._rows):
@@ -113,7 +116,8 @@ class Rigid:
         """
         if not len(self._rows):
             return
-        rows, first = self._rows, self._rows[self._first]
+        rows = self._rows + len(bodies.slipping)
+        first = rows[self._first]
         frames = np.column_stack([bodies.position_m[first], bodies.angle_rad[first]])
         still = (frames == self._loaded).all(axis=1)
         poses = np.where(still[:, None], self._poses, compose(frames, self._place))

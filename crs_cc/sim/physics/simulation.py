@@ -12,6 +12,9 @@ A load is a part of its robot (`carrying`): its contacts stop the robot or push 
 turn it. So a load that is turned into a wall slides along it with its robot; one that cannot, and
 penetrates an object by more than `TORN_M`, is torn from the gripper.
 
+Among many robots, those that are near nothing (`nearness`) are moved as their wheels turn, which is
+what the space would do. It has only the others, and all objects.
+
 The only state inside pymunk that cannot be read is the history of its search tree and of its
 contacts. It matters if several bodies touch at the same time. So the space is rebuilt from the
 arrays every `REBUILD` cycles, and a snapshot is the arrays of that time and the drives' motions in
@@ -30,7 +33,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, any_of
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, any_of
 from crs_cc.core.gc_pause import without_collector
 from crs_cc.sim.geometry.clearance import clearance_m
 from crs_cc.sim.geometry.ledges import Ledges
@@ -46,6 +49,7 @@ from crs_cc.sim.physics.contacts import (
 )
 from crs_cc.sim.physics.drive_force import DriveForce
 from crs_cc.sim.physics.inclines import Incline, Inclines
+from crs_cc.sim.physics.nearness import Nearness
 from crs_cc.sim.physics.rigid import Rigid
 from crs_cc.sim.state.bodies import (
     NO_CONTACTS,
@@ -57,8 +61,10 @@ from crs_cc.sim.state.bodies import (
 )
 
 if TYPE_CHECKING:
+    import pymunk
+
     from crs_cc.sim.physics.batches import Batches
-    from crs_cc.sim.physics.space import Space
+    from crs_cc.sim.physics.space import Space, SpaceBuilder
 
 REBUILD: Final = 100
 """Number of cycles after which the space is rebuilt."""
@@ -69,19 +75,30 @@ SUBSTEP_M: Final = 0.008
 MOST_SUBSTEPS: Final = 256
 """Maximum number of substeps of a cycle with turning loads."""
 
+_MARGIN_M: Final = SLOP_M + 2 * SUBSTEP_M
+"""Room that robots need besides their motions: overlaps are corrected meanwhile."""
+
 _SAME: Final = 1e-9  # [m], [m/s]: smaller differences are rounding errors
-_FEW_BODIES: Final = 64  # up to this number it pays to check first whether any are near
+_FEW_BODIES: Final = 64  # up to this number the space has all of them, or none is near
 
 
 class Physics:
-    """Simulates the bodies of a world."""
+    """Simulates the bodies of a world.
+
+    Attributes:
+        leaves_out: whether spaces may be without robots that are near nothing; only tests switch
+            it off.
+    """
+
+    leaves_out = True
 
     def __init__(self, world: WorldModel, scene: Scene, bodies: Bodies) -> None:
         self._world = world
         self._scene, self._robots, self._rigid = scene, scene.robots, Rigid(scene)
         limits_mps = np.array([robot.model.drive.wheels.speed_limit for robot in world.robots])
         fastest_mps = float(limits_mps[scene.present].max(initial=0.0))
-        self._fewest_substeps = max(1, math.ceil(world.timestep_s * fastest_mps / SUBSTEP_M))
+        self._most_m = world.timestep_s * fastest_mps
+        self._fewest_substeps = max(1, math.ceil(self._most_m / SUBSTEP_M))
         self._inclines, self._ledges = None, None
         self._slope: Incline | None = None  # in the current cycle
         if not world.surface.is_flat:
@@ -93,6 +110,16 @@ class Physics:
         self._spaces: list[Space] = []
         weakref.finalize(self, self._spaces.clear)
         self.start_from(bodies)
+
+    @cached_property
+    def _nearness(self) -> Nearness:
+        return Nearness(self._scene, 2 * self._most_m + _MARGIN_M)
+
+    @cached_property
+    def _builder(self) -> SpaceBuilder:
+        from crs_cc.sim.physics.space import SpaceBuilder  # loads pymunk
+
+        return SpaceBuilder(self._world, self._scene, self._rigid, self._ledges)
 
     @cached_property
     def _batches(self) -> Batches:
@@ -118,7 +145,7 @@ class Physics:
             facing_rad: their rolling directions, (robots,).
         """
         if self._cycles == REBUILD:
-            self.start_from(bodies)
+            self._restart(bodies)
         self._slope = None
         if self._inclines is not None:
             self._slope = self._incline(bodies, facing_rad)
@@ -155,12 +182,37 @@ class Physics:
         Returns:
             the contacts of the robots.
         """
+        if self._leaves_some_out:
+            return self._step_some(bodies, pull)
         follows = bool(self._ran) and self._ran[-1].cycle == self._cycles - 1
         before = None if follows else bodies.copy()
         contacts = self._run(bodies, pull, self._slope)
         self._ran.append(Ran(self._cycles, pull, before))
         self._cycles += 1
         return contacts
+
+    def _step_some(self, bodies: Bodies, pull: Pull) -> Contacts:
+        """Run a cycle in which robots that are near nothing move as their wheels turn."""
+        near, robots = self._find_near(bodies, pull.way_m), slice(self._robots)
+        mine = self._robots_of(near)
+        rows = np.concatenate([mine, np.arange(self._robots, len(bodies.position_m))])
+        before, drawn = bodies.part(rows, mine), pull.part(mine)
+        some, contacts = before.copy(), NO_CONTACTS
+        if len(near) or not (bodies.settled[0] and self._is_at_rest(bodies)):
+            contacts = self._run(some, drawn, None, near)
+            self._ran.append(Ran(self._cycles, drawn, before, near))
+        self._cycles += 1
+        bodies.position_m[robots] += pull.way_m
+        bodies.velocity_mps[robots] = pull.way_m / self._world.timestep_s + 0.0  # pymunk has no -0
+        bodies.velocity_mps[self._absent] = 0.0
+        bodies.slipping[:] = bodies.touching[:] = False
+        bodies.put(rows, mine, some)
+        went_m = np.abs(some.position_m - before.position_m).sum(axis=1).max(initial=0.0)
+        self._nearness.use(max(self._need_m, 2 * float(went_m)))
+        return contacts
+
+    def _robots_of(self, near: IndexArray) -> IndexArray:
+        return near[: np.searchsorted(near, self._robots)]
 
     def is_idle(self, bodies: Bodies) -> bool:
         """Return whether another step with all bodies at rest changes only the count of steps.
@@ -186,7 +238,8 @@ class Physics:
 
     def start_from(self, bodies: Bodies) -> None:
         """Rebuild the space from bodies, whose poses may have changed."""
-        self._begin(PhysicsSnapshot(bodies.copy(), 0, (), 0.0))
+        self._restart(bodies)
+        self._forget_room()
 
     def snapshot(self) -> PhysicsSnapshot:
         """Return the state apart from the bodies."""
@@ -195,6 +248,14 @@ class Physics:
     def restore(self, snapshot: PhysicsSnapshot) -> None:
         """Restore a snapshot; the bodies must be those of that time."""
         self._begin(snapshot)
+        self._forget_room()
+
+    def _restart(self, bodies: Bodies) -> None:
+        self._begin(PhysicsSnapshot(bodies.copy(), 0, (), 0.0))
+
+    def _forget_room(self) -> None:
+        if self._leaves_some_out:
+            self._nearness.forget()
 
     def _begin(self, snapshot: PhysicsSnapshot) -> None:
         """Discard the space; it is rebuilt from a snapshot when it is next needed."""
@@ -204,6 +265,10 @@ class Physics:
         holds = self._start.holds
         self._load = Load.of(self._world, self._scene, holds) if holds.any() else None
         self._drive_force.bear(self._load)
+        is_plain = self._load is None and self._inclines is None
+        self._leaves_some_out = (
+            self.leaves_out and is_plain and len(self._start.position_m) > _FEW_BODIES
+        )
 
     def _catch_up(self) -> None:
         """Repeat in a new space the cycles in which the one before it was stepped."""
@@ -211,19 +276,28 @@ class Physics:
         for ran in self._ran:
             if ran.bodies is not None:
                 bodies = ran.bodies.copy()
-            self._run(bodies, ran.pull, self._incline(bodies, ran.pull.facing_rad))
+            incline = self._incline(bodies, ran.pull.facing_rad)
+            self._run(bodies, ran.pull, incline, ran.near)
         self._room_m = room_m
 
-    def _run(self, bodies: Bodies, pull: Pull, incline: Incline | None) -> Contacts:
-        """Step the space, which moves the bodies."""
-        robots, way_m = slice(self._robots), pull.way_m
+    def _run(
+        self,
+        bodies: Bodies,
+        pull: Pull,
+        incline: Incline | None,
+        near: IndexArray | None = None,
+    ) -> Contacts:
+        """Step the space, which moves the bodies: all, or some robots and all objects."""
+        robots, way_m = slice(len(bodies.slipping)), pull.way_m
         free_m = bodies.position_m[robots] + way_m
         wanted_mps = way_m / self._world.timestep_s
         free = ~bodies.slipping
         bodies.velocity_mps[robots][free] = wanted_mps[free]
-        contacts, touched = self._run_space(bodies, pull, wanted_mps, incline)
-        bodies.position_m[self._absent] = free_m[self._absent]
-        bodies.velocity_mps[self._absent] = 0.0
+        mine = None if near is None else self._admit(near, bodies)
+        contacts, touched = self._run_space(bodies, pull, wanted_mps, incline, mine)
+        if near is None:
+            bodies.position_m[self._absent] = free_m[self._absent]
+            bodies.velocity_mps[self._absent] = 0.0
         lag_mps = np.abs(bodies.velocity_mps[robots] - wanted_mps)
         bodies.slipping[:] = (lag_mps > _SAME).any(axis=1)
         bodies.touching[:] = touched
@@ -254,15 +328,31 @@ class Physics:
         need_m = 2 * max((abs(x) + abs(y) for x, y in way_m.tolist()), default=0.0) + SLOP_M
         return self._use_room(bodies, need_m)
 
+    def _find_near(self, bodies: Bodies, way_m: FloatArray) -> IndexArray:
+        """Return the robots that may touch something in this cycle, and the solids, rising."""
+        way2_m2 = np.maximum.reduce((way_m * way_m).sum(axis=1), initial=0.0)
+        velocity_mps = np.abs(bodies.velocity_mps[self._robots :]).sum(axis=1).max(initial=0.0)
+        spin_radps = np.abs(bodies.spin_radps[self._robots :]).max(initial=0.0)
+        moved_m = (velocity_mps + spin_radps * self._rigid.lever_m) * self._world.timestep_s
+        self._need_m = 2 * max(math.sqrt(float(way2_m2)), float(moved_m)) + _MARGIN_M
+        near = self._nearness.find(bodies.position_m, self._need_m)
+        pushed = np.flatnonzero(bodies.slipping | bodies.touching)
+        return np.union1d(near, pushed) if len(pushed) else near
+
     def _is_settled(self, bodies: Bodies) -> bool:
         """Return whether the bodies are few, and none but robots can move by themselves."""
         if len(bodies.position_m) > _FEW_BODIES or any_of(bodies.slipping):
             return False
         if self._load is not None or not bodies.settled[0]:
             return False
-        if len(bodies.position_m) == self._robots:
+        return self._is_at_rest(bodies)
+
+    def _is_at_rest(self, bodies: Bodies) -> bool:
+        """Return whether all objects are."""
+        if len(bodies.position_m) == len(bodies.slipping):
             return True
-        return not bodies.velocity_mps[self._robots :].any()
+        robots = len(bodies.slipping)
+        return not (bodies.velocity_mps[robots:].any() or bodies.spin_radps[robots:].any())
 
     def _use_room(self, bodies: Bodies, need_m: float) -> bool:
         """Return whether robots have this much room, and reserve it."""
@@ -273,36 +363,63 @@ class Physics:
 
     @without_collector()
     def _make_space(self) -> None:
-        from crs_cc.sim.physics.space import SpaceBuilder  # loads pymunk
-
         mass_kg, position_m = self._drive_force.mass_kg, self._start.position_m
-        builder = SpaceBuilder(self._world, self._scene, self._rigid, self._ledges)
-        self._spaces[:] = [builder.build(position_m, mass_kg, self._load)]
-        self._batches.learn(self._spaces[0])
+        is_whole = not self._leaves_some_out
+        space = self._builder.build(position_m, mass_kg, self._load, is_whole=is_whole)
+        self._spaces[:] = [space]
+        self._batches.learn(space)
+
+    def _admit(self, near: IndexArray, bodies: Bodies) -> IndexArray:
+        """Have some robots only in the space, whose bodies are the first; return which."""
+        robots, mass_kg = self._robots_of(near), self._drive_force.mass_kg
+        places = dict(zip(robots.tolist(), bodies.position_m, strict=False))
+
+        def body_of(number: int) -> pymunk.Body:
+            if number in places:
+                return self._builder.robot(number, places[number], mass_kg)
+            return self._builder.solid(number)
+
+        others = near[len(robots) :].tolist()
+        if self._space.admit(robots.tolist(), others, body_of):
+            self._batches.learn(self._space)
+        return robots
 
     def _run_space(
-        self, bodies: Bodies, pull: Pull, wanted_mps: FloatArray, incline: Incline | None
+        self,
+        bodies: Bodies,
+        pull: Pull,
+        wanted_mps: FloatArray,
+        incline: Incline | None,
+        mine: IndexArray | None,
     ) -> tuple[Contacts, BoolArray]:
-        """Step pymunk's space; return the contacts, and which robots' bodies had any."""
+        """Step pymunk's space, with some robots or all.
+
+        Return the contacts, and which of the robots' bodies had any.
+        """
         space, batches, load = self._space, self._batches, self._load
+        robots = slice(self._robots) if mine is None else mine
+        drive_force = self._drive_force if mine is None else self._drive_force.part(mine)
         substeps = self._swing(bodies, pull)
         substep_s = self._world.timestep_s / substeps
         batches.write(space, bodies, self._rigid)
-        drawn = self._drive_force.begin(space, bodies, pull, wanted_mps, incline)
-        velocity_mps = bodies.velocity_mps
+        drawn = drive_force.begin(space, bodies, pull, wanted_mps, incline)
+        velocity_mps, glides = bodies.velocity_mps, load is None and self._is_at_rest(bodies)
         found, torn = [], NO_CONTACTS.torn
         touched = np.zeros(len(self._scene.names), dtype=np.bool_)
         for _ in range(substeps):
-            had_mps = velocity_mps[: self._robots]
-            self._drive_force.write(batches.force_n, drawn, had_mps, substep_s)
-            batches.push(space)
+            had_mps = velocity_mps[: len(wanted_mps)]
+            forced = drive_force.write(batches.force_n, drawn, had_mps, substep_s)
+            if forced:
+                batches.push(space)
             space.inner.step(substep_s)
             pairs, places = batches.touching(space)
             touched[pairs] = True
             if load is not None:
                 pairs, torn = told_apart(load, pairs, places, batches.position_m(space))
             found.append((pairs, places))
-            velocity_mps = batches.velocity_mps(space)
+            glides = glides and not (forced or len(pairs))
+            if not glides:  # else nothing has changed a velocity
+                velocity_mps = batches.velocity_mps(space)
         batches.read(space, bodies, self._rigid)
         self._bring_to_rest(bodies)
         bodies.settled[0] = is_settled(self._scene, *found[-1])
@@ -310,7 +427,7 @@ class Physics:
         contacts = replace(first_contacts(self._scene, found), torn=torn)
         if load is not None:
             touched[load.sharers] = True  # shared loads pull at them as contacts do
-        return contacts, touched[: self._robots]
+        return contacts, touched[robots]
 
     def _swing(self, bodies: Bodies, pull: Pull) -> int:
         """Turn robots with loads; return the number of substeps that this needs."""
@@ -327,7 +444,7 @@ class Physics:
 
     def _bring_to_rest(self, bodies: Bodies) -> None:
         """Clear the velocities of resting objects that are rounding errors."""
-        velocity_mps = bodies.velocity_mps[self._robots :]
-        spin_radps = bodies.spin_radps[self._robots :]
+        robots = len(bodies.slipping)
+        velocity_mps, spin_radps = bodies.velocity_mps[robots:], bodies.spin_radps[robots:]
         rest = (np.abs(velocity_mps) < _SAME).all(axis=1) & (np.abs(spin_radps) < _SAME)
         velocity_mps[rest], spin_radps[rest] = 0.0, 0.0

@@ -8,9 +8,9 @@ order in which bodies are added is significant.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 import pymunk
@@ -31,6 +31,8 @@ from crs_cc.sim.physics.shapes import (
     shapes_of,
 )
 
+BodyOf: TypeAlias = Callable[[int], pymunk.Body]
+
 _BIAS: Final = 1e-6  # fraction of a deeper overlap that is left after a second
 
 
@@ -42,7 +44,9 @@ class Space:
         inner: pymunk's space.
         bodies: the bodies in it: the robots, movable objects, fixed solids, the ground if it is not
             flat, the floor.
-        robots: number of robots.
+        numbers: those of the bodies, as in `Scene.names`.
+        robots: number of robots in it.
+        objects: number of movable objects.
         rubs: the joints that model floor friction, with their force [N] or torque [N m] on level
             ground, by the number of the object.
         joints: those that hold robots, in this cycle.
@@ -53,7 +57,9 @@ class Space:
 
     inner: pymunk.Space
     bodies: list[pymunk.Body]
+    numbers: list[int]
     robots: int
+    objects: int
     rubs: dict[int, list[tuple[pymunk.Constraint, float]]]
     object_kg: FloatArray
     grip: FloatArray
@@ -63,6 +69,39 @@ class Space:
     def floor(self) -> pymunk.Body:
         """The body of the floor."""
         return self.bodies[-1]
+
+    @property
+    def moving(self) -> int:
+        """Return the number of bodies that move: robots, and objects."""
+        return self.robots + self.objects
+
+    def admit(self, robots: list[int], others: list[int], body_of: BodyOf) -> bool:
+        """Have only some robots in it, and more of the fixed solids; return whether it changes.
+
+        Args:
+            robots: the numbers of the robots, rising.
+            others: solids that have to be in it, too.
+            body_of: returns a new body of a robot or a solid, with its shapes.
+        """
+        inside, new = self.numbers[: self.robots], sorted(self._solids_without(others))
+        if inside == robots and not new:
+            return False
+        self.hold([])
+        bodies = dict(zip(inside, self.bodies, strict=False))
+        for number in sorted(set(inside).difference(robots)):
+            body = bodies[number]
+            self.inner.remove(body, *body.shapes)
+        for number in sorted({*robots}.difference(inside)) + new:
+            bodies[number] = body_of(number)
+            add(self.inner, bodies[number], *bodies[number].shapes)
+        self.bodies[: self.robots] = [bodies[number] for number in robots]
+        self.numbers[: self.robots] = robots
+        self.robots = len(robots)
+        self.bodies[-1:-1], self.numbers[-1:-1] = [bodies[number] for number in new], new
+        return True
+
+    def _solids_without(self, others: list[int]) -> set[int]:
+        return set(others).difference(self.numbers[self.moving :])
 
     def hold(self, joints: list[pymunk.Constraint]) -> None:
         """Hold robots with joints, which replace those of the cycle before."""
@@ -86,7 +125,14 @@ class SpaceBuilder:
     ) -> None:
         self._world, self._scene, self._rigid, self._ledges = world, scene, rigid, ledges
 
-    def build(self, position_m: FloatArray, mass_kg: FloatArray, load: Load | None) -> Space:
+    def build(
+        self,
+        position_m: FloatArray,
+        mass_kg: FloatArray,
+        load: Load | None,
+        *,
+        is_whole: bool = True,
+    ) -> Space:
         """Create the space.
 
         Args:
@@ -94,53 +140,77 @@ class SpaceBuilder:
                 cycle.
             mass_kg: the mass of each robot with its load, (robots,).
             load: the robots' loads.
+            is_whole: whether it has all robots; if not, nor has it the fixed solids, unless there
+                are objects: see `Space.admit`.
         """
         inner = pymunk.Space()
         inner.collision_slop = SLOP_M
         inner.collision_bias = _BIAS
         inner.collision_persistence = 1  # with 0, contacts are forgotten before they can be read
-        places = iter(position_m.tolist())  # all at one position would be O(n^2)
+        # All at one position would be O(n^2).
+        places = iter(position_m[self._scene.robots :].tolist())
         parts, borne, apart = self._parts(load)
-        bodies = self._add_robots(inner, places, mass_kg, parts)
+        bodies = self._add_robots(inner, position_m, mass_kg, parts) if is_whole else []
+        robots = len(bodies)
         for number, whole in enumerate(self._rigid.wholes):
             body = pymunk.Body(whole.mass_kg, whole.moment_kgm2)
             body.position = next(places)
             bodies.append(body)
             add(inner, body, *(() if number in apart else shapes_of(body, whole)))
-        for solid in self._scene.fixed_solids:
-            body = pymunk.Body(body_type=pymunk.Body.STATIC)
-            bodies.append(body)
-            add(inner, body, *fixed_shapes(body, solid))
+        first = len(self._scene.start)
+        solids = len(self._scene.fixed_solids) if is_whole or self._scene.pushables else 0
+        for number in range(first, first + solids):
+            bodies.append(self.solid(number))
+            add(inner, bodies[-1], *bodies[-1].shapes)
         if self._ledges is not None:
             bodies.append(add_ground(inner, bodies, self._ledges))
-        space = self._on_floor(inner, bodies, borne)
+        space = self._on_floor(inner, bodies, robots, borne)
         if load is not None:
             inner.add(*self._shared_grips(bodies, load))
         return space
 
+    def robot(self, number: int, position_m: FloatArray, mass_kg: FloatArray) -> pymunk.Body:
+        """Return the body of a robot, in no space; an absent one has no shape.
+
+        Args:
+            number: its number.
+            position_m: approximately where it is, (2,).
+            mass_kg: the mass of each robot with its load, (robots,).
+        """
+        body = pymunk.Body(float(mass_kg[number]), math.inf)  # contacts do not turn it
+        body.position = position_m[0].item(), position_m[1].item()
+        if self._scene.present[number]:
+            pymunk.Circle(body, self._world.robots[number].model.radius_m)
+        return body
+
+    def solid(self, number: int) -> pymunk.Body:
+        """Return the body of a fixed solid, by its number in `Scene.names`, in no space."""
+        body = pymunk.Body(body_type=pymunk.Body.STATIC)
+        fixed_shapes(body, self._scene.fixed_solids[number - len(self._scene.start)])
+        return body
+
     def _add_robots(
         self,
         inner: pymunk.Space,
-        places: Iterator[list[float]],
+        position_m: FloatArray,
         mass_kg: FloatArray,
         parts: dict[int, tuple[Thing, FloatArray]],
     ) -> list[pymunk.Body]:
-        """Add the robots with their loads; absent ones have no shape."""
+        """Add the robots with their loads."""
         bodies = []
-        for number, robot in enumerate(self._world.robots):
-            body = pymunk.Body(float(mass_kg[number]), math.inf)  # contacts do not turn it
-            x_m, y_m = next(places)
-            body.position = x_m, y_m
+        for number in range(self._scene.robots):
+            body = self.robot(number, position_m[number], mass_kg)
             bodies.append(body)
-            carried = parts.get(number)
-            load = () if carried is None else object_shapes(body, *carried)
-            own = [pymunk.Circle(body, robot.model.radius_m)] * bool(self._scene.present[number])
-            add(inner, body, *own, *load)
+            if number in parts:
+                object_shapes(body, *parts[number])
+            add(inner, body, *body.shapes)
         return bodies
 
-    def _on_floor(self, inner: pymunk.Space, bodies: list[pymunk.Body], borne: set[int]) -> Space:
+    def _on_floor(
+        self, inner: pymunk.Space, bodies: list[pymunk.Body], robots: int, borne: set[int]
+    ) -> Space:
         """Add the floor, with friction on all objects that no robot bears."""
-        floor, robots = pymunk.Body(body_type=pymunk.Body.STATIC), self._scene.robots
+        floor = pymunk.Body(body_type=pymunk.Body.STATIC)
         bodies.append(floor)
         inner.add(floor)
         rubs: dict[int, list[tuple[pymunk.Constraint, float]]] = {}
@@ -151,7 +221,10 @@ class SpaceBuilder:
                 rubs[number] = [(joint, joint.max_force) for joint in joints]
                 inner.add(*joints)
                 object_kg[number] = whole.mass_kg
-        return Space(inner, bodies, robots, rubs, object_kg, np.ones(len(object_kg)))
+        objects, first = len(object_kg), self._scene.robots - robots
+        numbers = [*range(robots), *range(first + robots, first + len(bodies))]
+        grip = np.ones(objects)
+        return Space(inner, bodies, numbers, robots, objects, rubs, object_kg, grip)
 
     def _parts(
         self, load: Load | None

@@ -67,6 +67,31 @@ class Bodies:
             self.holds.renumbered(np.isin(np.arange(robots, len(self.angle_rad)), rows)),
         )
 
+    def part(self, rows: IndexArray, robots: IndexArray) -> Self:
+        """Return copies of some robots, which hold nothing, and of some objects.
+
+        Args:
+            rows: the bodies.
+            robots: the first of them, which are robots.
+        """
+        return type(self)(
+            self.position_m[rows],
+            self.angle_rad[rows],
+            self.velocity_mps[rows],
+            self.spin_radps[rows],
+            self.slipping[robots],
+            self.touching[robots],
+            self.settled.copy(),
+            Holds.nothing(len(robots)),
+        )
+
+    def put(self, rows: IndexArray, robots: IndexArray, part: Self) -> None:
+        """Take over what has become of a part."""
+        for name in ("position_m", "angle_rad", "velocity_mps", "spin_radps"):
+            getattr(self, name)[rows] = getattr(part, name)
+        self.slipping[robots], self.touching[robots] = part.slipping, part.touching
+        self.settled[:] = part.settled
+
     def with_robot(self, start: Pose) -> Self:
         """Return a copy with one more robot, which is at rest."""
         robots = len(self.slipping)
@@ -111,6 +136,10 @@ class Pull:
     mount_rad: FloatArray | None = None
     hand: FloatArray | None = None
 
+    def part(self, robots: IndexArray) -> Self:
+        """Return the motion of some robots, which hold nothing."""
+        return type(self)(self.way_m[robots], self.facing_rad[robots], self.limp[robots])
+
 
 @dataclass(frozen=True, slots=True)
 class Contacts:
@@ -143,11 +172,13 @@ class Ran:
         cycle: its number, counted from the creation of the space.
         pull: the motion of the drives.
         bodies: the bodies before it; None if they were as the run of the cycle before left them.
+        near: the robots among them, and what else they may have touched; None for all.
     """
 
     cycle: int
     pull: Pull
     bodies: Bodies | None
+    near: IndexArray | None = None
 
 
 @dataclass(frozen=True, slots=True)
