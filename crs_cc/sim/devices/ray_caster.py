@@ -28,6 +28,7 @@ from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.rays import NO_THING, Fan, nearest
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.surfaces import Surfaces
+from crs_cc.sim.kernels.beam_field import BeamField
 from crs_cc.sim.kernels.program import kernels
 from crs_cc.sim.kernels.surveys import Shapes, scan
 
@@ -61,6 +62,9 @@ class RayCaster:
         self._placed = -1
         self._places = b""
         self._shapes: Shapes | None = None  # if they are few
+        self._reach_m = reach_m
+        self._field: BeamField | None = None  # if they are many
+        self._is_sorted = self._has_no_room = False
 
     def forget(self) -> None:
         """Forget the poses of the last query: bodies may have moved within the cycle."""
@@ -78,7 +82,7 @@ class RayCaster:
         places = bodies.position_m.tobytes() + bodies.angle_rad.tobytes()
         if places == self._places:
             return
-        self._places, self._shapes = places, None
+        self._places, self._shapes, self._is_sorted = places, None, False
         self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
         self._pieces.place(bodies.position_m, bodies.angle_rad)
         if self._outlook is not None:
@@ -128,10 +132,26 @@ class RayCaster:
             found_m = scan(kernels(), fan.table, poses, own, shapes)
             if found_m is not None:
                 return found_m
+        field = self._sorted(obstacles)
+        if field is not None:
+            return field.distances_m(fan.table, poses, own)
         distance_m = nearest(fan, poses, obstacles, own=own)
         if self._pieces:
             distance_m[self._pieces.cover(fan, poses)] = 0.0
         return distance_m
+
+    def _sorted(self, obstacles: Obstacles) -> BeamField | None:
+        """Return all shapes as they are now, None if they have no room in the kernels' memory."""
+        if self._is_sorted or self._has_no_room:
+            return self._field
+        segments, moving_segments, circles, moving_circles = obstacles.tables()
+        pieces, moving_pieces = self._pieces.tables
+        if self._field is None:
+            self._field = BeamField(self._reach_m, (segments, circles, pieces))
+        self._is_sorted = self._field.place((moving_segments, moving_circles, moving_pieces))
+        if not self._is_sorted:
+            self._field, self._has_no_room = None, True
+        return self._field
 
     def seen(
         self, state: EnvState, fan: Fan, poses: FloatArray, own: IndexArray

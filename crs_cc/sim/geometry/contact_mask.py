@@ -95,6 +95,11 @@ class Pieces:
     def __len__(self) -> int:
         return len(self.rows)
 
+    @property
+    def tables(self) -> tuple[FloatArray, FloatArray]:
+        """Return the rows of fixed pieces, and of moving ones."""
+        return self.rows[: self._fixed], self.rows[self._fixed :]
+
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
         """Update the poses of the movable bodies, as for `Scene.moving`."""
         if not len(self._bodies):

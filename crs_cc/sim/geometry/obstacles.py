@@ -91,16 +91,17 @@ class Obstacles:
     @property
     def count(self) -> int:
         """Return the number of all outlines."""
-        return sum(len(table) for table in self._tables())
+        return sum(len(table) for table in self.tables())
 
     def rows(self) -> tuple[FloatArray, FloatArray]:
         """Return all segments and all circles, as `kernels/rays.c` reads them."""
-        segments, moving_segments, circles, moving_circles = self._tables()
+        segments, moving_segments, circles, moving_circles = self.tables()
         return np.concatenate([segments, moving_segments]), np.concatenate(
             [circles, moving_circles]
         )
 
-    def _tables(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    def tables(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Return the rows of segments, fixed and moving, and those of circles, as in `rows`."""
         fixed, moving = self._fixed, self._moving
         return fixed.segment_rows, moving.segment_rows, fixed.circle_rows, moving.circle_rows
 

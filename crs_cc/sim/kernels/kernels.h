@@ -136,6 +136,15 @@ void __crs_calm(double *memory, const struct tables *tables);
 void __crs_rays(int count, int segments, int circles, int is_first, int wants_objects,
                 const double *fan, double *robots, double *out, const double *shapes);
 
+/* Sort shapes by the cells of their grid, see survey.c; return how many numbers they take with their lists,
+   0 if there is no room for these. */
+int __crs_sort(double *content, int room);
+
+/* The distances that beams measure among sorted shapes, 0 for those that start in or on one. `out` has room
+   for two numbers of each beam. */
+void __crs_survey(int count, const double *fan, double *robots, double *out, const double *fixed,
+                  const double *moving);
+
 /* The object that each beam of each robot starts in or on, -1 for none, see rays.c. */
 void __crs_covers(int count, int pieces, int is_first, const double *fan, double *robots,
                   double *out, const double *shapes);

@@ -6,7 +6,7 @@
 
 /* Other numbers are those of elementwise functions. */
 enum { SETUP = 99, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
-    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM };
+    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM, SORT, SURVEY };
 
 static int arguments[10];
 static double memory[MEMORY];
@@ -133,6 +133,10 @@ int __crs_start(void)
             __crs_counts(n[1], arena);
         else if (n[0] == ERRORS)
             __crs_errors(n[1], arena);
+        else if (n[0] == SORT)
+            n[0] = __crs_sort(arena + n[1], n[2]);
+        else if (n[0] == SURVEY)
+            __crs_survey(n[1], arena, arena + n[2], arena + n[3], arena + n[4], arena + n[5]);
         else if (n[0] == CALM)
             __crs_calm(arena, &tables);
         else if (n[0] > COUNTS)

@@ -68,6 +68,7 @@ _RESULT: Final = struct.Struct("<i")
 
 _AT_ONCE: Final = 2 * BLOCK, ROBOTS_AT_ONCE, ROBOTS_AT_ONCE, ROBOTS_AT_ONCE
 _WORLD: Final = 145_000, ROBOTS, BODIES, KINDS
+_ARENA: Final = 600_000, 0, 0, 0
 """Numbers in a third of the arena, rows of robots, of bodies and of kinds."""
 
 _Column: TypeAlias = Any  # contiguous arrays of float64, or bool at the end
@@ -88,11 +89,14 @@ class Kernels:
         sonars: those of robots' sonars.
     """
 
-    def __init__(self, *, holds_world: bool = False, checked: bool = False) -> None:
+    def __init__(
+        self, *, holds_world: bool = False, is_arena: bool = False, checked: bool = False
+    ) -> None:
         """Load the program.
 
         Args:
             holds_world: whether the rows of a world lie in its memory, or a larger arena.
+            is_arena: whether nothing lies there but the arena.
             checked: check every access through a pointer, for tests.
         """
         # Not needed by a run that computes nothing.
@@ -101,7 +105,8 @@ class Kernels:
         instance = KernelInstance(executable(checked=checked))
         self._place, self._memory = int(instance.message[0]), instance.memory.data
         self._resume = instance.resume
-        third, robots, bodies, kinds = _WORLD if holds_world else _AT_ONCE
+        sizes = _ARENA if is_arena else _WORLD if holds_world else _AT_ONCE
+        third, robots, bodies, kinds = sizes
         self.call(_SETUP_NUMBER, third, robots, bodies, kinds)
         arena, *tables = _SETUP.unpack_from(self._memory, self._place)
         memory = instance.memory[arena : arena + 3 * third * _NUMBER].reshape(3, -1)
@@ -109,7 +114,7 @@ class Kernels:
         self.complexes = tuple(memory.view(np.complex128))
         self.arena = memory.view(np.float64).reshape(-1)
         self._bytes = self.arena.data.cast("B")
-        sizes = (
+        lengths = (
             robots * ROBOT_SIZE,
             bodies * BODY_SIZE,
             robots * BATTERY_SIZE,
@@ -118,7 +123,7 @@ class Kernels:
         )
         self.robots, self.bodies, self.batteries, self.kinds, self.sonars = (
             instance.memory[begin : begin + size * _NUMBER].data
-            for begin, size in zip(tables, sizes, strict=True)
+            for begin, size in zip(tables, lengths, strict=True)
         )
         results = memory[1:].reshape(-1)
         self._second, self._charges = results.view(np.int32), results.view(np.float64)
@@ -129,6 +134,12 @@ class Kernels:
         """Run a kernel, by its number in `main.c`, with its other arguments."""
         _ARGUMENTS[len(arguments)].pack_into(self._memory, self._place, *arguments)
         self._resume()
+
+    @property
+    def result(self) -> int:
+        """Return what the last kernel has returned."""
+        found: int = _RESULT.unpack_from(self._memory, self._place)[0]
+        return found
 
     def lay(self, content: bytes, place: int = 0) -> None:
         """Copy numbers into the arena, from a place on."""
@@ -181,8 +192,7 @@ class Kernels:
         """
         times = _LAST.pack(last_s) + to_s.tobytes()
         self._select(_RENEW if renews else _ADVANCE, len(to_s), rows, times)
-        found: int = _RESULT.unpack_from(self._memory, self._place)[0]
-        return found
+        return self.result
 
     def reports(self, rows: IndexArray | None, count: int) -> Int32Array:
         """Return what `State` says of the motions of robots, shape (k, 8), see `report.c`.
@@ -229,7 +239,7 @@ class Kernels:
         count = len(clock_s)
         numbers = clock_s.tobytes() + joined_s.tobytes() + values.tobytes()
         self._select(_SERVE, count, rows, _FOUR.pack(*service) + numbers)
-        found: int = _RESULT.unpack_from(self._memory, self._place)[0]
+        found = self.result
         first = 4 + (0 if rows is None else count)
         return found, self.arena[first : first + count].copy(), self._told(count)
 
@@ -250,8 +260,7 @@ class Kernels:
             not have moved as their wheels did.
         """
         self._select(_FIRE, len(to_s), rows, to_s.tobytes() + numbers, *sizes)
-        found: int = _RESULT.unpack_from(self._memory, self._place)[0]
-        return found
+        return self.result
 
     def charges(self, rows: IndexArray | None, for_s: FloatArray) -> FloatArray:
         """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).
@@ -309,7 +318,7 @@ class Kernels:
         self._select(_FINISH, count, None, _FOUR.pack(*cycle) + joined_s.tobytes() + before)
         found = self._second
         empty = found[2 : 2 + found[0]].tolist() if found[0] else []
-        return _RESULT.unpack_from(self._memory, self._place)[0], empty, bool(found[1])
+        return self.result, empty, bool(found[1])
 
     def _told(self, count: int) -> Records:
         """Return copies of the first replies in the arena, of dtype `REPLY`."""

@@ -93,7 +93,7 @@ def rays(
         beams).
     """
     numbers = _RAYS, 1 + wants_objects, wants_objects
-    return _survey(instance, numbers, fan, _viewers(poses, own), tables)
+    return _survey(instance, numbers, fan, viewers_of(poses, own), tables)
 
 
 def covers(instance: Kernels, fan: FloatArray, poses: FloatArray, pieces: FloatArray) -> FloatArray:
@@ -106,7 +106,7 @@ def covers(instance: Kernels, fan: FloatArray, poses: FloatArray, pieces: FloatA
         pieces: a row for each piece, as of segments for `rays`.
     """
     tables = pieces, pieces[:0]
-    return np.asarray(_survey(instance, (_COVERS, 1, 1), fan, _viewers(poses, 0), tables)[0])
+    return np.asarray(_survey(instance, (_COVERS, 1, 1), fan, viewers_of(poses, 0), tables)[0])
 
 
 def scan(
@@ -128,7 +128,7 @@ def scan(
     end, size = first + len(shapes.content) // _NUMBER, count * beams
     if end + 2 * size > instance.room:
         return None
-    instance.lay(b"".join((fan.tobytes(), _viewers(poses, own).tobytes(), shapes.content)))
+    instance.lay(b"".join((fan.tobytes(), viewers_of(poses, own).tobytes(), shapes.content)))
     segments, circles, pieces = shapes.counts
     instance.call(_SCAN, count, segments, circles, True, False, robots, end, first, pieces)
     return instance.arena[end : end + size].reshape(count, beams).copy()
@@ -165,7 +165,7 @@ def _survey(
     return instance.arena[out : instance.room].reshape(results, count, int(fan[0])).copy()
 
 
-def _viewers(poses: FloatArray, own: IndexArray | int) -> FloatArray:
+def viewers_of(poses: FloatArray, own: IndexArray | int) -> FloatArray:
     """Return the rows of robots, see `rays.c`."""
     viewers = np.empty((len(poses), _VIEWER))
     viewers[:, :3], viewers[:, 4] = poses, own

@@ -1,0 +1,96 @@
+"""Beams among sorted shapes measure what they do against the pairs that numpy selects."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from crs_cc.sim.devices.ray_caster import RayCaster
+from crs_cc.sim.geometry.rays import Fan, nearest
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.kernels import beam_field, program
+from crs_cc.sim.state.env_state import EnvState
+from tests.sim.driver import world_of
+
+THINGS = (
+    '<wall x1="1m" y1="1m" x2="9m" y2="8m" thickness="5cm"/>'
+    '<box x="3m" y="8m" heading="30" length="80cm" width="30cm"/>'
+    '<cylinder x="7m" y="2m" radius="25cm"/>'
+    '<polygon points="5,7.5 6,7.5 5.3,7.8 5,8.5"/>'
+    '<box x="5m" y="2m" heading="50" length="40cm" width="30cm" mass="1kg"/>'
+    '<cylinder x="2m" y="5m" radius="15cm" mass="1kg"/>'
+)
+ROBOTS = 40
+BEAMS = [(0.2 * math.cos(a), 0.2 * math.sin(a), a, 0.0, 4.0) for a in np.arange(16) * math.pi / 8]
+CONES = [(0.1, 0.05, a, math.radians(12), 9.0) for a in np.arange(5) * 1.2]
+
+
+def crowd(things: str = THINGS):
+    """Return a state, its scene, and poses at which robots overlap things, and each other."""
+    robots = "".join(f'<robot x="{11 + n % 8}m" y="{1 + n // 8}m"/>' for n in range(ROBOTS))
+    world = world_of(things + robots, 'length="20m" width="10m"')
+    state, rng = EnvState.at_start(world), np.random.default_rng(7)
+    state.bodies.position_m[:] = rng.uniform(-1, 11, state.bodies.position_m.shape)
+    poses = np.column_stack([state.bodies.position_m[:ROBOTS], rng.uniform(0, 7, ROBOTS)])
+    return state, Scene(world), poses
+
+
+def by_pairs(rays: RayCaster, state, fan: Fan, poses):
+    distance_m = nearest(fan, poses, rays.obstacles(state), own=np.arange(len(poses)))
+    distance_m[rays._pieces.cover(fan, poses)] = 0.0
+    return distance_m
+
+
+@pytest.mark.parametrize("beams", [BEAMS, CONES])
+@pytest.mark.parametrize("things", [THINGS, ""])
+def test_distances_are_those_of_pairs(beams, things):
+    state, scene, poses = crowd(things)
+    fan, own = Fan.of(beams), np.arange(ROBOTS)
+    rays = RayCaster(scene, [fan])
+    for _ in range(5):
+        assert rays.few_shapes(state, ROBOTS) is None
+        expected = by_pairs(rays, state, fan, poses)
+        assert rays.distances_m(state, fan, poses, own).tobytes() == expected.tobytes()
+        assert (expected == 0).any() or not things
+        assert rays._is_sorted
+        state.bodies.position_m[:] += 0.3
+        state.cycle += 1
+
+
+def test_robots_are_divided_if_their_beams_have_no_room(monkeypatch):
+    state, scene, poses = crowd()
+    fan = Fan.of(BEAMS)
+    monkeypatch.setattr(beam_field, "_WORK", len(fan.table) + 7 * 37)
+    rays = RayCaster(scene, [fan])
+    expected = by_pairs(rays, state, fan, poses)
+    assert np.array_equal(rays.distances_m(state, fan, poses, np.arange(ROBOTS)), expected)
+
+
+@pytest.mark.parametrize("room", [50, 420, 700])
+def test_without_room_pairs_are_selected(monkeypatch, room):
+    state, scene, poses = crowd()
+    fan = Fan.of(BEAMS)
+    monkeypatch.setattr(beam_field, "_WORK", 3 * program._ARENA[0] - room)
+    rays = RayCaster(scene, [fan])
+    expected = by_pairs(rays, state, fan, poses)
+    assert np.array_equal(rays.distances_m(state, fan, poses, np.arange(ROBOTS)), expected)
+    assert rays._has_no_room
+
+
+def test_checked_kernels_give_the_same(monkeypatch):
+    state, scene, poses = crowd()
+    fan = Fan.of(BEAMS)
+    rays = RayCaster(scene, [fan])
+    expected = by_pairs(rays, state, fan, poses)
+    made = program.Kernels
+    monkeypatch.setattr(beam_field, "Kernels", lambda **sizes: made(**sizes, checked=True))
+    assert np.array_equal(rays.distances_m(state, fan, poses, np.arange(ROBOTS)), expected)
+
+
+def test_a_fan_without_beams_measures_nothing():
+    state, scene, poses = crowd()
+    fan = Fan.of([])
+    rays = RayCaster(scene, [fan])
+    assert rays.distances_m(state, fan, poses, np.arange(ROBOTS)).shape == (ROBOTS, 0)
