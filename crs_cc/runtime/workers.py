@@ -17,8 +17,6 @@ from crs_cc.core.host_system import available_cores
 from crs_cc.runtime.driver import MOST_SHARDS
 
 if TYPE_CHECKING:
-    from concurrent.futures import Future
-
     from crs_cc.runtime.executable import Executable
 
 Task: TypeAlias = Callable[[], None]
@@ -47,48 +45,77 @@ def run_all(tasks: Sequence[Task]) -> None:
 
     If Ctrl-C is pressed meanwhile, `KeyboardInterrupt` is raised only then.
     """
-    futures = _threads(os.getpid()).submit(tasks[:-1])
+    errands = _threads(os.getpid()).submit(tasks[:-1])
     try:
         tasks[-1]()
     finally:
-        _wait(futures)
+        _wait(errands)
 
 
-def _wait(futures: Sequence[Future[None]]) -> None:
+def _wait(errands: Sequence[_Errand]) -> None:
     interrupt: KeyboardInterrupt | None = None
-    for future in futures:
-        while not future.done():
+    for errand in errands:
+        while not errand.has_ended:
             try:
-                future.exception()
+                errand.wait()
             except KeyboardInterrupt as caught:
                 interrupt = caught
     if interrupt is not None:
         raise interrupt
-    for future in futures:
-        future.result()
+    for errand in errands:
+        if errand.error is not None:
+            raise errand.error
+
+
+class _Errand:
+    """A task for another thread: a `Future` takes ten times as long.
+
+    Attributes:
+        has_ended: whether the task has.
+        error: what it has raised.
+    """
+
+    __slots__ = ("_lock", "_task", "error", "has_ended")
+
+    def __init__(self, task: Task) -> None:
+        self._task, self._lock = task, threading.Lock()
+        self._lock.acquire()
+        self.has_ended = False
+        self.error: BaseException | None = None
+
+    def run(self) -> None:
+        try:
+            self._task()
+        except BaseException as error:  # it is raised where the task is waited for
+            self.error = error
+        finally:
+            self.has_ended = True
+            self._lock.release()
+
+    def wait(self) -> None:
+        """Wait for the end, once; it may have been waited for if Ctrl-C was pressed then."""
+        self._lock.acquire()
 
 
 class _Threads:
     def __init__(self) -> None:
-        self._queue: SimpleQueue[tuple[Task, Future[None]]] = SimpleQueue()
+        self._queue: SimpleQueue[_Errand] = SimpleQueue()
         self._count = 0
         self._lock = threading.Lock()
 
-    def submit(self, tasks: Sequence[Task]) -> list[Future[None]]:
+    def submit(self, tasks: Sequence[Task]) -> list[_Errand]:
         """Run tasks in as many threads."""
-        from concurrent.futures import Future  # slow to import
-
         self._provide(len(tasks))
-        futures: list[Future[None]] = [Future() for _ in tasks]
-        for pair in zip(tasks, futures, strict=True):
-            self._queue.put(pair)
-        return futures
+        errands = [_Errand(task) for task in tasks]
+        for errand in errands:
+            self._queue.put(errand)
+        return errands
 
     def _provide(self, count: int) -> None:
         """Start threads until there are `count`."""
+        if self._count >= count:
+            return
         with self._lock:
-            if self._count >= count:
-                return
             before = threading.stack_size(_STACK_BYTES)
             try:
                 while self._count < count:
@@ -99,16 +126,7 @@ class _Threads:
 
     def _work(self) -> None:
         while True:
-            _complete(*self._queue.get())
-
-
-def _complete(task: Task, future: Future[None]) -> None:
-    try:
-        task()
-    except BaseException as error:  # it is raised where the task is waited for
-        future.set_exception(error)
-    else:
-        future.set_result(None)
+            self._queue.get().run()
 
 
 @functools.cache
