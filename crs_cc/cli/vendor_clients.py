@@ -68,12 +68,18 @@ class VendorClients:
             world: the world.
             sources: each robot's C files.
             speed: the multiple of real time; infinite if time goes by requests.
+
+        Raises:
+            click.UsageError: a robot is not one that is driven from outside.
         """
         self._options, self._pace = options, Pace(speed)
         self._names = [robot.id for robot in world.robots]
         relays = [number for number, files in enumerate(sources) if RELAY in files]
         self._board = Switchboard(relays, world.timestep_s, self._clock)
         self._server: Server | None = None
+        first = self._names[0] if self._names else ""
+        self._ports = [(name or first, port) for name, port in options.tcp_robots]
+        self._check([*options.terminals, *(name for name, _ in self._ports)])
 
     def begin(
         self, session: Session, pointing: Pointing | None, is_in_a_hurry: Callable[[], bool]
@@ -86,7 +92,6 @@ class VendorClients:
             is_in_a_hurry: returns whether the timestep is to end, and nobody is waited for.
 
         Raises:
-            click.UsageError: a robot is not one that is driven from outside.
             OSError: a port is in use.
         """
         self._session = session
@@ -108,25 +113,26 @@ class VendorClients:
 
     def _open_lines(self, server: Server, host: str) -> None:
         """Open the lines of single robots."""
-        first = self._names[0] if self._names else ""
-        ports = [(name or first, port) for name, port in self._options.tcp_robots]
-        names = [*self._options.terminals, *(name for name, _ in ports)]
-        for name in names:
-            self._check(name)
-            if names.count(name) > 1:
-                raise click.UsageError(f"'{name}' has one line only.")
         for name in self._options.terminals:
             place = server.serve_terminal(self._names.index(name))
             say(f"crs: {name} is on {place}")
-        for name, port in ports:
+        for name, port in self._ports:
             opened = server.serve_line(port, self._names.index(name))
             say(f"crs: {name} is on port {opened} of {host}")
 
-    def _check(self, name: str) -> None:
-        if name not in self._names:
-            raise click.UsageError(f"{unknown('robot', name, self._names)}.")
-        if self._names.index(name) not in self._board.robots:
-            raise click.UsageError(f"'{name}' has a program and is not driven from outside.")
+    def _check(self, names: Sequence[str]) -> None:
+        """Check that robots can have lines.
+
+        Raises:
+            click.UsageError: one cannot, or is named twice.
+        """
+        for name in names:
+            if name not in self._names:
+                raise click.UsageError(f"{unknown('robot', name, self._names)}.")
+            if self._names.index(name) not in self._board.robots:
+                raise click.UsageError(f"'{name}' has a program and is not driven from outside.")
+            if names.count(name) > 1:
+                raise click.UsageError(f"'{name}' has one line only.")
 
     @property
     def _clock(self) -> Pace | None:

@@ -30,6 +30,7 @@ def test_wrong_options_are_one_error(options: list[str], text: str) -> None:
     done = CliRunner().invoke(crs, ["serve", PAIR, "--max-time", "0.1", *options])
     assert done.exit_code == 2, done.output
     assert text in done.output
+    assert done.output.startswith("Usage:"), "no page is opened before"
 
 
 def test_open_ports_are_announced(tmp_path: Path) -> None:
