@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeAlias
 
 import numpy as np
 
@@ -22,7 +22,10 @@ from crs_cc.sim.model.world import Pose, Thing, WorldModel
 if TYPE_CHECKING:
     from crs_cc.cli.summary import Run
     from crs_cc.session.session import Session
+    from crs_cc.sim.engine.passage import Passage
     from crs_cc.sim.engine.step import Step
+
+_Points: TypeAlias = tuple[FloatArray, FloatArray]  # x and y
 
 _MOVED_M: Final = 0.005
 MARKED: Final = 3
@@ -38,6 +41,7 @@ class RunPlot:
     def __init__(self) -> None:
         self._tracks = Tracks()
         self._believed = Tracks()
+        self._next = 0  # timestep
 
     def add_contacts(self, step: Step, robots: int) -> None:
         """Add the contacts that began in a timestep of a world with a number of robots."""
@@ -49,9 +53,25 @@ class RunPlot:
         self._tracks.collisions += int(once.sum())
 
     def sample(self, session: Session) -> None:
-        """Add the current positions."""
-        self._tracks.add(*_positions_m(session))
-        self._believed.add(*_believed_m(session))
+        """Add the current positions, and that nothing has moved in timesteps that were left out."""
+        if session.timesteps >= self._next:
+            self._add(session.timesteps, _positions_m(session), _believed_m(session))
+
+    def add_passage(self, session: Session, passage: Passage) -> None:
+        """Add the positions of a passage of timesteps."""
+        state, robots = session.environment.state, session.environment.world.robots
+        frames = np.where(state.presence.present[:, None], passage.frames, np.nan)
+        x_m, y_m, _, _, own_x_m, own_y_m, _ = np.moveaxis(frames, 2, 0)
+        believed_m = in_world_m([robot.start for robot in robots], own_x_m, own_y_m)
+        rows = zip(x_m, y_m, *believed_m, strict=True)
+        for timestep, (*true, own_x, own_y) in enumerate(rows, passage.first + 1):
+            self._add(timestep, tuple(true), (own_x, own_y))
+
+    def _add(self, timestep: int, true_m: _Points, believed_m: _Points) -> None:
+        for tracks, points in ((self._tracks, true_m), (self._believed, believed_m)):
+            tracks.stay(timestep - self._next)
+            tracks.add(*points)
+        self._next = timestep + 1
 
     def picture(
         self, session: Session, run: Run, programs: Sequence[str], *, sensors: bool
@@ -102,7 +122,7 @@ def time_marks(
     return [(x_m, y_m, f"{at * timestep_s:g} s") for at, x_m, y_m in places]
 
 
-def _believed_m(session: Session) -> tuple[FloatArray, FloatArray]:
+def _believed_m(session: Session) -> _Points:
     """Return x and y by odometry [m] in the world frame, NaN as for `_positions_m`."""
     state, robots = session.environment.state, session.environment.world.robots
     own, present = state.odometry, state.presence.present
@@ -134,7 +154,7 @@ def apart_m(path: FloatArray, believed: FloatArray) -> float:
     return float(np.abs(believed - path).max())
 
 
-def _positions_m(session: Session) -> tuple[FloatArray, FloatArray]:
+def _positions_m(session: Session) -> _Points:
     """Return x and y of all robots [m], NaN for those that are not in the world."""
     state = session.environment.state
     present = state.presence.present

@@ -41,17 +41,27 @@ class Tracks:
         self.contacts: list[tuple[int, float, float]] = []
         self._cells: set[tuple[int, int, int]] = set()
         self._samples: list[FloatArray] = []
+        self._last: FloatArray = np.zeros((0, 2))
         self._stride = 1
         self._timesteps = 0
 
     def add(self, x_m: FloatArray, y_m: FloatArray) -> None:
         """Add all robots' positions after a timestep, NaN for one that is not in the world."""
+        self._last = np.column_stack([x_m, y_m])
         if self._timesteps % self._stride == 0:
-            self._samples.append(np.column_stack([x_m, y_m]))
+            self._samples.append(self._last)
             if len(self._samples) > max(2, self.max_samples // max(1, len(x_m))):
                 self._samples = self._samples[::2]
                 self._stride *= 2
         self._timesteps += 1
+
+    def stay(self, timesteps: int) -> None:
+        """Add the last positions again for further timesteps, in which nothing moved."""
+        for _ in range(timesteps):
+            if self._timesteps % self._stride:
+                self._timesteps += 1
+            else:
+                self.add(*self._last.T)
 
     def add_contact(self, robot: int, x_m: float, y_m: float) -> None:
         """Add a contact."""

@@ -65,6 +65,20 @@ int main(int argc, char **argv)
     }
 }
 """,
+    "drives": """
+#include <Nclient.h>
+#include <stdlib.h>
+int main(int argc, char **argv)
+{
+    unsigned n;
+    connect_robot(1);
+    srand(atoi(argv[1]));
+    for (;;) {
+        int left = rand() % 120 - 50, right = rand() % 120 - 50;
+        for (n = rand() % 40; n; n--) { vm(left, right, 0); gs(); }
+    }
+}
+""",
     "ends": """
 #include <Nclient.h>
 #include <stdio.h>
@@ -79,7 +93,8 @@ int main(int argc, char **argv)
 """,
 }
 
-HALL = '<area length="8m" width="5m"/><box x="4m" y="2m" length="0.5m" width="0.5m" mass="5kg"/>'
+BOX = '<box id="box" x="4m" y="2m" length="0.5m" width="0.5m" mass="5kg"/>'
+HALL = f'<area length="8m" width="5m"/>{BOX}'
 ROBOTS = """<robot id="a" x="1m" y="2m" {0}/><robot id="b" x="3m" y="3.2m" heading="200deg" {0}/>
 <robot id="c" x="6.5m" y="2m" heading="180deg" {0}/>"""
 WORLDS = {
@@ -91,8 +106,32 @@ WORLDS = {
     + '<robot id="d" x="2m" y="1m" join="1.53s" leave="4.1s"/>',
     "sonars fail": HALL + ROBOTS.format("")
     + '<degradation robot="a" device="sonar" element="3" onset="2.2s" duration="1s" noise="0.2m"/>',
-    "goals": HALL + ROBOTS.format("") + '<goal within="2s"><no-collision/></goal>',
+    "goals": HALL + ROBOTS.format("") + """
+<goal id="near" robots="c"><approach object="box" distance="1.8m"/></goal>
+<goal id="ways"><visit><place x="6.1m" y="2.1m" radius="9cm"/><place x="2.5m" y="3m" radius="9cm"/>
+</visit></goal>
+<goal id="back" after="ways" within="14s"><reach x="2.4m" y="3.2m" radius="9cm" stay="0.3s"/></goal>
+<goal id="all" robots="a b"><reach x="2m" y="2.6m" radius="1.3m" stay="0.6s"/></goal>
+<goal id="wall" robots="a"><approach object="edge-west" distance="1.2m" stay="1s"/></goal>
+<goal id="late" after="near" within="7s"><reach x="7m" y="1m" radius="50cm"/></goal>
+<goal id="clean" within="2s"><no-collision/></goal>
+<goal id="quiet" robots="c"><no-collision until="back"/></goal>
+""",
+    "bring": HALL + ROBOTS.format("")
+    + '<goal><bring objects="box" x="4m" y="2m" radius="1m" stay="1.5s"/></goal>',
+    "places": HALL + """<robot id="a" x="1m" y="2m"/>
+<goal><reach x="2m" y="1m" radius="0.5m" stay="0.4s"/></goal>
+<goal><bring objects="box" x="1m" y="4m" radius="0.5m" stay="0.4s"/></goal>
+""",
+    "cover": HALL + ROBOTS.format("") + '<goal><cover share="0.02" cell="10cm"/></goal>',
+    "follow": HALL + ROBOTS.format("")
+    + '<goal><follow target="b" least="1m" most="2m" share="0.3"/></goal>',
 }  # fmt: skip
+STATUSES = {
+    "goals": ["met", "met", "met", "met", "met", "failed", "met", "met"],
+    "bring": ["met"],
+    "cover": ["met"],
+}
 TIMESTEPS = {"odd timestep": "37ms"}
 
 
@@ -193,7 +232,19 @@ def test_states_and_answers_are_the_same_in_every_world(world: str, tmp_path: Pa
     model = world_of(world, tmp_path)
     program = build(tmp_path, PROGRAMS["anything"])
     passed = compare(model, [program] * len(model.robots), 100)
-    assert passed > 5 or world in ("comings and goings", "sonars fail", "goals")
+    assert passed > 5 or world in ("comings and goings", "sonars fail", "cover", "follow")
+
+
+@pytest.mark.parametrize(("world", "calm"), [("goals", 100), ("bring", 200), ("cover", 0)])
+def test_goals_are_met_and_fail_in_the_same_timestep(world: str, calm: int, tmp_path: Path) -> None:
+    model = world_of(world, tmp_path)
+    programs = [build(tmp_path, PROGRAMS["drives"])] * 3
+    assert compare(model, programs, 300) >= calm
+    session, _ = start(model, programs, Observer())
+    while session.timesteps < 300:
+        session.step()
+    statuses = [goal.status for goal in session.result().goals]
+    assert statuses == STATUSES[world]
 
 
 @pytest.mark.parametrize("name", ["reads", "ends"])
@@ -219,18 +270,19 @@ def test_checked_kernels_do_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert compare(world_of("errors", tmp_path), [program] * 3, 60) > 0
 
 
-def test_a_change_from_outside_is_noticed(tmp_path: Path) -> None:
+@pytest.mark.parametrize("world", ["one robot", "places"])
+def test_a_change_from_outside_is_noticed(world: str, tmp_path: Path) -> None:
     program, hashes = build(tmp_path, PROGRAMS["reads"]), []
     for is_allowed in (True, False):
-        session, _ = start(world_of("one robot", tmp_path), [program], Observer())
+        session, _ = start(world_of(world, tmp_path), [program], Observer())
         session.calm.is_allowed = is_allowed
-        for place in (Pose(2.0, 1.0, 0.5), Pose(6.0, 4.0, 0.0)):
-            end = session.timesteps + 20
-            while session.timesteps < end:
-                session.advance(end - session.timesteps, calmly=True)
-            session.environment.carry("a", place)
-        session.step()
-        hashes.append(session.state_hash())
+        for name, place in (("a", Pose(2.0, 1.0)), ("a", Pose(6.0, 4.0)), ("box", Pose(1.0, 4.0))):
+            for end in (session.timesteps + 20, session.timesteps + 40):
+                while session.timesteps < end:
+                    session.advance(end - session.timesteps, calmly=True)
+                if end % 40:
+                    session.environment.carry(name, place)
+        hashes.append((session.state_hash(), session.timesteps, session.result().goals))
     assert hashes[0] == hashes[1]
 
 

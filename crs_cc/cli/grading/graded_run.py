@@ -24,10 +24,12 @@ from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.session.host import never_waits
 from crs_cc.session.session import Session
+from crs_cc.sim.engine.passage import Passage
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.state.goals import OPEN
 
 _ROUNDING_S: Final = 1e-9
+_LOOK_S: Final = 0.5
 _SHOWN: Final = 2000  # bytes
 
 
@@ -105,6 +107,7 @@ class _ProgramRun:
         self._codes = refused_codes(job.allowed)
         self._seed = job.seed if job.seed is not None else loaded.world.seed or 0
         self._end_s = job.limits.max_time_s or loaded.world.duration_s or DEFAULT_TIME_S
+        self._look = max(1, round(_LOOK_S / loaded.world.timestep_s))
         self._printed = 0
         self._shown = bytearray()
         self._refused = ""
@@ -159,15 +162,27 @@ class _ProgramRun:
         self._sample()
         goes_on = True
         while goes_on and session.time_s < self._end_s - _ROUNDING_S:
-            goes_on = session.advance(1)
+            goes_on = session.advance(self._most_timesteps(), calmly=True)
             self._sample()
-            self._check_limits()
+            self._check_limits(is_last=not goes_on)
             goals = session.environment.last_state.goals
             if goals is not None and not (goals.status == OPEN).any():
                 return
 
-    def _check_limits(self) -> None:
+    def _most_timesteps(self) -> int:
+        """Return the number of timesteps to run without a look at what has become of it."""
+        session, timestep_s = self._session, self._loaded.world.timestep_s
+        most = self._look - session.timesteps % self._look
+        left_s = self._end_s - session.time_s
+        if self._recorder is not None:
+            left_s = min(left_s, self._recorder.seconds_left())
+        return max(1, min(most, int(left_s / timestep_s + _ROUNDING_S)))
+
+    def _check_limits(self, *, is_last: bool) -> None:
         """Stop a run that has used up more than it may, or done what it may not.
+
+        What it has used up counts at fixed instants, however many timesteps run at once, and when
+        its program has ended.
 
         Raises:
             _Over: it must be stopped.
@@ -175,10 +190,12 @@ class _ProgramRun:
         limits = self._job.limits
         if self._refused:
             raise _Over("refused", f"{self._refused}() is not allowed: no robot can do that")
-        if int(self._session.state.fuel[self._mine].max()) > limits.max_fuel:
-            raise _Over("limit", f"computed more than {limits.max_fuel:,} instructions")
+        if self._session.timesteps % self._look and not is_last:
+            return
         if self._printed > limits.max_output:
             raise _Over("limit", f"printed more than {limits.max_output:,} bytes")
+        if int(self._session.state.fuel[self._mine].max()) > limits.max_fuel:
+            raise _Over("limit", f"computed more than {limits.max_fuel:,} instructions")
 
     def _sample(self) -> None:
         if self._recorder is not None:
@@ -193,6 +210,12 @@ class _ProgramRun:
         for served in step.served:
             if served.code in self._codes and np.isin(served.robots, self._mine).any():
                 self._refused = self._codes[served.code]
+
+    def passed(self, passage: Passage) -> None:
+        """Note a passage of timesteps, in which nothing was touched."""
+        if self._recorder is not None:
+            self._recorder.passed(passage)
+        self._plot.add_passage(self._session, passage)
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
         if robot in self._mine:

@@ -1,10 +1,11 @@
 """Calm time: cycles of few robots in which a kernel does all that happens.
 
 Calm is a world in which nothing touches or is held, nobody waits in it, no message is on its way,
-no device is degraded, and all that requests and sonars depend on is known to kernels. Robots may
-drive as they are told. Then the kernel of `kernels/calm.c` answers requests, fires sonars and ends
-cycles, in turn with the programs, until one of them asks for something else, or something is near a
-robot or due that kernels do not know. It leaves that as it was, and the general way goes on.
+no device is degraded, no goal changes, and all that requests and sonars depend on is known to
+kernels. Robots may drive as they are told. Then the kernel of `kernels/calm.c` answers requests,
+fires sonars and ends cycles, in turn with the programs, until one of them asks for something else,
+or something is near a robot or due that kernels do not know. It leaves that as it was, and the
+general way goes on.
 
 The rows of robots are copied into the kernel's memory, and back.
 """
@@ -24,7 +25,6 @@ from crs_cc.sim.engine.passage import Passage, answers_of, served_of
 from crs_cc.sim.engine.quiet_time import MARGIN, NEVER
 from crs_cc.sim.kernels.calm import ANSWER, CODES, FRAME, MOST, CalmKernel, frames_of
 from crs_cc.sim.physics.contacts import SLOP_M
-from crs_cc.sim.state.goals import OPEN
 
 if TYPE_CHECKING:
     from crs_cc.sim.engine.dispatch import Dispatcher
@@ -63,6 +63,7 @@ class CalmTime:
         self._keeps = False
         self._most = np.zeros((0, 3))
         self._draws = 0
+        self._goal_room_m = 0.0  # at the last `end`
 
     # -- whether it is calm ----------------------------------------------------------------------
 
@@ -84,12 +85,14 @@ class CalmTime:
             self._enter(keeps=keeps, most=most)
         if keeps and not all(map(_is_like_ours, self._dispatcher.served)):
             cycles = 0  # observers hear of this cycle by itself
+        if is_new:
+            self._goal_room_m = data.goals.room_m(state)
         left, room_m = data.physics.calm_cycles(state.bodies)
         left = min(cycles, left, self._cycles_to_event() if cycles else 0)
         if left <= 0 < cycles:
             return False
         self._draw()
-        self.kernel.begin(state.cycle + left, state.cycle, room_m, 0)
+        self.kernel.begin(state.cycle + left, state.cycle, room_m, self._goal_room_m)
         return True
 
     def _can_be_calm(self) -> bool:
@@ -123,8 +126,6 @@ class CalmTime:
             return False
         if any(constants.degradations.concern(state, device) for device in _DEVICES):
             return False
-        if state.goals is not None and bool((state.goals.status == OPEN).any()):
-            return False
         messages = state.messages
         rest = messages.receptions, messages.packets, messages.shuts, messages.outbox
         return not any(map(len, rest)) and data.physics.calm_cycles(state.bodies)[0] > 0
@@ -132,7 +133,7 @@ class CalmTime:
     def _cycles_to_event(self) -> int:
         """Return how many cycles may end before the next event that is known."""
         data, state = self._data, self._data.state
-        event_s = min(float(state.degradation.next_s), data.due_s)
+        event_s = min(float(state.degradation.next_s), data.due_s, data.goals.due_s(state))
         if not event_s < NEVER * data.timestep_s:
             return NEVER
         return int(event_s / data.timestep_s) - MARGIN - state.cycle
@@ -251,7 +252,8 @@ class CalmTime:
         """
         data, state, kernel = self._data, self._data.state, self.kernel
         verdict, changed = kernel.outcome()
-        cycle, room_m, rounds, ended, answered, _, served, was_served, is_weary = changed
+        cycle, room_m, self._goal_room_m, rounds, ended, answered, _, *last = changed
+        served, was_served, is_weary = last
         tables = state.rows.tables(data.constants.kinds)
         for memory, table in zip(self._memories(), tables, strict=True):
             table[:] = np.ndarray(table.shape, table.dtype, memory)

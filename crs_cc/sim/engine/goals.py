@@ -196,25 +196,32 @@ class GoalJudge:
 
     def _there(self, number: int, state: EnvState) -> BoolArray:
         """Return which robots are in the place of a goal, or near its object."""
-        condition = self._world.goals[number].condition
         can = self._chosen[number] & state.presence.present
+        return np.asarray(can & (self._outside_m(number, state) <= 0.0))
+
+    def _outside_m(self, number: int, state: EnvState) -> FloatArray:
+        """Return how far robots are from the place of a goal, or from near its object [m].
+
+        It is negative in it.
+        """
+        condition = self._world.goals[number].condition
         if isinstance(condition, Reach):
-            return can & _inside(condition.place, state.x_m, state.y_m)
+            return _outside_m(condition.place, state.x_m, state.y_m)
         assert isinstance(condition, Approach)
         thing = self._numbers.get(condition.object)
         if thing is None:  # a program has removed it
-            return np.zeros_like(can)
-        shapes, things = self._constants.shapes, np.full(len(can), thing)
+            return np.full(len(state.connected), np.inf)
+        shapes, things = self._constants.shapes, np.full(len(state.connected), thing)
         poses = shapes.poses(state.bodies)
         distance_m = shapes.distance_m(poses, things, state.x_m, state.y_m)
-        return np.asarray(can & (distance_m <= condition.distance_m))
+        return np.asarray(distance_m - condition.distance_m)
 
     def _visits(self, number: int, condition: Visit, state: EnvState) -> bool:
         robots = np.flatnonzero(self._chosen[number] & state.presence.present)
         visited = self._marks_of(number, state)
         for row in np.flatnonzero(~visited).tolist():
             place = condition.places[row]
-            visited[row] = _inside(place, state.x_m[robots], state.y_m[robots]).any()
+            visited[row] = (_outside_m(place, state.x_m[robots], state.y_m[robots]) <= 0.0).any()
         return bool(visited.all())
 
     def _cools(self, condition: Cool, state: EnvState) -> bool:
@@ -246,7 +253,7 @@ class GoalJudge:
         if any(number is None for number in numbers):
             return False
         place_m = state.bodies.position_m[np.array(numbers, np.intp)]
-        return bool(_inside(condition.place, place_m[:, 0], place_m[:, 1]).all())
+        return bool((_outside_m(condition.place, place_m[:, 0], place_m[:, 1]) <= 0.0).all())
 
     def _collides(self, number: int, condition: NoCollision, contacts: Contacts) -> bool:
         if not len(contacts.robot):
@@ -285,6 +292,44 @@ class GoalJudge:
     def _marks_of(self, number: int, state: EnvState) -> BoolArray:
         assert state.goals is not None
         return state.goals.marks[self._marks[number]]
+
+    # -- time in which nothing is judged -----------------------------------------------------------
+
+    def room_m(self, state: EnvState) -> float:
+        """Return how far robots may move in all before a goal has to be judged [m].
+
+        Nothing else is to move, touch or change meanwhile, and `due_s` still to come. 0.0 if a goal
+        has to be judged at the end of this timestep.
+        """
+        goals = state.goals
+        if goals is None:
+            return math.inf
+        numbers = np.flatnonzero(goals.status == OPEN).tolist()
+        counting = [number for number in numbers if self._is_on(self._world.goals[number], goals)]
+        return min((self._goal_room_m(each, state, goals) for each in counting), default=math.inf)
+
+    def _goal_room_m(self, number: int, state: EnvState, goals: GoalState) -> float:
+        condition = self._world.goals[number].condition
+        can = self._chosen[number] & state.presence.present
+        match condition:
+            case Reach() | Approach():
+                is_noted = goals.since[:, number] != NOT_THERE
+                if (is_noted != self._there(number, state)).any():
+                    return 0.0
+                return float(np.abs(self._outside_m(number, state)[can]).min(initial=np.inf))
+            case Visit(places):
+                left = np.flatnonzero(~self._marks_of(number, state)).tolist()
+                x_m, y_m = state.x_m[can], state.y_m[can]
+                outside_m = np.array([_outside_m(places[row], x_m, y_m) for row in left])
+                return max(0.0, float(outside_m.min(initial=np.inf)))
+            case Cool():
+                return 0.0 if self._cools(condition, state) else math.inf
+            case Bring():
+                is_noted = bool(goals.brought[number] != NOT_THERE)
+                return math.inf if is_noted == self._are_there(condition, state) else 0.0
+            case NoCollision():
+                return math.inf
+        return 0.0  # each timestep counts
 
     # -- time at rest ----------------------------------------------------------------------------
 
@@ -373,6 +418,6 @@ class GoalJudge:
         return ""
 
 
-def _inside(place: Place, x_m: FloatArray, y_m: FloatArray) -> BoolArray:
-    distance_m = exact.hypot(x_m - place.x_m, y_m - place.y_m)
-    return np.asarray(distance_m <= place.radius_m)
+def _outside_m(place: Place, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
+    """Return how far points are from a place [m]; negative in it."""
+    return np.asarray(exact.hypot(x_m - place.x_m, y_m - place.y_m) - place.radius_m)

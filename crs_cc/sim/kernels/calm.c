@@ -311,7 +311,7 @@ static double clearance(void)
     return most;
 }
 
-/* Return whether robots have room for this cycle, which is reserved. */
+/* Return whether robots have room for this cycle, which is reserved, and change no goal in it. */
 static int has_room(void)
 {
     double way = 0, need, room = calm->room;
@@ -322,6 +322,8 @@ static int has_room(void)
 
         way = at_least(way, __builtin_fabs(moved[0]) + __builtin_fabs(moved[1]));
     }
+    if (!(calm->goal_room >= 2 * way))
+        return 0;
     need = 2 * way + calm->slop;
     if (room < need)
         room = clearance();
@@ -329,6 +331,7 @@ static int has_room(void)
     if (!(room >= 0))
         return 0;
     calm->room = room;
+    calm->goal_room -= 2 * way;
     return 1;
 }
 
@@ -375,7 +378,7 @@ static int finish(void)
     static double before[2 * MOST];
     static int empty[2 + MOST];
     struct cycle cycle = { calm->timestep, calm->end, 1, -1 };
-    double room = calm->room;
+    double room = calm->room, goal_room = calm->goal_room;
 
     keep(0);
     if (has_room()
@@ -387,6 +390,7 @@ static int finish(void)
     }
     keep(1);
     calm->room = room;
+    calm->goal_room = goal_room;
     return 0;
 }
 

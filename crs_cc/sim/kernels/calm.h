@@ -53,6 +53,7 @@ struct calm {
     /* What it changes. */
     long long cycle;
     double room;                        /* that robots have, see `physics/simulation.py` */
+    double goal_room;                   /* and until a goal has to be judged, see `engine/goals.py` */
     long long rounds;                   /* of programs in this cycle */
     long long ended;                    /* cycles */
     long long answer_count, batch;

@@ -48,9 +48,9 @@ CALM: Final = np.dtype(
         ("draws", "<i8"), ("frame_room", "<i8"), ("answer_room", "<i8"), ("keeps", "<i8"),
         ("until", "<i8"), ("laser_count", "<i8"), ("batteries", "<i8"), ("board_ms", "<i8"),
         ("timestep_s", "<f8"), ("slop_m", "<f8"),
-        ("cycle", "<i8"), ("room_m", "<f8"), ("rounds", "<i8"), ("ended", "<i8"),
-        ("answer_count", "<i8"), ("batch", "<i8"), ("served", "<i8"), ("was_served", "<i8"),
-        ("is_weary", "<i8"),
+        ("cycle", "<i8"), ("room_m", "<f8"), ("goal_room_m", "<f8"), ("rounds", "<i8"),
+        ("ended", "<i8"), ("answer_count", "<i8"), ("batch", "<i8"), ("served", "<i8"),
+        ("was_served", "<i8"), ("is_weary", "<i8"),
     ]
 )  # fmt: skip
 """`struct calm`."""
@@ -73,7 +73,7 @@ _SETUP: Final = struct.Struct("<5i"), 99
 _PLACES: Final = struct.Struct("<6i")
 _THIRD: Final = 540_000
 _CHANGES: Final = "cycle"  # the first of what the kernel changes
-_CHANGED: Final = struct.Struct("<qdqqqqqqq")
+_CHANGED: Final = struct.Struct("<qddqqqqqqq")
 _TOLD: Final = struct.Struct("<iid")
 
 
@@ -128,10 +128,11 @@ class CalmKernel:
         for name, number in numbers.items():
             self._head[name] = number
 
-    def begin(self, until: int, cycle: int, room_m: float, rounds: int) -> None:
+    def begin(self, until: int, cycle: int, room_m: float, goal_room_m: float) -> None:
         """Set what differs with each call, and what the kernel changes."""
         self._head["until"] = until
-        _CHANGED.pack_into(self._bytes, self._first, cycle, room_m, rounds, 0, 0, 0, 0, 0, 0)
+        changed = cycle, room_m, goal_room_m, 0, 0, 0, 0, 0, 0, 0
+        _CHANGED.pack_into(self._bytes, self._first, *changed)
         _TOLD.pack_into(self._bytes, 0, 0, -1, 0.0)
         struct.pack_into("<i", self._memory, self._place, _KERNEL)
 
