@@ -1,6 +1,7 @@
 """Questions about the recorded past: the run is replayed, and is then where it was.
 
-Nothing is shown of the output of the programs, and breakpoints do not count.
+Nothing is shown of the output of the programs, and breakpoints do not count. Only the programs run
+again where that is enough, see `timeline.input_log`.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation
 from crs_cc.debug.stop_points import StopPoints
+from crs_cc.debug.surroundings import mentions_world
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.timeline.run_event import RunEvent, StopRequest
@@ -32,6 +34,8 @@ from crs_cc.ir.instruction import plain_states
 _STOPS: Final = frozenset({"stop", "error"})
 """Events of time lines that are not of the world."""
 _SLACK: Final = 1e-9  # of a timestep
+_PIECE: Final = 400
+"""So many timesteps are replayed at once, about: for each it is decided whether the world must."""
 MAX_INSTANTS: Final = 100_000
 """More answers to one question are refused; chosen by us, some tens of megabytes."""
 
@@ -119,7 +123,7 @@ class Past:
         """
         run, found = self._run, list[Instant]()
         with self._moved(part):
-            for robot in self._visits(place, part.end):
+            for robot in self._visits(place, part, text):
                 if site := run.site(robot):
                     said = self._stop_points.logged(text, robot)
                     at = run.position, run.time_s(robot)
@@ -136,7 +140,7 @@ class Past:
         """
         run, found = self._run, list[Instant]()
         with self._moved(part):
-            for robot in self._visits(place, part.end):
+            for robot in self._visits(place, part, expression):
                 text, number = self._value_here(expression, robot)
                 site = run.site(robot)
                 location = None if site is None else site.location
@@ -161,7 +165,7 @@ class Past:
         if place is None or place.codes:
             raise DebugError(f"the hits of '{wanted.text}' cannot be listed: it is no line")
         with self._moved(part):
-            for robot in self._visits(place, part.end):
+            for robot in self._visits(place, part, wanted.condition):
                 site = run.site(robot)
                 if wanted.robot not in {None, robot} or not self._holds(wanted.condition, robot):
                     continue
@@ -173,9 +177,18 @@ class Past:
     def _holds(self, condition: str, robot: int) -> bool:
         return not condition or self._view.evaluator(robot).holds(condition, None)
 
-    def _visits(self, place: BreakpointLocation, end: Position) -> Iterator[int]:
-        """Replay up to a position; yield the robot whenever its program is at a place."""
-        for event in self._events(StopRequest(place.statements), end):
+    def _visits(self, place: BreakpointLocation, part: Range, asked: str) -> Iterator[int]:
+        """Replay a part; yield the robot whenever its program is at a place.
+
+        Args:
+            place: the place.
+            part: the part.
+            asked: the expressions that are evaluated there.
+        """
+        marks, names = StopRequest(place.statements), self._view.session.environment.names
+        uses_world = mentions_world(asked, names)
+        events = self._events(marks, part.end) if uses_world else self._replayed(marks, part)
+        for event in events:
             robot = self._run.session.state.halted
             if event.kind == "statement" and robot is not None:
                 yield robot
@@ -244,7 +257,7 @@ class Past:
             marks = StopRequest(watched={} if is_world else {robot: [watched]})
             marks = replace(marks, world=[watched]) if isinstance(watched, WatchedWorld) else marks
             edits = {each.position for each in run.history.changes}
-            for event in self._events(marks, part.end):
+            for event in self._events(marks, part.end) if is_world else self._replayed(marks, part):
                 for hit in event.accesses:
                     if hit.access.what != "return":
                         note(hit.access.new, hit.before, hit.access.location)
@@ -284,6 +297,31 @@ class Past:
             if event.kind == "limit":
                 return
             yield event
+
+    def _replayed(self, marks: StopRequest, part: Range) -> Iterator[RunEvent]:
+        """Replay the programs in a part of the past, and the world only where it must be.
+
+        There is an event at each change of the user's.
+        """
+        run, edits = self._run, {each.position for each in self._run.history.changes}
+        for begin, end in self._pieces(part, edits):
+            if begin in edits:
+                run.seek(begin)
+                yield RunEvent("edit")
+            run.arm(marks)
+            for event in run.replay(begin, end):
+                if run.position > part.begin:
+                    yield event
+
+    def _pieces(self, part: Range, edits: set[Position]) -> Iterator[tuple[Position, Position]]:
+        """Return pieces that cover a part of the past, each between two snapshots or at its end."""
+        places = self._run.history.places(part.end)
+        begin = places[max(0, bisect_right(places, part.begin) - 1)] if places else BEGINNING
+        for place in places[bisect_right(places, begin) :]:
+            if place in edits or place.timestep - begin.timestep >= _PIECE:
+                yield begin, place
+                begin = place
+        yield begin, part.end
 
 
 def _keep(found: list[Instant], one: Instant) -> None:

@@ -35,7 +35,7 @@ from crs_cc.core.arrays import Records
 from crs_cc.core.source import Location
 from crs_cc.debug.data.observation import UNREADABLE, Content, Observation, Span
 from crs_cc.debug.errors import DebugError
-from crs_cc.ir.instruction import plain_states
+from crs_cc.ir.instruction import ByteState, plain_states
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.codegen.watchpoints import accesses
 from crs_cc.runtime.diagnosis.inspect import StackFrame
@@ -68,6 +68,8 @@ KINDS: Final[dict[AccessKind, int]] = {
     "access": READ | WRITE,
     "change": WRITE,
 }
+
+_VALUED: Final = bytes([ByteState.WITH_VALUE])
 
 Role: TypeAlias = Literal["object", "read", "frame"]
 """What a range is watched for: the object itself, what its value depends on, a frame's header."""
@@ -297,7 +299,10 @@ class WatchSet:
         row = touched if touched is not None else hits.get("read")
         if row is None:
             return
-        new = self._seen[number] = self._look(watched)
+        is_all = frame is None and "read" not in hits
+        new = self._seen[number] = (self._same_object(old) if is_all else None) or self._look(
+            watched
+        )
         if (old.content == new.content) if watched.kind == "change" else (touched is None):
             return
         what: Literal["write", "read", "change"] = "change"
@@ -338,6 +343,20 @@ class WatchSet:
         states = plain_states(self._fleet.shadow(self._robot)[part].tobytes())
         content = self._fleet.memory(self._robot)[part].tobytes()
         return Observation((content, states), (watched.address, watched.size))
+
+    def _same_object(self, seen: Observation) -> Observation | None:
+        """Return the value now of an object that is always the same, without evaluating anything.
+
+        None if that is not enough: its place depends on others, or it has had or has no value.
+        """
+        if seen.place is None or seen.reads or not seen.content[0] or seen.content[1]:
+            return None
+        part = slice(seen.place[0], sum(seen.place))
+        states = plain_states(self._fleet.shadow(self._robot)[part].tobytes())
+        if states.strip(_VALUED):
+            return None
+        content = self._fleet.memory(self._robot)[part].tobytes()
+        return Observation((content, b""), seen.place)
 
     def _ended(self) -> set[int]:
         """Return the numbers of the variables whose functions have returned."""

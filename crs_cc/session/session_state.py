@@ -273,6 +273,18 @@ class SessionState:
         self.timesteps = snapshot.timesteps
         self.rounds, self.halted = snapshot.rounds, snapshot.halted
 
+    def recall(self, snapshot: SessionSnapshot) -> None:
+        """Restore the programs of a snapshot and their clocks, but not the world.
+
+        That is enough for programs to run again, if they are given what they were given.
+        """
+        for robot, program in enumerate(snapshot.programs):
+            self.fleet.restore(robot, program)
+        for name, saved in zip(_INITIAL, snapshot.arrays, strict=True):
+            getattr(self, name)[: len(saved)] = saved
+        self.timesteps = snapshot.timesteps
+        self.rounds, self.halted = snapshot.rounds, snapshot.halted
+
     def state_hash(self) -> str:
         """Return the SHA-256 of all state, see `RunResult`."""
         digest = hashlib.sha256(self.environment.hash().encode())

@@ -9,6 +9,7 @@ import pytest
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.past import Past
+from crs_cc.debug.timeline.input_log import InputLog
 from tests.debug.debuggers import debugger_of, line
 
 DRIVES = """\
@@ -166,3 +167,21 @@ def test_an_event_is_where_a_catchpoint_stops(tmp_path: Path) -> None:
 def test_a_range_that_ends_before_it_begins_is_refused(debugger: Debugger) -> None:
     with pytest.raises(DebugError, match="ends before it begins"):
         past(debugger).part(3.0, 1.0)
+
+
+def test_answers_are_the_same_whether_the_world_is_replayed_or_not(debugger: Debugger) -> None:
+    place = debugger.stop_points.location("5")
+
+    def answers() -> list[object]:
+        asked, part = past(debugger), past(debugger).part(0.3, None)
+        return [
+            *asked.values("speed + total", part),
+            *asked.times("speed > 30", part),
+            *asked.messages(place, "x is {x}", part),
+        ]
+
+    without_world = answers()
+    debugger.run.input_log = InputLog()
+    with_world = answers()
+    assert len(with_world) > 8
+    assert without_world == with_world

@@ -59,9 +59,14 @@ def _history(context: CommandContext, text: str) -> Answer:
         for each in found:
             yield f"{each.time_s:.6f},{_field(each)}"
         return
-    yield from _listed(context, found, [each.text for each in found])
+    yield from _listed(context, found, [_shown_value(each) for each in found])
     end_s = part.end.timestep * context.debugger.session.environment.timestep_s
     yield from sparkline(found, end_s)
+
+
+def _shown_value(one: Instant) -> str:
+    """Return a value in a list: of a floating-point number as many digits as %g has."""
+    return f"{one.number:g}" if isinstance(one.number, float) else one.text
 
 
 def _field(one: Instant) -> str:

@@ -2,111 +2,124 @@
 
 To look for something in the past only the programs have to run again; most of a run's time goes to
 the world. A program's round is a function of its state, of the fuel that it gets and of the message
-that it finds in its slot, which is the answer to its request. So these two are noted, for as long
-a piece of the past as there is memory for.
+that it finds in its slot, which is the answer to its request. So these two are noted, and the clock
+of each program, for as long a piece of the past as there is memory for.
+
+Rounds are kept in blocks, packed when full: the answers of successive rounds have much in common.
 """
 
 from __future__ import annotations
 
+from array import array
 from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray, Int64Array, Records
+from crs_cc.core.arrays import FloatArray, IndexArray, Int64Array
+from crs_cc.debug.timeline.packed_rounds import PackedRounds, RoundBlock
 from crs_cc.debug.timeline.position import Position
 from crs_cc.requests import MESSAGE
 from crs_cc.runtime.fleet import Fleet
 
-MAX_BYTES: Final = 128 * 2**20
-"""Memory for what is noted [bytes]; chosen by us: over a minute of a hundred robots."""
+MAX_BYTES: Final = 64 * 2**20
+"""Memory for what is noted [bytes]; chosen by us: hours of a robot, minutes of a hundred."""
 
-_ROUND: Final = 180
-"""What noting a round takes besides its bytes, about [bytes]; measured."""
+_UNKNOWN: Final = -1
 
 
 @dataclass(frozen=True, slots=True)
 class RoundInput:
     """The replies that programs were given in a round.
 
-    Messages are mostly zeros, and only the other bytes are kept.
-
     Attributes:
         count: how many programs ran.
-        packed: the robots, rising, as int64; the fuel of each [instructions], as int64; for the
-            messages that they found, a bit for each byte that is not zero, then these bytes.
+        content: the robots, rising, as int64; the fuel of each [instructions], as int64; its clock
+            [s], as float64; the message that it found, of dtype `MESSAGE`.
     """
 
     count: int
-    packed: bytes
+    content: bytes
 
     @classmethod
-    def of(
-        cls,
-        robots: IndexArray,
-        fuel: Int64Array,
-        messages: Records,
-    ) -> Self:
-        """Create it from the robots, their fuel and their messages, of dtype `MESSAGE`."""
-        content = messages.view(np.uint8)
-        places = content != 0
-        arrays = robots.astype(np.int64), fuel, np.packbits(places), content[places]
-        return cls(len(robots), b"".join(array.tobytes() for array in arrays))
+    def of(cls, pending: Int64Array, clock_s: FloatArray, fleet: Fleet) -> Self:
+        """Note the round that starts.
+
+        Args:
+            pending: by robot, its fuel; 0 for those that do not run.
+            clock_s: by robot, the clock of its program [s].
+            fleet: the programs, with their replies.
+        """
+        robots = np.flatnonzero(pending)
+        arrays = robots.astype(np.int64), pending[robots], clock_s[robots], fleet.messages(robots)
+        return cls(len(robots), b"".join(each.tobytes() for each in arrays))
+
+    @classmethod
+    def unpacked(cls, content: bytes) -> Self:
+        """Return the round of a content."""
+        return cls(len(content) // (3 * 8 + MESSAGE.itemsize), content)
 
     @property
     def robots(self) -> IndexArray:
         """Return the robots whose programs ran, rising."""
-        return np.frombuffer(self.packed, np.int64, self.count)
+        return np.frombuffer(self.content, np.int64, self.count)
 
-    @property
-    def size(self) -> int:
-        """Return its size [bytes]."""
-        return _ROUND + len(self.packed)
-
-    def give(self, fleet: Fleet) -> None:
-        """Feed it to the programs again."""
-        robots, packed = self.robots, self.packed
-        messages = np.zeros(self.count, MESSAGE)
-        content = messages.view(np.uint8)
-        first = 2 * robots.nbytes
-        places = np.frombuffer(packed, np.uint8, -(-len(content) // 8), first)
-        kept = np.frombuffer(packed, np.uint8, offset=first + len(places))
-        content[np.unpackbits(places, count=len(content)).view(np.bool_)] = kept
+    def give(self, fleet: Fleet, clock_s: FloatArray, pending: Int64Array) -> None:
+        """Feed it to the programs again, and set their clocks [s] and fuel."""
+        robots, size = self.robots, 8 * self.count
+        fuel = np.frombuffer(self.content, np.int64, self.count, size)
         fleet.slots["run"][robots] = 1
-        fleet.slots["fuel"][robots] = np.frombuffer(packed, np.int64, self.count, robots.nbytes)
-        fleet.reply(robots, messages)
+        fleet.slots["fuel"][robots] = fuel
+        fleet.reply(robots, np.frombuffer(self.content, MESSAGE, self.count, 3 * size))
+        clock_s[robots] = np.frombuffer(self.content, np.float64, self.count, 2 * size)
+        pending[:] = 0
+        pending[robots] = fuel
 
 
 class InputLog:
     """The rounds of a run, and how many each timestep had."""
 
     def __init__(self, most_bytes: int = MAX_BYTES) -> None:
-        self._most_bytes = most_bytes
-        self._bytes = 0
-        self._rounds: dict[int, RoundInput] = {}  # by `_key`
-        self._counts: dict[int, int] = {}
+        self._packed = PackedRounds(most_bytes)
+        self._fresh = RoundBlock()
+        self._counts = array("i")  # by timestep
         self._ended: dict[int, tuple[int, ...]] = {}
 
-    def note(self, place: Position, pending: Int64Array, fleet: Fleet) -> None:
+    def note(self, place: Position, pending: Int64Array, clock_s: FloatArray, fleet: Fleet) -> None:
         """Record a round that starts.
 
         Args:
             place: the position before it.
             pending: by robot, its fuel; 0 for those that do not run.
+            clock_s: by robot, the clock of its program [s].
             fleet: the programs, with their replies.
         """
         key = _key(place.timestep, place.round)
-        if key in self._rounds:
+        if key in self._fresh or key in self._packed:
             return
-        robots = np.flatnonzero(pending)
-        self._rounds[key] = RoundInput.of(robots, pending[robots], fleet.messages(robots))
-        self._bytes += self._rounds[key].size
-        while self._bytes > self._most_bytes:
-            oldest = next(iter(self._rounds))
-            self._bytes -= self._rounds.pop(oldest).size
+        if not self._fresh.is_empty and key != self._next(self._fresh.last):
+            self._pack()
+        self._fresh.append(key, RoundInput.of(pending, clock_s, fleet).content)
+        if self._fresh.is_full:
+            self._pack()
+
+    def _pack(self) -> None:
+        self._packed.add(self._fresh)
+        self._fresh = RoundBlock()
+
+    def _next(self, key: int) -> int | None:
+        """Return the key of the round after one; None if that is not known."""
+        timestep, number = key >> 32, (key & 0xFFFFFFFF) + 1
+        while (count := self.rounds_in(timestep)) is not None:
+            if number < count:
+                return _key(timestep, number)
+            timestep, number = timestep + 1, 0
+        return _key(timestep, number)
 
     def end(self, timestep: int, rounds: int, ended: tuple[int, ...] = ()) -> None:
         """Record how many rounds a timestep had, and which programs ended with it."""
+        missing = timestep + 1 - len(self._counts)
+        self._counts.extend([_UNKNOWN] * missing)
         self._counts[timestep] = rounds
         if ended:
             self._ended[timestep] = ended
@@ -117,33 +130,41 @@ class InputLog:
 
     def round_at(self, place: Position) -> RoundInput | None:
         """Return the round that starts at a position; None if it is not logged."""
-        return self._rounds.get(_key(place.timestep, place.round))
+        key = _key(place.timestep, place.round)
+        content = self._fresh.get(key)
+        content = self._packed.get(key) if content is None else content
+        return None if content is None else RoundInput.unpacked(content)
 
     def knows(self, begin: Position, limit: Position) -> bool:
         """Return whether all rounds between two positions are logged."""
-        first = begin.round
-        for timestep in range(begin.timestep, limit.timestep + 1):
-            is_last = timestep == limit.timestep
-            if not is_last and timestep not in self._counts:
+        if any(self.rounds_in(each) is None for each in range(begin.timestep, limit.timestep)):
+            return False
+        end = _key(limit.timestep, limit.round + (limit.robot >= 0))
+        key: int | None = _key(begin.timestep, begin.round)
+        if begin.timestep < limit.timestep and begin.round == self.rounds_in(begin.timestep):
+            key = self._next(_key(begin.timestep, begin.round) - 1)
+        while key is not None and key < end:
+            last = self._packed.last_of(key)
+            if last is None:
+                last = self._fresh.last if key in self._fresh else None
+            if last is None:
                 return False
-            end = limit.round + (limit.robot >= 0) if is_last else self._counts[timestep]
-            if any(_key(timestep, number) not in self._rounds for number in range(first, end)):
-                return False
-            first = 0
-        return True
+            key = self._next(last)
+        return key is not None
 
     def rounds_in(self, timestep: int) -> int | None:
         """Return how many rounds a timestep had; None if it is not logged."""
-        return self._counts.get(timestep)
+        known = self._counts[timestep] if timestep < len(self._counts) else _UNKNOWN
+        return None if known == _UNKNOWN else known
 
     def forget(self, place: Position) -> None:
         """Discard the rounds from a position on."""
         here = _key(place.timestep, place.round + (place.robot >= 0))
-        for key in [each for each in self._rounds if each >= here]:
-            self._bytes -= self._rounds.pop(key).size
-        for timestep in [each for each in self._counts if each >= place.timestep]:
-            del self._counts[timestep]
-            self._ended.pop(timestep, None)
+        self._fresh.forget(here)
+        self._packed.forget(here)
+        del self._counts[place.timestep :]
+        for timestep in [each for each in self._ended if each >= place.timestep]:
+            del self._ended[timestep]
 
 
 def _key(timestep: int, number: int) -> int:

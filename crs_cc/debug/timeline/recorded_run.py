@@ -211,7 +211,8 @@ class RecordedRun:
             event = self._end_cycle()
         else:
             if before.robot < 0:
-                self.input_log.note(before, self.session.state.pending, self.session.fleet)
+                state = self.session.state
+                self.input_log.note(before, state.pending, state.clock_s, self.session.fleet)
                 self._note_begun()
             self.session.run_programs()
             if edit is not None and self._has_passed(edit):
@@ -270,13 +271,8 @@ class RecordedRun:
 
     def _recall(self, begin: Position) -> None:
         """Restore only the programs from a snapshot."""
-        session = self.session
         self._stopped.clear()
-        kept = self.history.at(begin).session
-        for robot, program in enumerate(kept.programs):
-            session.fleet.restore(robot, program)
-        state = session.state
-        state.timesteps, state.rounds, state.halted = begin.timestep, begin.round, kept.halted
+        self.session.state.recall(self.history.at(begin).session)
         self._marks.enter(self.session.fleet.slots)
         self._look_anew()
 
@@ -290,7 +286,7 @@ class RecordedRun:
                 session.state.timesteps, session.state.rounds = place.timestep + 1, 0
                 return RunEvent("timestep", ended=self.input_log.ended_in(place.timestep))
             assert round_ is not None
-            round_.give(session.fleet)
+            round_.give(session.fleet, session.state.clock_s, session.state.pending)
             self._note_begun()
         session.run_programs()
         if self._has_passed(limit) and self.position != limit:

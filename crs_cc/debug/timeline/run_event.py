@@ -68,8 +68,8 @@ class RunEvent:
     """The event to which a run has advanced.
 
     Attributes:
-        kind: a program stopped before a `statement`; a `round` or a `timestep` has ended; or the
-            `limit` has been passed.
+        kind: a program stopped before a `statement`; a `round` or a `timestep` has ended; the
+            `limit` has been passed; or the run stands at an `edit` of the user's.
         posted: the requests posted in the round: robot and code of each, ascending.
         ended: the programs that ended or failed in the round, or whose robots left with the
             timestep.
@@ -78,7 +78,7 @@ class RunEvent:
         accesses: the accesses to what is watched.
     """
 
-    kind: Literal["statement", "round", "timestep", "limit"]
+    kind: Literal["statement", "round", "timestep", "limit", "edit"]
     posted: tuple[tuple[int, int], ...] = ()
     ended: tuple[int, ...] = ()
     step: Step | None = None

@@ -34,14 +34,40 @@ def test_replay_without_the_world_finds_the_same() -> None:
     assert len(without) > 5
 
 
-def test_the_oldest_rounds_are_dropped_at_the_memory_limit() -> None:
+def noted(input_log: InputLog, timesteps: range) -> None:
+    """Note a round of one of two programs for each timestep."""
     fleet = Fleet([counting_program()] * 2)
-    input_log = InputLog(most_bytes=800)
-    for timestep in range(4):
-        input_log.note(Position(timestep, 0), np.array([10, 0]), fleet)
+    for timestep in timesteps:
+        clock_s = np.array([0.1 * timestep, 0.0])
+        input_log.note(Position(timestep, 0), np.array([10 + timestep, 0]), clock_s, fleet)
         input_log.end(timestep, 1)
-    assert not input_log.knows(Position(0, 0), Position(4, 0))
-    assert input_log.knows(Position(2, 0), Position(4, 0))
-    input_log.forget(Position(3, 0))
-    assert input_log.knows(Position(2, 0), Position(3, 0))
-    assert not input_log.knows(Position(2, 0), Position(4, 0))
+
+
+def test_the_oldest_rounds_are_dropped_at_the_memory_limit() -> None:
+    input_log = InputLog(most_bytes=8000)
+    noted(input_log, range(3000))
+    assert not input_log.knows(Position(0, 0), Position(3000, 0))
+    assert input_log.knows(Position(2500, 0), Position(3000, 0))
+    input_log.forget(Position(2600, 0))
+    assert input_log.knows(Position(2500, 0), Position(2600, 0))
+    assert not input_log.knows(Position(2500, 0), Position(2601, 0))
+
+
+def test_rounds_are_given_as_they_were_noted_wherever_they_are() -> None:
+    input_log = InputLog()
+    noted(input_log, range(1000, 2000))
+    noted(input_log, range(500))
+    noted(input_log, range(400, 700))  # in part known, and then up to where it is not
+    assert input_log.knows(Position(0, 0), Position(700, 0))
+    assert not input_log.knows(Position(0, 0), Position(701, 0))
+    assert input_log.knows(Position(1000, 0), Position(2000, 0))
+    fleet = Fleet([counting_program()] * 2)
+    for timestep in (0, 450, 699, 1000, 1999):
+        found = input_log.round_at(Position(timestep, 0))
+        assert found is not None
+        clock_s, pending = np.array([0.0, 5.0]), np.array([0, 7])
+        found.give(fleet, clock_s, pending)
+        assert found.robots.tolist() == [0]
+        assert clock_s.tolist() == [0.1 * timestep, 5.0]
+        assert pending.tolist() == [10 + timestep, 0]
+        assert fleet.slots["fuel"][0] == 10 + timestep
