@@ -14,6 +14,7 @@ from typing import ClassVar, Final
 from textual.app import App, ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal
+from textual.driver import Driver
 from textual.message import Message
 from textual.screen import Screen
 from textual.timer import Timer
@@ -29,6 +30,7 @@ from crs_cc.debug.tui.logs import ConsoleLog, OutputLog
 from crs_cc.debug.tui.map_pane import MapPane
 from crs_cc.debug.tui.panes import Panes
 from crs_cc.debug.tui.screen_data import OPEN, ScreenData
+from crs_cc.debug.tui.short_styles import short_driver
 from crs_cc.debug.tui.source_pane import SourcePane
 from crs_cc.debug.tui.status_bars import Button, ButtonBar, StatusBar
 from crs_cc.debug.tui.time_line import TimeLine
@@ -105,6 +107,10 @@ class DebugApp(App[int]):
     def _fatal_error(self) -> None:
         """Exit after an internal error, without Textual's traceback."""
         self._close_messages_no_wait()
+
+    def get_driver_class(self) -> type[Driver]:
+        """Return the driver of the terminal."""
+        return short_driver(super().get_driver_class())
 
     def compose(self) -> ComposeResult:
         """Create the widgets."""

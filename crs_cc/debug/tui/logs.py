@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections import deque
 from typing import Final
 
+from rich.console import Console
 from rich.style import Style
 from rich.text import Text
 from textual import events
@@ -19,6 +21,9 @@ _STALE: Final = -1
 _ERROR: Final = Style(color="red")
 _WHO: Final = Style(color="cyan")
 _ECHO: Final = Style(dim=True)
+_HEAD: Final = re.compile(r"(?:@\d+)?[ │├└─]*")
+"""The number of an instant and the lines of a tree, or spaces, before the text of a line."""
+_PLAIN: Final = Console(width=80, color_system=None)
 
 
 class ConsoleLog(RichLog):
@@ -51,7 +56,7 @@ class ConsoleLog(RichLog):
     def _add(self, text: Text) -> None:
         self._texts.append(text)
         if self.size.width:
-            self.write(text)
+            self._wrap(text)
         else:  # it is hidden, and its width unknown
             self._wrapped_at = _STALE
 
@@ -67,8 +72,31 @@ class ConsoleLog(RichLog):
         if width and self._wrapped_at != width:
             self.clear()
             for text in self._texts:
-                self.write(text)
+                self._wrap(text)
             self._wrapped_at = width
+
+    def _wrap(self, text: Text) -> None:
+        """Write lines so that what continues one is indented as its text."""
+        width = self.scrollable_content_region.width
+        for line in text.split("\n", allow_blank=True):
+            for part in wrapped(line, width):
+                self.write(part)
+
+
+def wrapped(line: Text, width: int) -> list[Text]:
+    """Return a line in pieces of at most a width, later ones indented as the first one's text.
+
+    >>> [each.plain for each in wrapped(Text("@1    speed = 40 written there"), 18)]
+    ['@1    speed = 40 ', '      written ', '      there']
+    """
+    head = _HEAD.match(line.plain)
+    indent = len(head[0]) if head and len(head[0]) <= width // 2 else 0
+    first, *rest = [*line.wrap(_PLAIN, width)] if line.cell_len > width else [line]
+    if not rest or not indent:
+        return [first, *rest]
+    left = line[len(first.plain) :]
+    left = left[len(left.plain) - len(left.plain.lstrip()) :]
+    return [first, *(Text(" " * indent) + each for each in left.wrap(_PLAIN, width - indent))]
 
 
 class OutputLog(RichLog):

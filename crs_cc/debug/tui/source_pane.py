@@ -88,6 +88,7 @@ class SourcePane(ScrollView, can_focus=True):
         if self.border_title != (snapshot.file or "no source"):  # it draws all of the pane
             self.border_title = snapshot.file or "no source"
         if (snapshot.file, snapshot.line) != (before.file, before.line):
+            self.reveal(self.cursor)  # at once: else the lines would be drawn twice
             self.call_after_refresh(self.reveal, self.cursor)
         if snapshot.file != before.file or snapshot.lines != before.lines:
             self.refresh()
@@ -104,7 +105,8 @@ class SourcePane(ScrollView, can_focus=True):
         if top < first + around or top >= first + height - around:
             near = first - height < top < first + 2 * height
             last = top - around if top < first + around else top - height + 1 + around
-            self.scroll_to(y=max(0, last if near else top - height // 3), animate=False)
+            to = max(0, last if near else top - height // 3)
+            self.scroll_to(y=to, animate=False, immediate=True)
 
     def on_resize(self) -> None:
         """Keep the cursor in view."""
