@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from crs_cc.debug.timeline.position import Position
@@ -23,6 +24,11 @@ class MemoryObject:
     address: int
     size: int
     frame: StackFrame | None = None
+
+    def is_at(self, other: MemoryObject) -> bool:
+        """Return whether it is the same memory as another object."""
+        mine, its = (self.robot, self.address, self.size), (other.robot, other.address, other.size)
+        return mine == its
 
     @property
     def watched(self) -> WatchedObject:
@@ -53,23 +59,33 @@ def last_write(run: RecordedRun, wanted: MemoryObject, before: Position) -> Writ
     Raises:
         InterruptedRunError: the user interrupts.
     """
+    return next(writes_back(run, wanted, before), None)
+
+
+def writes_back(run: RecordedRun, wanted: MemoryObject, before: Position) -> Iterator[Write]:
+    """Return the writes of an object before a position, the last one first.
+
+    A change by the user is the last one returned. The run is off its timeline after that.
+
+    Raises:
+        InterruptedRunError: the user interrupts.
+    """
     limit = before
     edit = _last_edit(run, wanted, before)
     for begin in run.history.back_from(before):
-        found: Write | None = None
+        found: list[Write] = []
         run.arm(StopRequest(watched={wanted.robot: [wanted.watched]}, at_once=True))
         for event in run.replay(begin, limit):
-            for hit in event.accesses:
-                if hit.access.what == "write" and hit.before < before:
-                    found = Write(hit.before, hit.access)
+            hits = (each for each in event.accesses if each.access.what == "write")
+            found += [Write(each.before, each.access) for each in hits if each.before < before]
         if edit is not None and edit.before >= begin:
-            return found if found is not None and found.before >= edit.before else edit
-        if found is not None:
-            return found
+            yield from (each for each in reversed(found) if each.before >= edit.before)
+            yield edit
+            return
+        yield from reversed(found)
         if wanted.frame is not None and _begun(run, begin, wanted.robot) < wanted.frame.entered:
-            return None
+            return
         limit = begin
-    return None
 
 
 def _last_edit(run: RecordedRun, wanted: MemoryObject, before: Position) -> Write | None:

@@ -20,8 +20,9 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Location
+from crs_cc.debug.battery_cause import battery_facts, world_facts
+from crs_cc.debug.cause import Beam, Cause
 from crs_cc.debug.data.notation import RobotName, WorldDistance, WorldName
 from crs_cc.debug.data.statement_text import (
     arguments,
@@ -34,10 +35,11 @@ from crs_cc.debug.data.statement_text import (
 )
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.last_write import MemoryObject, Write, last_write
+from crs_cc.debug.last_write import MemoryObject, Write, last_write, writes_back
 from crs_cc.debug.message_cause import RECEIVES, lost_messages, sending
 from crs_cc.debug.motion_cause import CONCERNS, Concern, commanding, facts, pushers
 from crs_cc.debug.navigator import Navigator
+from crs_cc.debug.statement_source import statement_source
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError
 from crs_cc.debug.timeline.run_event import StopRequest
@@ -56,59 +58,13 @@ from crs_cc.ir.names import plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.sim.devices.sonar.state import sonar_state
 
+FEWEST_REPEATS, MOST_REPEATS = 3, 10_000
+"""So many changes of an object by itself, in a loop, are one node; no more are counted."""
 MAX_NODES: Final = 40
 MAX_DEPTH: Final = 12
 """A tree has at most so many nodes and levels; `why` at one of its instants goes on."""
 
-_LINES: Final = 20
 _SENDS: Final = re.compile(r"\bcrs_(?:send|broadcast|multicast)\s*\(")
-_HEAD: Final = re.compile(r"(?:(?:->|[\w.\[\]*-])+\s*(?:[-+*/%&|^]|<<|>>)?=\s*)?(?:!\s*)*$")
-"""What belongs to an expression before its location: an assignment's target, negations."""
-_COMMENT: Final = re.compile(
-    r'("(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\')|/\*.*?\*/|//[^\n]*', re.DOTALL
-)
-
-
-@dataclass(frozen=True, slots=True)
-class Beam:
-    """The beam of a sonar that a reading is from.
-
-    Attributes:
-        sonar: the number of the sonar.
-        echo_m: the distance of its echo, infinite for none.
-        met: the object that it met; empty if none was there.
-    """
-
-    sonar: int
-    echo_m: float
-    met: str
-
-
-@dataclass(frozen=True, slots=True)
-class Cause:
-    """A node of the tree.
-
-    Attributes:
-        text: what it is about: `speed = 40`; or a fact about its parent.
-        how: the source of the statement that did it, or what else did; empty for a fact.
-        position: where to go to see it; None for nowhere.
-        time_s: the clock of the robot's program then [s].
-        robot: the robot.
-        location: the location of the statement, if there is one.
-        causes: what it was computed from.
-        expression: the expression whose value it is; empty for a fact.
-        beam: the beam that a reading is from, if it is of a sonar.
-    """
-
-    text: str
-    how: str = ""
-    position: Position | None = None
-    time_s: float = 0.0
-    robot: int = -1
-    location: Location | None = None
-    causes: tuple[Cause, ...] = ()
-    expression: str = ""
-    beam: Beam | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,14 +83,6 @@ class _Calling:
     number: int
     callee: StackFrame
     caller: StackFrame
-
-
-@dataclass(frozen=True, slots=True)
-class _Source:
-    """The text of a statement: as it is written, in one line, and with macros expanded."""
-
-    shown: str
-    text: str
 
 
 class Why:
@@ -176,17 +124,28 @@ class Why:
 
     # -- values and their writes ---------------------------------------------------------------
 
-    def _operands(self, place: _Place, names: Sequence[str], depth: int) -> tuple[Cause, ...]:
-        """Return where the values of some operands came from."""
+    def _operands(
+        self, place: _Place, names: Sequence[str], depth: int, own: MemoryObject | None = None
+    ) -> tuple[Cause, ...]:
+        """Return where the values of some operands came from.
+
+        Args:
+            place: where they have their values.
+            names: the operands.
+            depth: the level of the nodes.
+            own: the object that their statement writes.
+        """
         found: list[Cause] = []
         for name in names:
             self._run.seek(place.position)
             with contextlib.suppress(DebugError):  # a function, a macro's word, a member's name
-                cause = self._value(place, name, depth)
+                cause = self._value(place, name, depth, own)
                 found += [] if cause is None else [replace(cause, expression=name)]
         return tuple(found)
 
-    def _value(self, place: _Place, name: str, depth: int) -> Cause | None:
+    def _value(
+        self, place: _Place, name: str, depth: int, own: MemoryObject | None = None
+    ) -> Cause | None:
         """Return where the value of an operand came from, of the program or the world."""
         alone = self._view.evaluator(place.robot).outside_alone(name, place.frame)
         if isinstance(alone, WorldName | WorldDistance):
@@ -194,9 +153,11 @@ class Why:
             causes = tuple(self._of_world(place.position, alone, depth))
             how = "" if causes else "a value of the world"
             return Cause(f"{name} = {value.text}", how, causes=causes)
-        return self._object(place, name, depth)
+        return self._object(place, name, depth, own)
 
-    def _object(self, place: _Place, name: str, depth: int) -> Cause | None:
+    def _object(
+        self, place: _Place, name: str, depth: int, own: MemoryObject | None
+    ) -> Cause | None:
         """Return where the value of an operand came from; None if it is no object in memory.
 
         The run is at the place, and somewhere else after that.
@@ -214,6 +175,10 @@ class Why:
             return Cause(head, "...", robot=robot)
         self._left -= 1
         calling = self._calling(robot, owner, value)
+        if own is not None and own.is_at(wanted) and place.frame is not None:
+            count, first = self._repeated(place.position, name, wanted, place.frame.function)
+            if first is not None and count >= FEWEST_REPEATS:
+                return self._written(head, wanted, first, depth, count)
         write = last_write(self._run, wanted, place.position)
         if write is not None:
             return self._written(head, wanted, write, depth)
@@ -222,8 +187,30 @@ class Why:
         how = "its initial value" if owner is None else "not written since its function was called"
         return Cause(head, how, robot=robot)
 
-    def _written(self, head: str, wanted: MemoryObject, write: Write, depth: int) -> Cause:
-        """Return the node of a write, with what was written as its causes."""
+    def _repeated(
+        self, before: Position, name: str, wanted: MemoryObject, function: str
+    ) -> tuple[int, Write | None]:
+        """Return how often an object was last changed by itself in a function, and the first."""
+        first, count = None, 0
+        for write in writes_back(self._run, wanted, before):
+            access = write.access
+            if access is None or access.library or access.location is None:
+                break
+            if access.function != function or count >= MOST_REPEATS:
+                break
+            text = statement_source(self._view, wanted.robot, function, access.location).text
+            if name not in source_of(text) and not is_count(text):
+                break
+            first, count = write, count + 1
+        return count, first
+
+    def _written(
+        self, head: str, wanted: MemoryObject, write: Write, depth: int, times: int = 1
+    ) -> Cause:
+        """Return the node of a write, with what was written as its causes.
+
+        It may stand for several writes, of which it is the first.
+        """
         robot, access = wanted.robot, write.access
         self._run.seek(write.before)
         base = Cause(head, "", write.before, self._run.time_s(robot), robot)
@@ -233,8 +220,11 @@ class Why:
             return replace(base, how="the C library wrote it")
         base = replace(base, location=access.location)
         frame = self._frame(robot, access.function, access.location)
-        source = self._source(robot, access.function, access.location)
+        source = statement_source(self._view, robot, access.function, access.location)
         shown, text = source.shown, source.text
+        if times > 1:
+            base = replace(base, times=times)
+            shown += f"  ({times:,} times, the first one here)"
         if (wanted, write.before) in self._seen:
             return replace(base, how=f"{shown} (see above)")
         self._seen.add((wanted, write.before))
@@ -243,13 +233,24 @@ class Why:
             causes = self._from_library(place, access.library, text, wanted, depth)
             return replace(base, how=shown, causes=causes)
         if is_count(text):
-            return replace(base, how=shown)
+            return self._counted(replace(base, how=shown), place, wanted, text, depth)
         returned = self._returned(place, text, depth)
         if returned is not None:
             text = without_call(text, returned.text.partition(" ")[0])
-        own = self._operands(place, source_of(text), depth + 1)
+        own = self._operands(place, source_of(text), depth + 1, wanted)
         causes = own if returned is None else (returned, *own)
         return replace(base, how=shown, causes=causes)
+
+    def _counted(
+        self, base: Cause, place: _Place, wanted: MemoryObject, text: str, depth: int
+    ) -> Cause:
+        """Return the node of a write such as `i++`: of the first of many in a row."""
+        (name,) = operands(cut(text))
+        function = "" if place.frame is None else place.frame.function
+        count, first = self._repeated(place.position, name, wanted, function)
+        if base.times == 1 and first is not None and count + 1 >= FEWEST_REPEATS:
+            return self._written(base.text, wanted, first, depth, count + 1)
+        return replace(base, causes=self._operands(place, [name], depth + 1, wanted))
 
     def _returned(self, place: _Place, text: str, depth: int) -> Cause | None:
         """Return the `return` statement of the call whose value was used last; None for none."""
@@ -259,7 +260,7 @@ class Why:
             return None
         if plain_name(site.function) not in calls(text):
             return None
-        source = self._source(place.robot, site.function, site.location)
+        source = statement_source(self._view, place.robot, site.function, site.location)
         inner = _Place(place.position, place.robot, replace(stack[0], location=site.location))
         return Cause(
             f"{plain_name(site.function)} returned",
@@ -296,7 +297,7 @@ class Why:
         if begun < 0 or not self._navigator.to_statement(robot, begun):
             return replace(base, how="an argument of the program")
         place = _Place(self._run.position, robot, caller)
-        source = self._source(robot, caller.function, caller.location)
+        source = statement_source(self._view, robot, caller.function, caller.location)
         passed = arguments(source.text)[calling.number : calling.number + 1]
         names = operands(passed[0]) if passed else []
         return Cause(
@@ -359,7 +360,12 @@ class Why:
             if concern == "sonar":
                 yield from self._nearest(here, number)
             elif concern is not None:
+                if concern == "battery":
+                    given = battery_facts(environment, number, name.path[1])
+                    yield from (Cause(each.text) for each in given)
                 yield from self._moved(here, number, depth, concern)
+        elif name.path:
+            yield from (Cause(each.text) for each in world_facts(environment, name.path[0]))
 
     def _moved(
         self, here: Position, number: int, depth: int, concern: Concern = "motion"
@@ -441,7 +447,7 @@ class Why:
         assert site is not None
         frame = replace(stack[0], location=site.location)
         place = _Place(self._run.position, robot, frame)
-        source = self._source(robot, site.function, site.location)
+        source = statement_source(self._view, robot, site.function, site.location)
         call = _SENDS.search(source.text)
         passed = arguments(source.text)
         if call is not None:
@@ -464,18 +470,6 @@ class Why:
         stack = self._run.stopped(robot).stack
         found = next((each for each in stack if each.function == function), None)
         return None if found is None else replace(found, location=location)
-
-    def _source(self, robot: int, function: str, location: Location) -> _Source:
-        """Return the source of what was done at a location."""
-        lines = self._view.source(location.file)[location.line - 1 :][:_LINES]
-        before = lines[0][: location.column - 1] if lines else ""
-        head = _HEAD.search(before)
-        start = location.column - 1 if head is None else head.start()
-        text = _COMMENT.sub(lambda found: found[1] or " ", "\n".join(lines)[start:])
-        shown = cut(text)
-        with contextlib.suppress(DebugError, CompileError):
-            text = self._view.names_in(robot, function, location.file).expanded(shown)
-        return _Source(" ".join(shown.split()), text)
 
 
 def _same(one: StackFrame, other: StackFrame | None) -> bool:

@@ -19,8 +19,8 @@ from crs_cc.workbench.places import place_text, position_of
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
+    from crs_cc.debug.cause import Beam, Cause
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.why import Beam, Cause
     from crs_cc.workbench.context import Context
 
 MAX_INSTANTS: Final = 2000

@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.debug.cause import Cause
 from crs_cc.debug.engine import Debugger
-from crs_cc.debug.why import Cause, Why
+from crs_cc.debug.why import Why
 from tests.debug.debuggers import debugger_of
 
 COMPUTES = """\
@@ -89,6 +90,7 @@ def test_every_node_is_a_write_that_single_stepping_shows(tmp_path: Path) -> Non
         checked = 0
         if name in values and cause.how != "...":
             start = 0 if cause.position is None else at + 1
+            start = until if cause.times > 1 else start
             assert set(values[name][start : until + 1]) == {value}, cause
             checked = 1
         return checked + sum(check(each, at) for each in cause.causes)
@@ -248,3 +250,37 @@ def test_a_copied_member_is_not_explained_by_what_the_copy_replaced(tmp_path: Pa
         assert [each.text for each in causes] == ["from = {first = 1, second = 3}"]
     # the statement was shown without its negation
     assert explained(debugger, "number").how == '!sscanf("7", "%d", &number)'
+
+
+LOOPS = """\
+int total, steps[5] = { 1, 2, 3, 4, 5 };
+char from[12] = "hello world", to[12];
+int main(void)
+{
+    int i;
+    const char *next = from;
+    char *put = to;
+    for (i = 0; i < 20; i++)
+        total += steps[i % 5];
+    while (*next)
+        *put++ = *next++;
+    return total; /* line 12 */
+}
+"""
+
+
+def test_changes_of_an_object_by_itself_in_a_loop_are_one_node(tmp_path: Path) -> None:
+    debugger = debugger_of(LOOPS, folder=tmp_path)
+    debugger.stop_points.add_breakpoint("12")
+    debugger.resume()
+    total = explained(debugger, "total")
+    assert shape(total) == [
+        "total = 60", "total = 55", "total = 0", "steps[i % 5] = 1", "i = 0",
+        "steps[i % 5] = 5", "i = 19", "i = 0",
+    ]  # fmt: skip
+    assert [each.times for each in nodes(total) if each.times > 1] == [19, 19]
+    assert all("the first one here" in each.how for each in nodes(total) if each.times > 1)
+    copied = explained(debugger, "to[4]")
+    names = [each.partition(" = ")[0] for each in shape(copied)]
+    assert "*put" not in names  # it is not read
+    assert names.count("next") <= 4

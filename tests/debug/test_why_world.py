@@ -133,7 +133,25 @@ def test_each_value_has_causes_of_its_kind(expression: str, cause: str, debugger
     assert any(each.startswith(cause) for each in texts(debugger, expression))
 
 
-@pytest.mark.parametrize("expression", ["$world.time", "near.motor_battery", "post.x"])
+@pytest.mark.parametrize(
+    ("expression", "cause"),
+    [
+        ("$world.time", "40 timesteps of 0.05 s have been simulated"),
+        ("$world.timestep", "40 timesteps of 0.05 s have been simulated"),
+        ("near.motor_battery", "it had 100 % of 1.4688e+06 J at first"),
+        ("near.motor_battery", "5 W for 2.000 s have taken 10 J"),
+        ("near.motor_battery", "moving has taken"),
+        ("near.computer_battery", "20 W for 2.000 s have taken 40 J"),
+    ],
+)
+def test_time_and_charges_say_what_they_are_made_of(
+    expression: str, cause: str, debugger: Debugger
+) -> None:
+    debugger.goto_time(2.0)
+    assert any(each.startswith(cause) for each in texts(debugger, expression))
+
+
+@pytest.mark.parametrize("expression", ["$world.queued", "near.present", "post.x"])
 def test_a_value_without_causes_says_so(expression: str, debugger: Debugger) -> None:
     debugger.goto_time(1.0)
     (found,) = texts(debugger, expression)

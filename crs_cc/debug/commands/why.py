@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import PurePath
 from typing import Final
 
+from crs_cc.debug.cause import Cause
 from crs_cc.debug.commands.answer import Answer, Line
 from crs_cc.debug.commands.arguments import require_argument
 from crs_cc.debug.commands.command import Command, Group
@@ -16,7 +17,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.navigator import Navigator
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.stop_points import StopPoints
-from crs_cc.debug.why import Cause, Why
+from crs_cc.debug.why import Why
 
 _WIDTH: Final = 60
 _NUMBER: Final = 5

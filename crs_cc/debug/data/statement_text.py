@@ -120,7 +120,7 @@ def _operands(text: str) -> Iterator[str]:
 
 def _inside(target: str) -> list[str]:
     """Return what is read to find the object that is assigned to: its indices and pointers."""
-    own = target.strip()
+    own = _STEP.sub("", target).strip()
     return [each for each in operands(target) if each != own and not own.endswith(f" {each}")]
 
 

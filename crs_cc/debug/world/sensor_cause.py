@@ -59,7 +59,8 @@ def firing(environment: Environment, robot: int, field: StateField) -> Firing | 
     if _device(field) != "sonar" or number is None:
         return None
     found = firing_of(environment, robot, number)
-    return found if found.fired_s > 0.0 else None
+    has_fired = found.fired_s >= 0.0 and not math.isnan(found.echo_m)  # all do at the start
+    return found if has_fired else None
 
 
 def firing_of(environment: Environment, robot: int, number: int) -> Firing:

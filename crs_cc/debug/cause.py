@@ -1,0 +1,53 @@
+"""Nodes of the tree that says where a value came from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from crs_cc.core.source import Location
+from crs_cc.debug.timeline.position import Position
+
+
+@dataclass(frozen=True, slots=True)
+class Beam:
+    """The beam of a sonar that a reading is from.
+
+    Attributes:
+        sonar: the number of the sonar.
+        echo_m: the distance of its echo, infinite for none.
+        met: the object that it met; empty if none was there.
+    """
+
+    sonar: int
+    echo_m: float
+    met: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """A node of the tree.
+
+    Attributes:
+        text: what it is about: `speed = 40`; or a fact about its parent.
+        how: the source of the statement that did it, or what else did; empty for a fact.
+        position: where to go to see it; None for nowhere.
+        time_s: the clock of the robot's program then [s].
+        robot: the robot.
+        location: the location of the statement, if there is one.
+        causes: what it was computed from.
+        expression: the expression whose value it is; empty for a fact.
+        beam: the beam that a reading is from, if it is of a sonar.
+        times: how many writes it stands for, in each of which the object was changed by itself. It
+            is about the value after the last of them; position and causes are those of the first.
+    """
+
+    text: str
+    how: str = ""
+    position: Position | None = None
+    time_s: float = 0.0
+    robot: int = -1
+    location: Location | None = None
+    causes: tuple[Cause, ...] = ()
+    expression: str = ""
+    beam: Beam | None = None
+    times: int = 1
