@@ -165,7 +165,8 @@ class StopPoints:
             if location or kind != "change":
                 raise DebugError(f"'{expression}' is a value, not an object in memory")
             return robot, watched_world(number, expression, robot, again)
-        if location or slice_in(expression):
+        is_fixed = location and not evaluator.is_unused(expression, active)
+        if is_fixed or slice_in(expression):
             return robot, watched_object(number, expression, kind, evaluator, active)
         return robot, watched_expression(number, expression, kind, again, active)
 

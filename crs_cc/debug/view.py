@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from crs_cc.core.source import Location
@@ -54,6 +54,7 @@ class View:
         frame: the number of the selected frame.
         convenience_values: the values of `$name` by name; that of `$` has an empty name.
         full_style: how values are written at length.
+        settings: the values of the settings of the debugger by name, for expressions.
     """
 
     def __init__(self, run: RecordedRun) -> None:
@@ -63,6 +64,7 @@ class View:
         self.frame = 0
         self.convenience_values: dict[str, Value] = {}
         self.full_style = FULL
+        self.settings: Mapping[str, int] = {}
         self._seen: tuple[Stopped, list[BacktraceFrame]] | None = None
         self._names: dict[int, SourceNames] = {}
         self._evaluators: dict[tuple[int, int], Evaluator] = {}
@@ -253,8 +255,17 @@ class View:
             drive = self.session.environment.world.robots[robot].model.drive
             fields = state_fields(program.options.dialect, synchro=drive.steering is not None)
             outside = Surroundings(self, robot)
-            made = Evaluator(stopped, names, self.convenience_values, fields, outside)
+            made = Evaluator(
+                stopped,
+                names,
+                self.convenience_values,
+                fields,
+                outside=outside,
+                edits=lambda: self.run.history.unused_edits(robot, self.run.position),
+                robot=robot,
+            )
             self._evaluators[robot, build] = made
         found = self._evaluators[robot, build]
         found.full_style = self.full_style
+        found.functions.settings = self.settings
         return found

@@ -125,10 +125,10 @@ def watched_expression(
 
     found = observe() or UNREADABLE_NOW
     if not found.reads:
-        if found.place is None:
+        if found.place is None and not found.is_elsewhere:
             raise DebugError(f"'{text}' is constant and cannot be watched")
         inspector = now.inspector()
-        if not inspector.is_accessible(*found.place):
+        if found.place is not None and not inspector.is_accessible(*found.place):
             raise DebugError(inspector.explain(*found.place, False))
     return Watchpoint(text, ctype, WatchedExpression(number, kind, observe, scope.innermost))
 

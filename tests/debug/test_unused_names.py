@@ -75,10 +75,49 @@ def test_unused_globals_and_functions_have_values(debugger: Debugger) -> None:
     assert text(debugger, "unused_gain * 2") == "5.0"
     assert '"right"' in text(debugger, "names[1]")
     assert text(debugger, "helper(3)") == "8"  # 2 * 3 + table[1], which is unused but by helper
+    assert text(debugger, "*&table[2]") == "3"
+    assert text(debugger, "&table[2]") == "&table[2]"
+    assert text(debugger, "table[1..2]") == "{2, 3}"
+    assert [each.name for each in debugger.view.globals_()] == ["names", "table", "unused_gain"]
     assert not debugger.run.history.changes
-    with pytest.raises(DebugError, match="'unused_gain' cannot be changed"):
-        debugger.evaluate("unused_gain = 3")
-    assert text(debugger, "unused_gain") == "2.5"
+
+
+def test_unused_globals_can_be_changed_and_follow_the_run(debugger: Debugger) -> None:
+    before = debugger.position
+    debugger.evaluate("unused_gain = 3")
+    debugger.evaluate("table[1] = 20")
+    debugger.next()
+    debugger.evaluate("unused_gain += 1")
+    after = debugger.position
+    assert (text(debugger, "unused_gain"), text(debugger, "helper(3)")) == ("4.0", "26")
+    assert not debugger.view.holds("(unused_gain = 9) == 0", 0)  # a condition changes nothing
+    assert text(debugger, "unused_gain") == "4.0"
+    debugger.goto(before)
+    assert text(debugger, "unused_gain") == "3.0"
+    debugger.goto(after)
+    assert text(debugger, "unused_gain") == "4.0"
+    assert [Change.of(each.as_data()) for each in debugger.run.history.changes] == list(
+        debugger.run.history.changes
+    )
+    debugger.take_back(1)
+    assert (text(debugger, "unused_gain"), text(debugger, "table[1]")) == ("3.0", "2")
+
+
+def test_unused_globals_can_be_watched(debugger: Debugger) -> None:
+    for location in (False, True):
+        debugger.stop_points.add_watchpoint("table[1]", location=location)
+    with pytest.raises(DebugError, match="constant"):
+        debugger.stop_points.add_watchpoint("1 + 1")
+    debugger.evaluate("unused_gain = 3")
+    assert debugger.resume().reason == "end"
+
+
+def test_functions_that_are_only_called_have_addresses_for_expressions(debugger: Debugger) -> None:
+    assert text(debugger, "report") == "report"
+    assert text(debugger, "(&helper)(3)") == "8"
+    debugger.next()
+    with pytest.raises(DebugError, match="cannot be assigned"):
+        debugger.evaluate("*(int (**)(int)) &n = report")
 
 
 def test_breakpoints_can_be_set_in_functions_that_are_never_called(debugger: Debugger) -> None:

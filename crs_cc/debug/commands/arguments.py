@@ -13,7 +13,7 @@ from crs_cc.debug.errors import DebugError
 MAX: Final = 1_000_000_000
 
 _FORMAT: Final = re.compile(r"/(-?\d*)([a-z]*)\s*")
-_LETTERS: Final = "xduotcfsai"
+_LETTERS: Final = "xduotcfsaiz"
 _SIZES: Final = {"b": 1, "h": 2, "w": 4, "g": 8}
 _IF: Final = re.compile(r"(?:^|\s)if\b\s*(.*)$", re.DOTALL)
 _OF_ROBOT: Final = re.compile(r"(?:^|\s)(?:robot|thread)\s+(\S+)\s*$")
@@ -76,7 +76,7 @@ def _count(digits: str) -> int:
 
 
 def parse_numbers(text: str, newest: int | None = None) -> list[int]:
-    """Return a list of numbers and ranges, expanded in order; `$` is the newest.
+    """Return a list of numbers and ranges, expanded in order; `$` or `$bpnum` is the newest.
 
     Raises:
         DebugError: it is malformed.
@@ -86,7 +86,7 @@ def parse_numbers(text: str, newest: int | None = None) -> list[int]:
     """
     numbers: list[int] = []
     for word in text.replace(",", " ").split():
-        if word == "$" and newest is not None:
+        if word in {"$", "$bpnum"} and newest is not None:
             numbers.append(newest)
             continue
         found = re.fullmatch(r"(\d{1,9})(?:-(\d{1,9}))?", word)

@@ -75,6 +75,7 @@ class CommandContext:
         self.has_ended = False
         self.depth = 0
         self.settings = Settings()
+        debugger.view.settings = self.settings.values
         self._value_count = 0
         self._selection: Selection | None = None
 

@@ -18,7 +18,7 @@ from crs_cc.debug.commands.c_format import formatted_text, string_literal
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.display import Display
-from crs_cc.debug.commands.formats import MAX_TEXT_LENGTH, dump, formatted, quoted
+from crs_cc.debug.commands.formats import MAX_TEXT_LENGTH, dump, formatted, place_text, quoted
 from crs_cc.debug.commands.settings import SETTINGS, parse_setting
 from crs_cc.debug.commands.stack import frame
 from crs_cc.debug.commands.type_declaration import declared
@@ -48,8 +48,8 @@ def _printf(context: CommandContext, text: str) -> Answer:
 
 def _call(context: CommandContext, text: str) -> Answer:
     value = context.debugger.evaluate(require_argument(text, "an expression"))
-    if value.text != "void":
-        yield value.full
+    if not isinstance(value.type, VoidType):
+        yield f"${context.record(value)} = {formatted(value, OutputFormat())}"
 
 
 def _set(context: CommandContext, text: str) -> Answer:
@@ -125,7 +125,7 @@ def _strings(context: CommandContext, address: int, wanted: OutputFormat) -> Ans
         content = inspector.read(address, MAX_TEXT_LENGTH + 1)
         if not content:
             raise DebugError(f"cannot access memory at {address:#x}")
-        yield f"{address:#010x}: {quoted(content)}"
+        yield f"{place_text(inspector, address)}: {quoted(content)}"
         address += min(len(content.partition(b"\0")[0]), MAX_TEXT_LENGTH) + 1
     context.examined = address, wanted
 
@@ -189,8 +189,8 @@ def _info_globals(context: CommandContext, text: str) -> Answer:
 
 
 _FORMATS: Final = (
-    "FMT is a letter: x hexadecimal, d signed, u unsigned, o octal, t binary, c character, f"
-    " floating-point, s string, a address."
+    "FMT is a letter: x hexadecimal, z the same with leading zeros, d signed, u unsigned, o octal,"
+    " t binary, c character, f floating-point, s string, a address."
 )
 _CHANGES: Final = (
     "Assignments and function calls change the program and start a new history from here."

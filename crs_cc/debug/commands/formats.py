@@ -47,7 +47,7 @@ def formatted(value: Value, wanted: OutputFormat) -> str:
     if isinstance(value.type, FloatType) and wanted.letter not in "fa":
         return _whole(value, wanted.letter)
     if wanted.letter == "a" and isinstance(value.type, PointerType):
-        return f"{value.number:#x} {value.full}"
+        return _function(value) or f"{value.number:#x} {value.full}"
     return letters(value.content, wanted.letter)
 
 
@@ -116,6 +116,7 @@ _LETTERS: Final[dict[str, Callable[[bytes], str]]] = {
     "c": _character,
     "f": _floating,
     "a": lambda content: f"{_unsigned(content):#x}",
+    "z": lambda content: f"{_unsigned(content):#0{2 + 2 * len(content)}x}",
 }
 
 
@@ -196,12 +197,22 @@ def dump(inspector: MemoryInspector, address: int, wanted: OutputFormat) -> Iter
             for at in range(0, len(content) - size + 1, size)
         ]
         if whole:
-            yield f"{start:#010x}: " + "  ".join(whole)
+            yield f"{place_text(inspector, start)}: " + "  ".join(whole)
         if len(whole) * size < min(a_line, end - start):
             raise DebugError(f"cannot access memory at {start + len(whole) * size:#x}")
+
+
+def place_text(inspector: MemoryInspector, address: int) -> str:
+    """Return an address with the name of the variable that is there."""
+    name = inspector.symbol_at(address)
+    return f"{address:#010x} <{name}>" if name else f"{address:#010x}"
 
 
 def _unit(content: bytes, states: bytes, letter: str) -> str:
     if ByteState.INACCESSIBLE in states:
         return "--"
-    return "??" if ByteState.WITHOUT_VALUE in states else letters(content, letter)
+    if ByteState.WITHOUT_VALUE in states:
+        return "??"
+    if letter == "t":
+        return f"{_unsigned(content):0{8 * len(content)}b}"
+    return letters(content, "z" if letter == "x" else letter)

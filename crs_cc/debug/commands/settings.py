@@ -10,7 +10,7 @@ Only a session at a terminal reads the file: what a script prints does not depen
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -87,6 +87,11 @@ class Settings:
         self._values = {each.name: each.default for each in SETTINGS}
         self._kept: dict[str, int] = {}
         self._file: Path | None = None
+
+    @property
+    def values(self) -> Mapping[str, int]:
+        """The values by name, now and later."""
+        return self._values
 
     def __getitem__(self, name: str) -> int:
         return self._values[name]

@@ -10,13 +10,18 @@ Side effects of an expression apply to the program; a failed evaluation has none
 from __future__ import annotations
 
 import contextlib
+import functools
 import re
-import struct
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, Final
 
 from crs_cc.core.source import Location
+from crs_cc.debug.data.convenience_functions import (
+    ConvenienceFunctions,
+    checkable,
+    unset_variable,
+)
 from crs_cc.debug.data.evaluation import Evaluation, ExpressionScope, ObjectLocation
 from crs_cc.debug.data.expression_compiler import (
     ExpressionCompiler,
@@ -28,7 +33,7 @@ from crs_cc.debug.data.expression_compiler import (
 )
 from crs_cc.debug.data.expression_memory import EvaluationError
 from crs_cc.debug.data.expression_scope import active_call, global_scope, lasting_scope
-from crs_cc.debug.data.interpret import SCRATCH, Interpreter, check_address
+from crs_cc.debug.data.interpret import SCRATCH, Interpreter, check_address, result_bytes
 from crs_cc.debug.data.memory import MemoryReads, SavedRegister, StoppedMemory
 from crs_cc.debug.data.memory_inspection import FULL, MemoryInspector
 from crs_cc.debug.data.notation import (
@@ -40,32 +45,32 @@ from crs_cc.debug.data.notation import (
     spelled,
 )
 from crs_cc.debug.data.observation import UNREADABLE, Observation
+from crs_cc.debug.data.observed_value import observed
 from crs_cc.debug.data.operators import unsigned
 from crs_cc.debug.data.outside import Nothing, Outside, OutsideUse
 from crs_cc.debug.data.scope import FrameAddresses, Scopes, Storage
+from crs_cc.debug.data.slices import row_of
 from crs_cc.debug.data.spare_definitions import SpareDefinitions
+from crs_cc.debug.data.unused_objects import Edits, UnusedObjects, no_edits
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.change import UNLINKED
 from crs_cc.debug.world.state_fields import StateField
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.names import in_library
+from crs_cc.ir.program import Program
 from crs_cc.ir.types import (
     LONG,
+    VOID,
     ArrayType,
     CType,
-    FloatType,
     FunctionType,
     PointerType,
-    RecordType,
-    VoidType,
-    is_complete,
 )
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 
-MAX_ELEMENTS: Final = 100_000
-"""Longer slices are refused."""
 _MAY_BE_OUTSIDE: Final = re.compile(r"::|\$world|\w\s*\.\s*\w|distance\s*\(")
 _WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
 
@@ -76,6 +81,7 @@ class Evaluator:
     Attributes:
         convenience_values: the values of `$name` by name; that of `$` has an empty name.
         full_style: how values are written at length.
+        functions: the convenience functions.
     """
 
     def __init__(
@@ -84,7 +90,10 @@ class Evaluator:
         names: SourceNames,
         convenience_values: dict[str, Value] | None = None,
         fields: tuple[StateField, ...] = (),
+        *,
         outside: Outside | None = None,
+        edits: Edits = no_edits,
+        robot: int = 0,
     ) -> None:
         """Create an evaluator.
 
@@ -94,10 +103,13 @@ class Evaluator:
             convenience_values: the convenience variables, shared with other programs.
             fields: the fields of `State[]` for its robot.
             outside: the world and the other robots; None if there is no world.
+            edits: returns the changes of objects that the program does not use.
+            robot: the number of its robot.
         """
         self.convenience_values = {} if convenience_values is None else convenience_values
         self.full_style = FULL
         self._replaced: list[tuple[str, Value | None]] = []  # by the last expression
+        self.functions = ConvenienceFunctions(self._part, lambda: stopped().stack, robot)
         self._stopped = stopped
         self._names = names
         self._fields = fields
@@ -109,9 +121,14 @@ class Evaluator:
             names, self._scopes, self.convenience_values, self._outside
         )
         self._memory = StoppedMemory(now, self._explain)
-        self._spare = SpareDefinitions(now.program)
-        lend = self._spare.lend
-        self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory, lend)
+        self._unused = UnusedObjects((now.program.unused or Program()).data, edits)
+        self._interpreter = Interpreter(
+            now.program,
+            now.compiled.addresses,
+            self._memory,
+            SpareDefinitions(now.program).lend,
+            self._unused,
+        )
 
     def evaluate(self, text: str, frame: StackFrame | None = None) -> Evaluation:
         """Evaluate an expression.
@@ -132,6 +149,8 @@ class Evaluator:
         self._replaced.clear()
         stopped = self._stopped()
         frame = frame or _innermost(stopped)
+        if unset_variable(text, self.convenience_values):
+            return Evaluation(Value(self.inspector(), VOID, b""))
         wanted = slice_in(text)
         if wanted is not None:
             return Evaluation(self._slice(wanted, frame))
@@ -140,17 +159,27 @@ class Evaluator:
             return Evaluation(self._outside.value(alone))
         prepared, result = self._run(text, stopped, frame)
         try:
-            self._spare.check(self._interpreter.changed_loans())
             value = self._value(prepared.compiled, result)
+            self._check_pointer(value)
         except EvaluationError as wrong:
             self._memory.undo()
             raise DebugError(str(wrong)) from None
         patches = self._memory.patches() if self._memory.has_changed() else ()
+        patches += self._unused.patches()
         return Evaluation(value, patches, tuple(self._interpreter.printed))
+
+    def _check_pointer(self, value: Value) -> None:
+        """Raise EvaluationError if a pointer was assigned that the program could not use."""
+        is_above = isinstance(value.type, PointerType) and (value.number or 0) >= SCRATCH
+        if is_above and self._memory.has_changed():
+            raise EvaluationError(
+                f"{value.text} cannot be assigned: it is not in the memory of the program"
+            )
 
     def undo(self) -> None:
         """Undo the side effects of the last expression, on convenience variables, too."""
         self._memory.undo()
+        self._unused.begin()
         while self._replaced:
             name, before = self._replaced.pop()
             if before is None:
@@ -178,12 +207,12 @@ class Evaluator:
     def check(self, text: str, function: str, place: Location) -> None:
         """Check that an expression is valid at a location; raise DebugError if it is not."""
         with contextlib.suppress(UnknownSizeError):
-            self.prepared(text, function, place)
+            self.prepared(checkable(text), function, place)
 
     def assigns(self, text: str, function: str, place: Location) -> bool:
         """Return whether an expression that is valid at a location is an assignment."""
         with contextlib.suppress(UnknownSizeError):
-            return self.prepared(text, function, place).compiled.is_assignment
+            return self.prepared(checkable(text), function, place).compiled.is_assignment
         return False
 
     def prepared(self, text: str, function: str, place: Location) -> PreparedExpression:
@@ -241,7 +270,8 @@ class Evaluator:
         try:
             prepared = self._preparation.of(text, replace(scope, sizes=sizes))
             result = self._result(prepared, known, frame)
-            return self._observed(prepared.compiled, result)
+            seen = observed(prepared.compiled, result, self._memory, self._interpreter)
+            return replace(seen, is_elsewhere=True) if self._unused.is_used else seen
         except (EvaluationError, DebugError, RecursionError) as wrong:
             if isinstance(wrong, DebugError) and not reads.spans:
                 raise
@@ -249,27 +279,6 @@ class Evaluator:
         finally:
             self._memory.undo()
             self._memory.reads = None
-
-    def _observed(self, compiled: CompiledExpression, result: Any) -> Observation:
-        """Return an observed value; raise EvaluationError if it cannot be read."""
-        reads, ctype = self._memory.reads, compiled.type
-        assert reads is not None
-        if not compiled.is_place:
-            content = _bytes(ctype, result)
-        elif (address := unsigned(result, 32)) >= SCRATCH:
-            content = self._interpreter.scratch(address, ctype.size)
-        else:
-            return self._observed_object(address, ctype, reads)
-        states = _WITHOUT * len(content) if reads.is_unset else b""
-        return Observation((content, states), None, reads.in_program())
-
-    def _observed_object(self, address: int, ctype: CType, reads: MemoryReads) -> Observation:
-        spans, is_whole = reads.in_program(), not isinstance(ctype, ArrayType | RecordType)
-        content = self._memory.read(address, ctype.size, judged=is_whole)
-        states = b"" if is_whole else self._memory.states(address, ctype.size)
-        if reads.is_unset:
-            states = _WITHOUT * ctype.size
-        return Observation((content, states), (address, ctype.size), spans)
 
     def place(self, text: str, frame: StackFrame | None = None) -> ObjectLocation:
         """Return the location of the object that an expression names.
@@ -292,6 +301,13 @@ class Evaluator:
         if address >= SCRATCH:
             raise DebugError(f"'{text}' is a value, not an object in memory")
         return ObjectLocation(address, compiled.type.size, compiled.type, depends_on)
+
+    def is_unused(self, text: str, frame: StackFrame | None = None) -> bool:
+        """Return whether an expression names an object that the program does not use."""
+        stopped = self._stopped()
+        prepared, result = self._run(text, stopped, frame or _innermost(stopped))
+        self.undo()
+        return prepared.compiled.is_place and unsigned(result or 0, 32) >= UNLINKED
 
     def variables(self, frame: StackFrame | None = None) -> list[Variable]:
         """Return the variables of a frame, those of the innermost block first.
@@ -317,12 +333,14 @@ class Evaluator:
 
     def globals_(self) -> list[Variable]:
         """Return the global variables of the user's files, sorted by name."""
-        return globals_of(self._scopes, self.inspector())
+        storages = [*self._scopes.globals_(), *self._unused.storages()]
+        return globals_of(storages, self.inspector())
 
     def inspector(self) -> MemoryInspector:
         """Return an inspector of the program's current memory."""
         scratch = self._interpreter.scratch
-        return MemoryInspector(self._stopped(), scratch, self._fields, self.full_style)
+        name_above = self._interpreter.name_of
+        return MemoryInspector(self._stopped(), scratch, self._fields, self.full_style, name_above)
 
     def uses_outside(self, text: str, frame: StackFrame | None = None) -> bool:
         """Return whether an expression uses the world, or the programs of other robots.
@@ -341,7 +359,7 @@ class Evaluator:
         return global_scope(text, self._prepared(text, frame), self._here(frame))
 
     def _prepared(self, text: str, frame: StackFrame | None) -> PreparedExpression:
-        return self._preparation.of(text, self._here(frame))
+        return self._preparation.of(self.functions.expanded(text, frame), self._here(frame))
 
     def _here(self, frame: StackFrame | None) -> ExpressionContext:
         """Return the scope of a frame, by default the innermost of the user's."""
@@ -370,7 +388,7 @@ class Evaluator:
         self, text: str, stopped: Stopped, frame: StackFrame | None
     ) -> tuple[PreparedExpression, Any]:
         """Evaluate an expression; return it compiled, and its value or address."""
-        known = FrameAddresses.of(stopped, frame)
+        known, text = FrameAddresses.of(stopped, frame), self.functions.expanded(text, frame)
         prepared = self._preparation.of(text, self._standing(stopped, frame, known))
         try:
             return prepared, self._result(prepared, known, frame)
@@ -434,39 +452,26 @@ class Evaluator:
             ctype = PointerType(ctype)
         if not compiled.is_place:
             check_address(ctype, result)
-            return Value(inspector, ctype, _bytes(ctype, result))
+            return Value(inspector, ctype, result_bytes(ctype, result))
         address = unsigned(result, 32)
         if address >= SCRATCH:
-            return Value(inspector, ctype, self._interpreter.read_scratch(address, ctype.size))
+            content = self._interpreter.read_scratch(address, ctype.size)
+            return Value(inspector, ctype, content, b"", address if address >= UNLINKED else None)
         if not isinstance(ctype, ArrayType) or ctype.size:
             self._memory.read(address, 1, judged=False)
         return inspector.value(address, ctype)
 
     def _slice(self, wanted: Slice, frame: StackFrame | None) -> Value:
         """Return a slice as an array."""
-        base = self._part(wanted.base, frame)
-        first = self._whole(wanted.first, frame)
-        if not wanted.last:
-            return self._row(base.type, base.address, 0, first)
-        last = self._whole(wanted.last, frame)
-        if isinstance(base.type, ArrayType):
-            return self._row(base.type.element, base.address, first, last - first + 1)
-        if isinstance(base.type, PointerType) and isinstance(base.number, int):
-            return self._row(base.type.target, base.number, first, last - first + 1)
-        raise DebugError(f"'{wanted.base}' is neither an array nor a pointer")
-
-    def _row(self, ctype: CType, address: int | None, first: int, count: int) -> Value:
-        if address is None or not is_complete(ctype):
-            raise DebugError("only objects in memory can form a slice")
-        if not 0 < count <= MAX_ELEMENTS:
-            raise DebugError(f"invalid slice length {count:,} (expected 1 to {MAX_ELEMENTS:,})")
-        start = unsigned(address + first * ctype.size, 32)
+        row = row_of(wanted, functools.partial(self._part, frame=frame))
         try:
-            self._memory.read(start, ctype.size * count, judged=False)
+            if row.address >= UNLINKED:
+                self._unused.read(row.address, row.type.size)
+            else:
+                self._memory.read(row.address, row.type.size, judged=False)
         except EvaluationError as wrong:
             raise DebugError(str(wrong)) from None
-        value = self.inspector().value(start, ArrayType(ctype, count))
-        return replace(value, first=first)
+        return replace(self.inspector().value(row.address, row.type), first=row.first)
 
     def _part(self, text: str, frame: StackFrame | None) -> Value:
         """Evaluate a part of a slice, without side effects."""
@@ -476,24 +481,9 @@ class Evaluator:
             raise DebugError(f"'{text}' would change the program")
         return found.value
 
-    def _whole(self, text: str, frame: StackFrame | None) -> int:
-        value = self._part(text, frame)
-        if not isinstance(value.number, int) or isinstance(value.type, PointerType):
-            raise DebugError(f"'{text}' is not an integer")
-        return value.number
-
     def _explain(self, address: int, size: int, reading: bool) -> str:
         return self.inspector().explain(address, size, reading)
 
 
 def _innermost(stopped: Stopped) -> StackFrame | None:
     return next((each for each in stopped.stack if not in_library(each.location)), None)
-
-
-def _bytes(ctype: CType, result: Any) -> bytes:
-    """Return the object representation of a value."""
-    if isinstance(ctype, VoidType) or result is None:
-        return b""
-    if isinstance(ctype, FloatType):
-        return struct.pack("<f" if ctype.size == 4 else "<d", result)
-    return unsigned(int(result), 8 * ctype.size).to_bytes(ctype.size, "little")

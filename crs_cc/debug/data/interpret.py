@@ -17,11 +17,12 @@ import numpy as np
 
 from crs_cc.debug.data.expression_memory import EvaluationError, Scratch
 from crs_cc.debug.data.operators import compute, signed, unsigned
-from crs_cc.debug.timeline.change import STREAMS
+from crs_cc.debug.data.unused_objects import UnusedObjects
+from crs_cc.debug.timeline.change import STREAMS, UNLINKED
 from crs_cc.ir import instruction as ir
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import Data, Function, Program
-from crs_cc.ir.types import CType, PointerType
+from crs_cc.ir.types import CType, FloatType, PointerType, VoidType
 from crs_cc.ir.value_type import MEMORY_SIZE, MemoryType
 from crs_cc.requests import CODES, DATA_SIZE, MESSAGE
 
@@ -30,6 +31,8 @@ MAX_CALLS: Final = 200
 SCRATCH: Final = 0x8000_0000
 """The first address of the scratch memory: no program's own memory reaches so far."""
 SCRATCH_BYTES: Final = 1 << 24
+CALLED_ONLY: Final = 0xF000_0000
+"""The first address of functions to which no pointer of the program can point."""
 Printed = tuple[int, bytes]
 """A stream, and what was written to it."""
 Lend = Callable[[str], Function | Data | None]
@@ -102,6 +105,7 @@ class Interpreter:
         addresses: Mapping[str, int],
         memory: InterpreterMemory,
         lend: Lend = _nothing,
+        unused: UnusedObjects | None = None,
     ) -> None:
         """Create an interpreter.
 
@@ -111,17 +115,22 @@ class Interpreter:
             memory: its memory.
             lend: returns what the program lacks but an expression may use: functions of the
                 library, and their objects, fresh for each expression.
+            unused: the user's objects that the program does not use.
         """
         self._program = program
         self._addresses = dict(addresses)
         self._memory = memory
-        self._functions = {
-            self._addresses[name]: name for name in program.functions if name in self._addresses
-        }
+        self._unused = unused or UnusedObjects({})
+        self._unused.known = self._known
+        self._addresses.update(self._unused.addresses)
+        functions = [*program.functions, *(program.unused or Program()).functions]
+        called = [name for name in functions if name not in self._addresses]
+        self._addresses.update({name: CALLED_ONLY + at for at, name in enumerate(called)})
+        self._functions = {self._addresses[name]: name for name in functions}
         self._scratch = Scratch(SCRATCH, SCRATCH_BYTES)
         self._lent = Scratch(SCRATCH + SCRATCH_BYTES, SCRATCH_BYTES)
         self._lend = lend
-        self._loans: dict[str, tuple[int, bytes]] = {}  # address and first content
+        self._loans: list[str] = []
         self._left = MAX_INSTRUCTIONS
         self._depth = 0
         self.printed: list[Printed] = []
@@ -148,6 +157,7 @@ class Interpreter:
         for lent in self._loans:
             del self._addresses[lent]
         self._loans.clear()
+        self._unused.begin()
         for data in expression.data.values():
             self._addresses[data.name] = self._scratch.allocate(data.size)
         for data in expression.data.values():
@@ -156,20 +166,22 @@ class Interpreter:
         passed = [self._kept(each) if isinstance(each, bytes) else each for each in arguments]
         return self._call(own, [("i32", signed(each, 32), 4) for each in passed])
 
-    def changed_loans(self) -> list[str]:
-        """Return the lent objects that the last evaluation has changed."""
-        return [
-            name
-            for name, (address, content) in self._loans.items()
-            if self._lent.peek(address, len(content)) != content
-        ]
-
     def scratch(self, address: int, size: int) -> bytes:
-        """Return bytes of the scratch memory, fewer at its end."""
+        """Return bytes of the scratch memory or of unused objects, fewer at their ends."""
+        if address >= UNLINKED:
+            return self._unused.peek(address, size)
         return (self._lent if address in self._lent else self._scratch).peek(address, size)
 
+    def name_of(self, address: int, target: CType) -> str:
+        """Return the name of a function that is only called, or of an unused object; else ""."""
+        if address >= CALLED_ONLY:
+            return plain_name(self._functions.get(address, ""))
+        return self._unused.name_of(address, target) if address >= UNLINKED else ""
+
     def read_scratch(self, address: int, size: int) -> bytes:
-        """Return bytes of the scratch memory; raise EvaluationError if they are not there."""
+        """Return bytes as `scratch` does; raise EvaluationError if they are not there."""
+        if address >= UNLINKED:
+            return self._unused.read(address, size)
         return (self._lent if address in self._lent else self._scratch).read(address, size)
 
     def _kept(self, content: bytes) -> int:
@@ -189,13 +201,11 @@ class Interpreter:
         if name not in self._addresses and name not in self._program.functions:
             found = self._lend(name)
             if isinstance(found, Data):
-                self._addresses[name] = address = self._lent.allocate(found.size)
-                self._loans[name] = address, b""
+                self._addresses[name] = self._lent.allocate(found.size)
+                self._loans.append(name)
                 self._fill(found)
-                self._loans[name] = address, self._lent.peek(address, found.size)
         if name not in self._addresses:
-            why = "it is called only" if name in self._program.functions else "it is unused"
-            raise EvaluationError(f"'{plain_name(name)}' has no address here: {why}")
+            raise EvaluationError(f"'{plain_name(name)}' has no address here: it is unused")
         return self._addresses[name]
 
     # -- memory ------------------------------------------------------------------------------
@@ -210,6 +220,8 @@ class Interpreter:
         address = unsigned(address, 32)
         if address < SCRATCH:
             self._memory.write(address, content, states)
+        elif address >= UNLINKED:
+            self._unused.write(address, content)
         else:
             (self._lent if address in self._lent else self._scratch).write(address, content)
 
@@ -442,6 +454,15 @@ def check_address(ctype: CType, result: float) -> None:
         return
     if SCRATCH <= unsigned(int(result), 32) < SCRATCH + 2 * SCRATCH_BYTES:
         raise EvaluationError("the address of a value that is not in the program's memory")
+
+
+def result_bytes(ctype: CType, result: Any) -> bytes:
+    """Return the object representation of a value."""
+    if isinstance(ctype, VoidType) or result is None:
+        return b""
+    if isinstance(ctype, FloatType):
+        return struct.pack("<f" if ctype.size == 4 else "<d", result)
+    return unsigned(int(result), 8 * ctype.size).to_bytes(ctype.size, "little")
 
 
 def _truncated(op: str, value: float) -> int:

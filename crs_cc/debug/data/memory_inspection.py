@@ -18,7 +18,7 @@ from crs_cc.debug.data.values import GONE, Value
 from crs_cc.debug.world.state_fields import StateField
 from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.names import in_library
-from crs_cc.ir.types import LONG, ArrayType, CType, IntegerType
+from crs_cc.ir.types import LONG, VOID, ArrayType, CType, IntegerType
 from crs_cc.runtime.diagnosis.dead_frames import returned_local
 from crs_cc.runtime.diagnosis.diagnose import diagnose
 from crs_cc.runtime.diagnosis.inspect import Stopped
@@ -48,6 +48,10 @@ _WORD: Final = 4
 _WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
 
 
+def _no_name(_address: int, _target: CType) -> str:
+    return ""
+
+
 class MemoryInspector:
     """Describes the memory of a stopped program.
 
@@ -61,12 +65,22 @@ class MemoryInspector:
         scratch: Callable[[int, int], bytes],
         fields: tuple[StateField, ...] = (),
         full_style: Style = FULL,
+        name_above: Callable[[int, CType], str] = _no_name,
     ) -> None:
-        """Create an inspector."""
+        """Create an inspector.
+
+        Args:
+            stopped: the program.
+            scratch: returns the bytes at addresses above its memory.
+            fields: the fields of `State[]`.
+            full_style: how values are written at length.
+            name_above: names what is at addresses above its memory.
+        """
         self.stopped = stopped
         self._full_style = full_style
         self._fields = fields
         self._scratch = scratch
+        self._name_above = name_above
         self._variables = Variables(stopped)
 
     @cached_property
@@ -138,10 +152,14 @@ class MemoryInspector:
 
     def function_at(self, pointer: int) -> str:
         """Return the name of the function of a function pointer, or ""."""
+        if pointer >= SCRATCH:
+            return self._name_above(pointer, VOID)
         return self._variables.values.function_at(pointer)
 
     def name_of(self, address: int, target: CType) -> str:
         """Return a description of the target of a pointer."""
+        if address >= SCRATCH:
+            return self._name_above(address, target) or f"{address:#x} (no object)"
         known = self._saved(address)
         if known is not None and known.address == address:
             return f"&{known.name}"
@@ -156,6 +174,18 @@ class MemoryInspector:
         if named and found.state == "alive":
             return named
         return f"{named or hex(address)} ({_described(found, address)})"
+
+    def symbol_at(self, address: int) -> str:
+        """Return the name of the variable at an address, as gdb writes it: buf+6; or ""."""
+        if address >= SCRATCH:
+            return self._name_above(address, VOID).removeprefix("&")
+        found = self._variables.objects.at(address)
+        if found is None or not found.name or found.state != "alive":
+            return ""
+        offset = address - found.address
+        if not 0 <= offset < found.size:
+            return ""
+        return f"{found.name}+{offset}" if offset else found.name
 
     def _saved(self, address: int, size: int = 1) -> SavedRegister | None:
         """Return the register that is saved at an address."""

@@ -20,11 +20,13 @@ class Observation:
         content: the bytes of the value; none if it cannot be read.
         place: the object that the expression names; None for a computed value.
         reads: what the evaluation has read.
+        is_elsewhere: whether it has used objects that the program does not use.
     """
 
     content: Content
     place: Span | None = None
     reads: tuple[Span, ...] = ()
+    is_elsewhere: bool = False
 
 
 UNREADABLE: Final = Observation((b"", b""))

@@ -94,8 +94,8 @@ class Scopes:
             self._globals.append(Storage(variable, "global", address))
 
     def globals_(self) -> list[Storage]:
-        """Return the global variables of the user's own files, in the order of their names."""
-        return sorted(self._globals, key=lambda each: (each.variable.name, each.variable.location))
+        """Return the global variables of the user's own files that the program uses."""
+        return self._globals
 
     def extents(self, function: str) -> tuple[Storage, ...]:
         """Return the hidden variables that hold the sizes of variably modified types."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from crs_cc.debug.data.expression_compiler import TypeOf
 from crs_cc.debug.data.memory_inspection import MemoryInspector
-from crs_cc.debug.data.scope import FrameAddresses, Scopes, VariableKind, concrete
+from crs_cc.debug.data.scope import FrameAddresses, Scopes, Storage, VariableKind, concrete
 from crs_cc.debug.data.values import Value
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 
@@ -50,11 +51,13 @@ def variables_of(
     return sorted(variables, key=lambda each: each.scope == "parameter")
 
 
-def globals_of(scopes: Scopes, inspector: MemoryInspector) -> list[Variable]:
-    """Return the global variables of the user's files, sorted by name."""
+def globals_of(storages: Iterable[Storage], inspector: MemoryInspector) -> list[Variable]:
+    """Return global variables, sorted by name."""
     return [
         Variable(
             storage.variable.name, inspector.value(storage.at, storage.variable.ctype), storage.kind
         )
-        for storage in scopes.globals_()
+        for storage in sorted(
+            storages, key=lambda each: (each.variable.name, each.variable.location)
+        )
     ]

@@ -25,6 +25,9 @@ from crs_cc.debug.timeline.position import Position
 
 Data = Mapping[str, Any]
 
+UNLINKED: Final = 0x9000_0000
+"""The first address of objects that a program does not use, see `data.unused_objects`."""
+
 STREAMS: Final = (1, 2)
 """The standard output and error."""
 
@@ -109,12 +112,15 @@ class Change:
 def write(patches: Sequence[MemoryPatch], memory: ByteArray, shadow: ByteArray) -> None:
     """Write patches to a program's memory and its shadow.
 
+    Those of objects that the program does not use are in the history only.
+
     Raises:
         ValueError: they are not within it; nothing is written.
     """
     parts = [
         (where, each.address, np.frombuffer(content, np.uint8))
         for each in patches
+        if each.address < UNLINKED
         for where, content in ((memory, each.content), (shadow, each.states))
         if content
     ]

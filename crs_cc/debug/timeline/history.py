@@ -22,7 +22,7 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.debug.timeline.change import Change
+from crs_cc.debug.timeline.change import UNLINKED, Change, MemoryPatch
 from crs_cc.debug.timeline.chunk_store import ChunkStore
 from crs_cc.debug.timeline.console import ConsolePosition
 from crs_cc.debug.timeline.position import Position
@@ -165,6 +165,12 @@ class History:
     def changes_until(self, position: Position) -> tuple[Change, ...]:
         """Return the changes up to a position."""
         return tuple(each for each in self.changes if each.position <= position)
+
+    def unused_edits(self, robot: int, position: Position) -> list[MemoryPatch]:
+        """Return the changes, up to a position, of objects that a robot's program does not use."""
+        made = (each for each in self.changes if each.robot == robot and each.position <= position)
+        patches = (patch for each in made for patch in each.patches)
+        return [each for each in patches if each.address >= UNLINKED]
 
     def at(self, position: Position) -> RunSnapshot:
         """Return the snapshot at a position that has one."""

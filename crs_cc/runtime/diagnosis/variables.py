@@ -65,14 +65,7 @@ class Variables:
         found = self.objects.at(address)
         if found is None or found.variable is None or found.distance(address):
             return ""
-        offset = address - found.address
-        ctype = found.variable.ctype
-        if isinstance(ctype, ArrayType) and offset == 0:
-            return found.name
-        if isinstance(target, VoidType) and offset == 0:
-            return f"&{found.name}"
-        name = place_name(found.name, ctype, offset, target)
-        return name.removesuffix("[0]") if name.endswith("[0]") else f"&{name}"
+        return target_name(found.variable, address - found.address, target)
 
     def arguments(self, frame: StackFrame) -> list[Content]:
         """Return the parameters of an active call with the values passed."""
@@ -115,3 +108,14 @@ class Variables:
                 content = self.read(self._stopped.compiled.addresses[wanted], data.size)
                 return Content(data.variable, content)
         return None
+
+
+def target_name(variable: Variable, offset: int, target: CType) -> str:
+    """Return the name of a pointer's target of a type, at an offset in a variable."""
+    name, ctype = variable.name, variable.ctype
+    if isinstance(ctype, ArrayType) and offset == 0:
+        return name
+    if isinstance(target, VoidType) and offset == 0:
+        return f"&{name}"
+    part = place_name(name, ctype, offset, target)
+    return part.removesuffix("[0]") if part.endswith("[0]") else f"&{part}"

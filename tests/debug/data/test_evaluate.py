@@ -404,7 +404,7 @@ def test_elements_of_slices_have_array_indices(special: Stopping) -> None:
         ("depth::own", "'depth' is not active: it has no variables"),
         ("test.c::nothing", "no variable 'nothing' in test.c"),
         ("depth::calls.x", "member reference type 'int' is not a structure or union"),
-        ("$nothing", "no convenience variable $nothing"),
+        ("$nothing + 1", "no convenience variable $nothing"),
     ],
 )
 def test_errors_of_extended_notation(special: Stopping, text: str, message: str) -> None:
