@@ -37,6 +37,7 @@ _CYCLES: Final = 512  # whose frames are logged at most
 _ANSWERS: Final = 40_000 // 31  # that are logged at most for observers, and
 _FEW_ANSWERS: Final = 64  # for each robot if only those of a cycle are kept
 _ANSWER: Final = ANSWER.itemsize // 8
+_ROW: Final = np.dtype(("V", ANSWER.itemsize))  # numpy copies fields one by one
 _FACE, _ROUND, _BACKUP, _RECORD = 6, 4, 114, 56  # numbers for each in the kernel's tables
 
 
@@ -277,8 +278,10 @@ class CalmTime:
         data = self._data
         frames = frames_of(self.kernel, ended, len(data.state.connected))
         cycle, served = data.state.cycle, self._dispatcher.served
-        before = answers_of(served, cycle) if served else answers[:0]
-        return Passage(cycle, data.timestep_s, frames, np.concatenate([before, answers]))
+        rows = [answers.view(_ROW)]
+        if served:
+            rows.insert(0, answers_of(served, cycle).view(_ROW))
+        return Passage(cycle, data.timestep_s, frames, np.concatenate(rows).view(ANSWER))
 
 
 def _is_like_ours(served: Served) -> bool:
