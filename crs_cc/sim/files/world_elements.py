@@ -93,7 +93,7 @@ def world_model(
     world_seed = _seed(root, reader)
     if scatters:
         things.scatter(root, scatters, seed if seed is not None else world_seed or 0)
-    elif not things.robots:
+    if not (things.robots or (scatters and reader.diagnostics.errors)):
         reader.error(root, "no robot in the world", "add <robot x='1m' y='1m'/>")
     things.check_ids(root)
     robots = things.robots

@@ -114,10 +114,16 @@ def test_impossible_scatters_are_one_error(scatter: str, text: str) -> None:
 
 
 def test_none_scattered_is_a_world_like_any_other() -> None:
-    others = '<scatter robot="scout" count="2" id="b"/>'
     none = '<scatter robot="scout" count="0" id="a"/><scatter object="can" count="0"/>'
-    assert [robot.id for robot in world(none + others).robots] == ["b.0", "b.1"]
-    assert not world(none).robots
+    found = world(f'{none}<scatter robot="scout" count="2" id="b"/>')
+    assert [robot.id for robot in found.robots] == ["b.0", "b.1"]
+    assert not found.cylinders
+
+
+@pytest.mark.parametrize("robots", ["", '<scatter robot="scout" count="0"/>'])
+def test_world_whose_scatters_leave_it_without_a_robot_is_refused(robots: str) -> None:
+    with pytest.raises(WorldError, match="no robot in the world"):
+        world(f'<scatter object="can" count="3"/>{robots}')
 
 
 def test_id_of_what_is_scattered_is_taken() -> None:
