@@ -26,6 +26,7 @@ Examples:
   crs sweep report speeds --measure distance_m
 """
 _EVERY_S: Final = 0.2
+_MOST_ERRORS: Final = 5
 
 
 class _RunByDefault(click.Group):
@@ -127,12 +128,25 @@ sweep.add_command(report)
 
 def _summary(wanted: Sweep, *, quiet: bool) -> int:
     """Say what has become of the runs; return the exit status."""
-    from crs_cc.sweeps.rows import TABLE
+    from crs_cc.sweeps.plan import shown
+    from crs_cc.sweeps.rows import TABLE, failures
+    from crs_cc.sweeps.search import best
 
-    failed = sum(row["status"] != "ended" for row in wanted.rows.values())
-    if not quiet:
-        runs = f"{len(wanted.rows)} runs" if len(wanted.rows) != 1 else "1 run"
-        say(f"{runs}, {failed} failed: {wanted.folder / TABLE}")
+    wrong = failures(wanted.rows.values())
+    failed = sum(len(rows) for _, _, rows in wrong)
+    if quiet:
+        return int(failed > 0)
+    runs = f"{len(wanted.rows)} runs" if len(wanted.rows) != 1 else "1 run"
+    say(f"{runs}, {failed} failed: {wanted.folder / TABLE}")
+    for status, text, rows in wrong[:_MOST_ERRORS]:
+        first = rows[0].get("recording") or f"run {rows[0]['run']}"
+        say(f"  {len(rows)} x {status}: {text} ({first})")
+    if len(wrong) > _MOST_ERRORS:
+        say(f"  and {len(wrong) - _MOST_ERRORS} other errors")
+    search = wanted.experiment.search
+    found = best(search, wanted.rows.values()) if search else None
+    if search and found:
+        say(f"best median of {search.measure}: {found[1]:.6g} with {shown(found[0])}")
     return int(failed > 0)
 
 

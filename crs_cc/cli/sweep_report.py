@@ -29,8 +29,8 @@ _CELL_M: Final = 0.1
     "--measure",
     default="",
     metavar="COLUMN",
-    help="What to report on, a column of the table. Default: the time of the first goal that was "
-    "met, else the points.",
+    help="What to report on, a column of the table. Default: what was searched for, else the time "
+    "of the first goal that was met, else the points.",
 )
 @click.option(
     "--replays/--no-replays",
@@ -56,6 +56,8 @@ def report(*, folder: Path, measure: str, replays: bool) -> int:
 
     sweep = Sweep.of(folder)
     rows = list(sweep.rows.values())
+    if not measure and sweep.experiment.search is not None:
+        measure = sweep.experiment.search.measure
     try:
         found = results(rows, measure)
     except ValueError as error:
@@ -70,7 +72,8 @@ def report(*, folder: Path, measure: str, replays: bool) -> int:
     replace_text(folder / "summary.csv", _csv([summary.heading, *summary.rows]))
     title = sweep.experiment.title or sweep.experiment.path.stem
     replace_text(folder / "report.html", page(title, rows, found, svg, links))
-    say(f"{folder / 'report.html'}: {found.measure} of {len(rows)} runs")
+    runs = f"{len(rows)} runs" if len(rows) != 1 else "1 run"
+    say(f"{folder / 'report.html'}: {found.measure} of {runs}")
     return 0
 
 
@@ -102,14 +105,15 @@ def _replayed(sweep: Sweep, found: Results, svg: dict[str, str]) -> dict[str, st
         path = sweep.folder / names[what]
         recording = Recording(path)
         page = path.with_suffix(".html")
-        page.write_text(html_page(recording, world_of(recording)), "utf-8", errors="replace")
+        world = world_of(recording)
+        page.write_text(html_page(recording, world), "utf-8", errors="replace")
         combination = shown(row["parameters"])
         links[f"{what}: run {row['run']}, {combination}, seed {row['seed']}"] = (
             f"replays/{page.name}"
         )
         if what == "median":
             places = [frame.values[:2].T for frame in recording.frames()]
-            svg["visits"] = visits(np.concatenate(places), _CELL_M)
+            svg["visits"] = visits(np.concatenate(places), _CELL_M, world.area)
     return links
 
 

@@ -11,7 +11,7 @@ import io
 import json
 import os
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Final, Self
@@ -108,6 +108,22 @@ def _lean(row: Row) -> Row:
 
 
 # -- the table -----------------------------------------------------------------------------------
+
+
+def failures(rows: Iterable[Row]) -> list[tuple[str, str, list[Row]]]:
+    """Return what went wrong: status and first line of each error, and its rows, most first.
+
+    >>> failed = {"run": 1, "status": "limit", "error": "a: fuel"}
+    >>> [found[:2] for found in failures([{"run": 0, "status": "ended"}, failed])]
+    [('limit', 'a: fuel')]
+    """
+    found: dict[tuple[str, str], list[Row]] = {}
+    for row in sorted(rows, key=lambda each: int(each["run"])):
+        if row["status"] != "ended":
+            text = str(row.get("error", "")).partition("\n")[0]
+            found.setdefault((row["status"], text), []).append(row)
+    ordered = sorted(found.items(), key=lambda each: -len(each[1]))
+    return [(status, text, each) for (status, text), each in ordered]
 
 
 def heading(rows: Sequence[Row]) -> list[str]:

@@ -7,14 +7,14 @@ on the number of processes nor on interruptions. The study is `study.db`, in Opt
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from statistics import median
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.source import Location
-from crs_cc.sweeps.experiment import Experiment, ExperimentError, Range, Search
-from crs_cc.sweeps.plan import PlannedRun
+from crs_cc.sweeps.experiment import Experiment, ExperimentError, Range, Search, Value
+from crs_cc.sweeps.plan import PlannedRun, shown
 from crs_cc.sweeps.report.results import value_of
 from crs_cc.sweeps.rows import Row
 
@@ -98,6 +98,22 @@ class ParameterSearch:
             self.study.tell(number, median(found))
         else:
             self.study.tell(number, state=TrialState.FAIL)
+
+
+def best(search: Search, rows: Iterable[Row]) -> tuple[Mapping[str, Value], float] | None:
+    """Return the parameters with the best median of what is searched for, and it; None for none.
+
+    Of equal ones the first.
+    """
+    trials: dict[str, tuple[Mapping[str, Value], list[float]]] = {}
+    for row in sorted(rows, key=lambda each: int(each["run"])):
+        value, _ = value_of(row, search.measure)
+        if value is not None:
+            _, values = trials.setdefault(shown(row["parameters"]), (row["parameters"], []))
+            values.append(value)
+    sign = -1.0 if search.maximize else 1.0
+    found = [(parameters, median(values)) for parameters, values in trials.values()]
+    return min(found, key=lambda each: sign * each[1], default=None)
 
 
 def _suggested(trial: Trial, name: str, wanted: Range) -> float:

@@ -54,11 +54,14 @@ def test_a_search_goes_on_with_the_same_trials(
     swept(path, tmp_path / "parts", resume=True)
     tables = [(tmp_path / name / "runs.csv").read_bytes() for name in ("whole", "parts")]
     assert tables[0] == tables[1]
-    from crs_cc.sweeps.search import ParameterSearch
+    from crs_cc.sweeps.search import ParameterSearch, best
 
     study = ParameterSearch(whole.experiment, tmp_path / "parts").study
-    best = max(whole.rows.values(), key=lambda row: row["measures"]["distance_m"])
-    assert study.best_params == best["parameters"]
+    farthest = max(whole.rows.values(), key=lambda row: row["measures"]["distance_m"])
+    assert study.best_params == farthest["parameters"]
+    assert whole.experiment.search is not None
+    found = best(whole.experiment.search, whole.rows.values())
+    assert found == (farthest["parameters"], farthest["measures"]["distance_m"])
 
 
 def test_the_ends_of_a_search_are_checked_before_it(tmp_path: Path) -> None:

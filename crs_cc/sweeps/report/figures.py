@@ -13,6 +13,7 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.keyed_random import KeyedUniform
+from crs_cc.sim.model.world import Area
 from crs_cc.sweeps.experiment import Value
 from crs_cc.sweeps.report.results import Group, Results
 from crs_cc.sweeps.report.statistics import summary, survival
@@ -94,7 +95,7 @@ def box_and_strip(results: Results) -> str:
             )
         axes.set_yticks(range(1, len(groups) + 1), [group.label for group in groups])
         axes.invert_yaxis()
-        axes.set_xlabel(results.measure)
+        axes.set_xlabel(results.label)
 
     return _svg(draw)
 
@@ -125,7 +126,7 @@ def curve(results: Results) -> str:
         if _spans_decades([float(each) for each in _levels(results, name)]):
             axes.set_xscale("log")
         axes.set_xlabel(name)
-        axes.set_ylabel(f"median of {results.measure}")
+        axes.set_ylabel(f"median of {results.label}")
         axes.set_ylim(bottom=0 if results.is_time else None)
 
     return _svg(draw)
@@ -147,7 +148,7 @@ def heat_map(results: Results) -> str:
         axes.set_yticks(range(len(rows)), [str(each) for each in rows])
         axes.set_xlabel(names[0])
         axes.set_ylabel(names[1])
-        _colour_bar(axes, image, f"median of {results.measure}")
+        _colour_bar(axes, image, f"median of {results.label}")
 
     return _svg(draw)
 
@@ -170,18 +171,19 @@ def survival_curves(results: Results) -> str:
         axes.legend()
         axes.set_ylim(0.0, 1.03)
         axes.set_xlim(left=0.0)
-        axes.set_xlabel(f"{results.measure} [s]")
+        axes.set_xlabel(results.label)
         axes.set_ylabel("share of runs without")
 
     return _svg(draw)
 
 
-def visits(places_m: FloatArray, cell_m: float) -> str:
-    """Return where robots were, as colours.
+def visits(places_m: FloatArray, cell_m: float, area: Area) -> str:
+    """Return where in the area robots were, as colours.
 
     Args:
         places_m: x and y at equal steps of time, (n, 2).
         cell_m: the size of the cells.
+        area: the area of the world.
     """
     low, high = places_m.min(axis=0), places_m.max(axis=0)
     edges = [
@@ -194,6 +196,8 @@ def visits(places_m: FloatArray, cell_m: float) -> str:
         axes.grid(visible=False)
         image = axes.pcolormesh(*edges, 100.0 * share.T, cmap="magma_r", rasterized=True)
         axes.set_aspect("equal")
+        axes.set_xlim(area.x_min_m, area.x_max_m)
+        axes.set_ylim(area.y_min_m, area.y_max_m)
         axes.set_xlabel("x [m]")
         axes.set_ylabel("y [m]")
         _colour_bar(axes, image, "share of the time [%]")

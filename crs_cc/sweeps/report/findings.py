@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from crs_cc.sweeps.plan import shown
 from crs_cc.sweeps.report.results import Group, Results
 from crs_cc.sweeps.report.statistics import any_difference, comparison, corrected, summary
+from crs_cc.sweeps.rows import Row, failures
 
 MOST_COMPARED: Final = 10
 """Combinations that are compared in pairs: more give tables that nobody reads."""
@@ -40,6 +42,23 @@ def tables(results: Results) -> Iterator[Table]:
         yield comparisons(results)
 
 
+def failed(rows: Sequence[Row]) -> Table:
+    """Return what went wrong: each error once, the most frequent first."""
+    return Table(
+        "Failures",
+        ("status", "error", "runs", "first", "with"),
+        tuple(
+            (status, text, str(len(each)), str(each[0]["run"]), _what(each[0]))
+            for status, text, each in failures(rows)
+        ),
+        "The recording of run 17 is failed/0017.mcap, for crs debug; the first hundred have one.",
+    )
+
+
+def _what(row: Row) -> str:
+    return ", ".join(filter(None, (shown(row["parameters"]), f"seed {row['seed']}")))
+
+
 def medians(results: Results) -> Table:
     """Return each combination's median, quartiles and interval."""
     rows = []
@@ -65,7 +84,8 @@ def medians(results: Results) -> Table:
     if results.is_time:
         note += " Where a goal was not met, the value is the end of the run: ≥ marks such bounds."
     if results.failed:
-        note += f" {results.failed} runs have no {results.measure}: they failed."
+        runs = f"{results.failed} runs have" if results.failed != 1 else "1 run has"
+        note += f" {runs} no {results.measure}: see the failures."
     return Table(f"{results.measure} over the seeds", heading, tuple(rows), note)
 
 

@@ -7,7 +7,7 @@ from html import escape
 from typing import Final
 
 from crs_cc.sweeps.report import figures
-from crs_cc.sweeps.report.findings import Table, tables
+from crs_cc.sweeps.report.findings import Table, failed, tables
 from crs_cc.sweeps.report.results import Results
 from crs_cc.sweeps.rows import Row
 
@@ -64,6 +64,8 @@ def page(
         replays: links to runs, by what they are.
     """
     parts = [f"<h1>{escape(title)}</h1>", _counts(rows)]
+    wrong = failed(rows)
+    parts += [_table(wrong)] if wrong.rows else []
     for name, text in svg.items():
         caption = escape(_CAPTIONS[name])
         parts.append(f"<figure>{text}<figcaption>{caption}</figcaption></figure>")
@@ -88,7 +90,8 @@ def _counts(rows: Sequence[Row]) -> str:
     for row in rows:
         counts[row["status"]] = counts.get(row["status"], 0) + 1
     words = ", ".join(f"{count} {status}" for status, count in sorted(counts.items()))
-    return f"<p>{len(rows)} runs: {escape(words)}.</p>"
+    runs = f"{len(rows)} runs" if len(rows) != 1 else "1 run"
+    return f"<p>{runs}: {escape(words)}.</p>"
 
 
 def _table(table: Table) -> str:

@@ -58,19 +58,29 @@ class Results:
         """Whether the measure is the time of a goal, which some runs do not reach."""
         return is_time(self.measure)
 
+    @property
+    def label(self) -> str:
+        """The measure in words, for the axes of figures."""
+        return f"time to goal {_goal_of(self.measure)} [s]" if self.is_time else self.measure
+
 
 def is_time(measure: str) -> bool:
     """Return whether a measure is the time of a goal."""
     return measure.startswith("goal.") and measure.endswith(_TIME)
 
 
+def _goal_of(measure: str) -> str:
+    """Return the goal whose time a measure is."""
+    return measure.removeprefix("goal.").removesuffix(_TIME)
+
+
 def measures_of(rows: Sequence[Row]) -> list[str]:
-    """Return the measures that are numbers, those that tell most first: times, own, ours."""
+    """Return the measures that are numbers: first the times of goals that were ever met."""
     goals = dict.fromkeys(goal for row in rows for goal in row.get("goals", ()))
     times = [
         f"goal.{goal}{_TIME}"
         for goal in goals
-        if any(row["goals"][goal]["at_s"] is not None for row in rows if goal in row["goals"])
+        if any(row["goals"][goal]["status"] == "met" for row in rows if goal in row["goals"])
     ]
     found = dict.fromkeys(
         name
@@ -127,7 +137,7 @@ def value_of(row: Row, measure: str) -> tuple[float | None, bool]:
     if not is_time(measure):
         value = row.get("measures", {}).get(measure)
         return (float(value) if isinstance(value, int | float) else None), True
-    goal = row.get("goals", {}).get(measure.removeprefix("goal.").removesuffix(_TIME))
+    goal = row.get("goals", {}).get(_goal_of(measure))
     if goal is None or row["status"] not in ("ended", "measure error"):
         return None, False
     is_met = goal["status"] == "met"

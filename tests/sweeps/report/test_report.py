@@ -6,11 +6,13 @@ import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from crs_cc.cli.main import main
+from crs_cc.sim.model.world import Area
 from crs_cc.sweeps.report import figures
-from crs_cc.sweeps.report.findings import comparisons, medians, scaling
+from crs_cc.sweeps.report.findings import comparisons, failed, medians, scaling
 from crs_cc.sweeps.report.page import drawn, page
 from crs_cc.sweeps.report.results import Results, measures_of, results
 from tests.sweeps.trials import inline, swept, write
@@ -63,7 +65,48 @@ def test_a_run_that_failed_counts_in_no_measure() -> None:
     found = results(rows)
     assert found.failed == 1
     assert len(found.groups[0].values) == 4
-    assert "1 runs have no goal.cool.at_s" in medians(found).note
+    assert "1 run has no goal.cool.at_s" in medians(found).note
+
+
+def test_time_of_a_goal_that_was_never_met_is_no_measure() -> None:
+    """A goal such as `no-collision` fails at a time, which is not the time to it."""
+    rows = made()
+    for row in rows:
+        row["goals"]["clean"] = {"status": "failed", "at_s": 4.1}
+    assert measures_of(rows) == ["goal.cool.at_s", "points"]
+    for row in rows:
+        row["goals"]["cool"] = {"status": "failed", "at_s": 50.0}
+    assert results(rows).measure == "points"
+
+
+def test_figures_name_the_time_of_a_goal_in_words() -> None:
+    found = drawn(timed())
+    assert all("time to goal cool [s]" in svg for svg in found.values())
+    assert "median of points" in figures.curve(results(made(), "points"))
+
+
+def test_page_lists_each_error_once_with_its_first_run() -> None:
+    rows = made()
+    for number, error in ((1, "a: loop"), (3, "a: loop\n  hint"), (4, "b: <none>")):
+        rows[number] |= {"status": "limit", "error": error}
+    found = failed(rows)
+    assert [row[:4] for row in found.rows] == [
+        ("limit", "a: loop", "2", "1"),
+        ("limit", "b: <none>", "1", "4"),
+    ]
+    text = page("title", rows, timed(), {}, {})
+    assert "<h2>Failures</h2>" in text
+    assert "b: &lt;none&gt;" in text
+    assert "<h2>Failures</h2>" not in page("title", made(), timed(), {}, {})
+
+
+def test_visits_are_shown_in_the_whole_area() -> None:
+    places_m = np.array([[4.0, 3.5], [4.1, 3.5]])
+    area = Area(-1.0, 0.0, 9.0, 4.0)
+    text = figures.visits(places_m, 0.1, area)
+    ticks = {float(each.replace("\N{MINUS SIGN}", "-")) for each in
+             re.findall(r">([\N{MINUS SIGN}\d.]+)</text>", text)}  # fmt: skip
+    assert {0.0, 4.0, 8.0} <= ticks
 
 
 def test_medians_say_where_a_goal_was_not_met() -> None:
