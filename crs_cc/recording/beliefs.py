@@ -101,7 +101,7 @@ class BeliefDecoder:
     """Decodes where robots believe to be, in the order of time."""
 
     def __init__(self) -> None:
-        self._true: dict[int, Numbers] = {}  # by time [ns]
+        self._true: dict[int, FloatArray] = {}  # by time [ns]
         self._last: tuple[int, Numbers] | None = None
 
     def note(self, time_ns: int, values: FloatArray, *, is_key: bool = False) -> None:
@@ -115,7 +115,7 @@ class BeliefDecoder:
         if is_key:
             self._true.clear()
             self._last = None
-        self._true[time_ns] = whole_numbers(values)
+        self._true[time_ns] = values
 
     def frames(self, time_ns: int, message: bytes) -> Iterator[tuple[int, FloatArray]]:
         """Yield the frames in a message of a time: each its time, and x, y [m], heading [rad].
@@ -145,10 +145,10 @@ class BeliefDecoder:
 
     def _at(self, time_ns: int, like: Numbers) -> Numbers:
         """Return where the robots are at the time of a frame."""
-        whole = self._true.get(time_ns)
-        if whole is None or whole.shape[1] < like.shape[1]:
+        values = self._true.get(time_ns)
+        if values is None or values.shape[1] < like.shape[1]:
             raise ValueError("where a robot was is missing")
-        return whole[:COLUMNS, : like.shape[1]]
+        return whole_numbers(values[:COLUMNS, : like.shape[1]])
 
 
 def signed(whole: Numbers) -> Int64Array:
