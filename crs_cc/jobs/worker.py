@@ -72,6 +72,7 @@ def _in_a_child(work: Callable[[], None]) -> int:
     its_end, held = os.pipe()
     child = os.fork()
     if child == 0:
+        gc.freeze()  # so is what has been loaded since: a collection would copy its pages
         try:
             work()
         finally:
