@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
@@ -64,7 +65,8 @@ def medians(results: Results) -> Table:
     rows = []
     for group in results.groups:
         found = summary(group.values)
-        bound = max(group.values) if not all(group.reached) else float("inf")
+        ends = [end for end, is_met in zip(group.values, group.reached, strict=True) if not is_met]
+        bound = min(ends, default=math.inf)
         rows.append(
             (
                 *(str(each) for each in group.parameters.values()),

@@ -117,6 +117,14 @@ def test_medians_say_where_a_goal_was_not_met() -> None:
     assert table.rows[1][:4] == ("2", "5", "5", "21.5")
 
 
+def test_medians_are_bounds_where_runs_without_the_goal_ended_at_different_times() -> None:
+    rows = [row(number, {}, None, number) for number in range(3)]
+    for each, end_s in zip(rows, (3.9, 3.9, 4.85), strict=True):
+        each["simulated_s"] = end_s
+    rows.append(row(3, {}, 2.0, 3))
+    assert medians(results(rows)).rows == (("4", "1", "≥ 3.9", "3.425", "≥ 4.138", "2 to ≥ 4.85"),)
+
+
 def test_scaling_and_differences_are_those_of_the_rows() -> None:
     assert [row[1:] for row in scaling(timed()).rows] == [
         ("1.00", "1.00"),
