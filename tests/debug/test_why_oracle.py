@@ -72,7 +72,7 @@ static int mixed(int i, struct pair given)
 int main(void)
 {
     int i, last = 1;
-    for (i = 0; i < 9; i++)
+    for (i = 0; i < 2; i++)
         last = mixed(i, both(last, draw(9)));
     return last;
 }
@@ -193,9 +193,9 @@ def test_trees_through_locals_arguments_returns_and_memory(tmp_path: Path) -> No
             checker.check(cause, here, frame)
             debugger.goto(here)
         stops += 1
-    assert stops == 9
-    assert checker.checked["local"] > 500
-    assert checker.checked["global"] > 100
+    assert stops == 2
+    assert checker.checked["local"] > 40
+    assert checker.checked["global"] > 8
 
 
 MESSAGES = """\

@@ -113,6 +113,11 @@ def pause(session: EditorSession, _arguments: Arguments) -> None:
     session.paused = session.is_running
 
 
+def cancel(session: EditorSession, _arguments: Arguments) -> None:
+    """Interrupt the programs: the client has cancelled the move that is in progress."""
+    session.paused = session.is_running
+
+
 @dataclass(frozen=True, slots=True)
 class _GotoTarget:
     """A visit of a line: the next one, or the previous one."""

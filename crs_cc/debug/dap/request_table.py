@@ -32,6 +32,7 @@ HANDLERS: Final[Mapping[str, Handler]] = {
     "stepInTargets": execution_requests.step_in_targets,
     "stepOut": execution_requests.step_out,
     "stepBack": execution_requests.step_back,
+    "cancel": execution_requests.cancel,
     "pause": execution_requests.pause,
     "gotoTargets": execution_requests.goto_targets,
     "goto": execution_requests.goto,

@@ -184,12 +184,13 @@ def _request(message: Message) -> ClientRequest | None:
 
 
 def _sort(request: ClientRequest, connection: Connection, inbox: Inbox) -> None:
-    """Queue a request; answer a cancellation at once."""
+    """Queue a request; answer the cancellation of another one at once."""
     try:
-        if request.command != "cancel":
+        arguments = Arguments.of(request.arguments) if request.command == "cancel" else None
+        if arguments is None or arguments.text("progressId", ""):
             inbox.put(request)
             return
-        withdrawn = inbox.withdraw(Arguments.of(request.arguments).integer("requestId", 0))
+        withdrawn = inbox.withdraw(arguments.integer("requestId", 0))
     except RefusalError as error:
         connection.refuse(request, str(error), error.word)
         return

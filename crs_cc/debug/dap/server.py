@@ -83,7 +83,10 @@ class Server:
         session.handles.clear()
         session.is_running, session.paused = True, False
         try:
-            stop = self._run(motion, debugger)
+            with session.progress.of(
+                "programs run", lambda: f"t = {debugger.session.time_s:.1f} s"
+            ):
+                stop = self._run(motion, debugger)
         except ClientGoneError:
             raise
         except Exception as error:

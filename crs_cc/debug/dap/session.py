@@ -16,6 +16,7 @@ from crs_cc.debug.dap.inbox import ClientRequest, Inbox
 from crs_cc.debug.dap.launch import Launch
 from crs_cc.debug.dap.locations import ClientLocations
 from crs_cc.debug.dap.output_events import OutputEvents
+from crs_cc.debug.dap.progress import Progress
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.stop import Stop
 from crs_cc.session.host import Output
@@ -52,7 +53,7 @@ class Handles:
         return self._objects[number - self._first]
 
 
-ENDING: Final = frozenset({"pause", "terminate", "disconnect", "restart"})
+ENDING: Final = frozenset({"pause", "cancel", "terminate", "disconnect", "restart"})
 """Requests that want the programs to stop."""
 
 OpenRun = Callable[[Sequence[str], "Output", Callable[[str], None]], Debugger]
@@ -85,6 +86,7 @@ class EditorSession:
         launch: what it has launched; None for nothing.
         handles: objects that it can refer to until the run moves.
         output: the programs' output.
+        progress: tells the client of moves that take long.
         execution: the execution to start after the response; None for none.
         after_response: sends events after the response; None for none.
         has_started: whether the run has started.
@@ -108,6 +110,7 @@ class EditorSession:
         self.breakpoints = EditorBreakpoints(connection, self.locations)
         self.handles = Handles()
         self.output = OutputEvents(connection)
+        self.progress = Progress(connection, wanted=False)
         self.execution: Execution | None = None
         self.after_response: Callable[[], None] | None = None
         self.has_started = False
@@ -124,6 +127,8 @@ class EditorSession:
         """Store the client's capabilities; raise RefusalError if they are not supported."""
         self.locations.configure(client)
         self.client = client
+        wanted = client.flag("supportsProgressReporting", default=False)
+        self.progress = Progress(self.connection, wanted=wanted)
 
     @property
     def debugger(self) -> Debugger | None:

@@ -282,6 +282,24 @@ def test_running_programs_can_be_paused(client: Client, endless: Path) -> None:
     assert client.line() in {4, 5}
 
 
+@pytest.mark.parametrize("command", ["continue", "next"])
+def test_a_long_move_shows_its_progress_and_can_be_cancelled(
+    client: Client, endless: Path, command: str
+) -> None:
+    endless.write_text("void stay(void)\n{\n    for (;;)\n        ;\n}\n" + CALLER)
+    client.ask("initialize", adapterID="crs", supportsProgressReporting=True)
+    client.ask("launch", program=[str(endless)], stopOnEntry=True)
+    client.event("initialized")
+    client.begin()
+    client.ask(command, threadId=1)
+    started = client.event("progressStart")
+    assert started["cancellable"]
+    assert client.event("progressUpdate")["message"].startswith("t = ")
+    client.ask("cancel", progressId=started["progressId"])
+    assert client.event("progressEnd")["progressId"] == started["progressId"]
+    assert client.event("stopped")["reason"] == "pause"
+
+
 def test_a_breakpoint_can_be_set_while_programs_run(client: Client, endless: Path) -> None:
     client.launch(endless)
     client.ask("configurationDone")

@@ -1,0 +1,62 @@
+"""Progress of long moves: what a client shows while programs run, with a button that stops them.
+
+It is told from a thread of its own, as the engine's is busy. Nothing in the run depends on it.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Final
+
+from crs_cc.debug.dap.connection import ClientGoneError, Connection
+
+DELAY_S: Final = 1.0
+"""Moves that take less are not told of, and it is told so often how far a move is [s]."""
+
+
+class Progress:
+    """Tells a client of the moves of one session."""
+
+    def __init__(self, connection: Connection, *, wanted: bool, delay_s: float = DELAY_S) -> None:
+        """Store the connection, and whether the client shows progress."""
+        self._connection = connection
+        self._wanted = wanted
+        self._delay_s = delay_s
+        self._number = 0
+
+    @contextmanager
+    def of(self, title: str, told: Callable[[], str]) -> Iterator[None]:
+        """Tell of a move if it takes long.
+
+        Args:
+            title: what is done.
+            told: returns how far it is; called by another thread.
+        """
+        if not self._wanted:
+            yield
+            return
+        self._number += 1
+        over = threading.Event()
+        work = threading.Thread(target=self._tell, args=(title, told, over), daemon=True)
+        work.start()
+        try:
+            yield
+        finally:
+            over.set()
+            work.join()
+
+    def _tell(self, title: str, told: Callable[[], str], over: threading.Event) -> None:
+        """Tell of a move until it is over."""
+        key = {"progressId": f"move-{self._number}"}
+        if over.wait(self._delay_s):
+            return
+        try:
+            start = {**key, "title": title, "message": told(), "cancellable": True}
+            self._connection.event("progressStart", start)
+            while not over.wait(self._delay_s):
+                self._connection.event("progressUpdate", {**key, "message": told()})
+            self._connection.event("progressEnd", {**key})
+        except ClientGoneError:
+            return
