@@ -22,8 +22,8 @@ from crs_cc.debug.timeline.position import Position
 from crs_cc.requests import MESSAGE
 from crs_cc.runtime.fleet import Fleet
 
-MAX_BYTES: Final = 64 * 2**20
-"""Memory for what is noted [bytes]; chosen by us: hours of a robot, minutes of a hundred."""
+MAX_BYTES: Final = 128 * 2**20
+"""Memory for what is noted [bytes]; chosen by us: days of a robot, over a minute of a hundred."""
 
 _UNKNOWN: Final = -1
 
@@ -32,10 +32,13 @@ _UNKNOWN: Final = -1
 class RoundInput:
     """The replies that programs were given in a round.
 
+    Messages are mostly zeros, and only the other bytes are kept.
+
     Attributes:
         count: how many programs ran.
-        content: the robots, rising, as int64; the fuel of each [instructions], as int64; its clock
-            [s], as float64; the message that it found, of dtype `MESSAGE`.
+        content: that number, as int64; the robots, rising, as int64; the fuel of each
+            [instructions], as int64; its clock [s], as float64; for the messages that they found,
+            a bit for each byte that is not zero, then these bytes.
     """
 
     count: int
@@ -51,27 +54,36 @@ class RoundInput:
             fleet: the programs, with their replies.
         """
         robots = np.flatnonzero(pending)
-        arrays = robots.astype(np.int64), pending[robots], clock_s[robots], fleet.messages(robots)
+        messages = fleet.messages(robots).view(np.uint8)
+        places, count = messages != 0, np.array([len(robots)], np.int64)
+        numbers = count, robots.astype(np.int64), pending[robots], clock_s[robots]
+        arrays = (*numbers, np.packbits(places), messages[places])
         return cls(len(robots), b"".join(each.tobytes() for each in arrays))
 
     @classmethod
     def unpacked(cls, content: bytes) -> Self:
         """Return the round of a content."""
-        return cls(len(content) // (3 * 8 + MESSAGE.itemsize), content)
+        return cls(int(np.frombuffer(content, np.int64, 1)[0]), content)
 
     @property
     def robots(self) -> IndexArray:
         """Return the robots whose programs ran, rising."""
-        return np.frombuffer(self.content, np.int64, self.count)
+        return np.frombuffer(self.content, np.int64, self.count, 8)
 
     def give(self, fleet: Fleet, clock_s: FloatArray, pending: Int64Array) -> None:
         """Feed it to the programs again, and set their clocks [s] and fuel."""
         robots, size = self.robots, 8 * self.count
-        fuel = np.frombuffer(self.content, np.int64, self.count, size)
+        fuel = np.frombuffer(self.content, np.int64, self.count, 8 + size)
+        messages = np.zeros(self.count, MESSAGE)
+        room = messages.view(np.uint8)
+        first = 8 + 3 * size
+        places = np.frombuffer(self.content, np.uint8, -(-len(room) // 8), first)
+        kept = np.frombuffer(self.content, np.uint8, offset=first + len(places))
+        room[np.unpackbits(places, count=len(room)).view(np.bool_)] = kept
         fleet.slots["run"][robots] = 1
         fleet.slots["fuel"][robots] = fuel
-        fleet.reply(robots, np.frombuffer(self.content, MESSAGE, self.count, 3 * size))
-        clock_s[robots] = np.frombuffer(self.content, np.float64, self.count, 2 * size)
+        fleet.reply(robots, messages)
+        clock_s[robots] = np.frombuffer(self.content, np.float64, self.count, 8 + 2 * size)
         pending[:] = 0
         pending[robots] = fuel
 

@@ -23,8 +23,10 @@ import numpy as np
 
 _FULL: Final = 128 * 1024
 """The size of a block before it is packed, at least [bytes]."""
-_LEVEL: Final = 1
-"""Of zlib: the quickest."""
+_LEVEL, _STORED = 1, 0
+"""Levels of zlib: the quickest, and none."""
+_LARGE: Final = 2048
+"""Contents that are as large on average are not packed, as that would take too long [bytes]."""
 _HELD: Final = 400
 """What a block takes besides its bytes, about [bytes]; measured."""
 
@@ -84,7 +86,8 @@ class RoundBlock:
         rows = np.array([self._keys, list(map(len, self._contents))], np.int64)
         differences = np.diff(rows, axis=1, prepend=0)
         content = b"".join([differences.tobytes(), *self._contents])
-        return _PackedBlock(self.last, len(self._keys), zlib.compress(content, _LEVEL))
+        level = _STORED if self._size >= _LARGE * len(self._keys) else _LEVEL
+        return _PackedBlock(self.last, len(self._keys), zlib.compress(content, level))
 
 
 @dataclass(frozen=True, slots=True)
