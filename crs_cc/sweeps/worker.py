@@ -12,6 +12,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
+from crs_cc.api.worlds import world_of
 from crs_cc.core.errors import CrsError
 from crs_cc.jobs.memory_limit import limit_memory
 from crs_cc.jobs.worker import serve
@@ -75,8 +76,8 @@ def _of(job: dict[str, Any]) -> _Loaded:
 
 def _load(job: dict[str, Any]) -> None:
     """Load what later runs need as well; what is wrong with it is said by the job itself."""
-    with contextlib.suppress(CrsError):
-        _of(job).variant(job)
+    with contextlib.suppress(CrsError, TypeError, ValueError):
+        world_of(_of(job).variant(job).world)  # checks it, for all runs of the variant
         _of(job).measures  # noqa: B018 - loads them
 
 
