@@ -79,6 +79,47 @@ int main(int argc, char **argv)
     }
 }
 """,
+    "waits": """
+#include <Nclient.h>
+#include <stdlib.h>
+int main(int argc, char **argv)
+{
+    connect_robot(1);
+    srand(atoi(argv[1]));
+    conf_tm(rand() % 3);
+    sp(40, 40, 0);
+    for (;;) {
+        int way = rand() % 300 - 150;
+        pr(way, rand() % 2 ? way : -way, 0);
+        ws(1, 1, 0, rand() % 3 ? 200 : 1);
+        gs();
+        if (rand() % 8 == 0)
+            st();
+    }
+}
+""",
+    "tells": """
+#include <Nclient.h>
+#include "crs.h"
+#include <stdio.h>
+#include <stdlib.h>
+int main(int argc, char **argv)
+{
+    struct crs_message message;
+    int i;
+    connect_robot(1);
+    srand(atoi(argv[1]));
+    for (;;) {
+        vm(rand() % 90, rand() % 90, 0);
+        if (crs_receive(&message, 100 * (rand() % 20)))
+            printf("%d %d %d\\n", message.from, message.sent, message.arrived);
+        for (i = rand() % 25; i; i--)
+            gs();
+        if (rand() % 4 == 0)
+            crs_broadcast(7, "here", 4);
+    }
+}
+""",
     "ends": """
 #include <Nclient.h>
 #include <stdio.h>
@@ -127,6 +168,7 @@ WORLDS = {
     "follow": HALL + ROBOTS.format("")
     + '<goal><follow target="b" least="1m" most="2m" share="0.3"/></goal>',
 }  # fmt: skip
+STEPS = {"waits": 240, "tells": 300}
 STATUSES = {
     "goals": ["met", "met", "met", "met", "met", "failed", "met", "met"],
     "bring": ["met"],
@@ -247,10 +289,10 @@ def test_goals_are_met_and_fail_in_the_same_timestep(world: str, calm: int, tmp_
     assert statuses == STATUSES[world]
 
 
-@pytest.mark.parametrize("name", ["reads", "ends"])
+@pytest.mark.parametrize("name", ["reads", "ends", "waits", "tells"])
 def test_states_and_answers_are_the_same_for_every_program(name: str, tmp_path: Path) -> None:
     model = world_of("three robots", tmp_path)
-    assert compare(model, [build(tmp_path, PROGRAMS[name])] * 3, 60) > 20
+    assert compare(model, [build(tmp_path, PROGRAMS[name])] * 3, STEPS.get(name, 60)) > 20
 
 
 def test_a_robot_that_runs_into_a_wall_does_the_same(tmp_path: Path) -> None:

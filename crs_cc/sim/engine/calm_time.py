@@ -1,8 +1,8 @@
 """Calm time: cycles of few robots in which a kernel does all that happens.
 
-Calm is a world in which nothing touches or is held, nobody waits in it, no message is on its way,
-no device is degraded, no goal changes, and all that requests and sonars depend on is known to
-kernels. Robots may drive as they are told. Then the kernel of `kernels/calm.c` answers requests,
+Calm is a world in which nothing touches or is held, no wait ends, no message is on its way, no
+device is degraded, no goal changes, and all that requests and sonars depend on is known to kernels.
+Robots may drive as they are told. Then the kernel of `kernels/calm.c` answers requests,
 fires sonars and ends cycles, in turn with the programs, until one of them asks for something else,
 or something is near a robot or due that kernels do not know. It leaves that as it was, and the
 general way goes on.
@@ -12,6 +12,7 @@ The rows of robots are copied into the kernel's memory, and back.
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -21,6 +22,7 @@ from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.sensor_board import BATTERIES, BOARD_MS, LASER_COUNT
 from crs_cc.sim.devices.sonar.state import sonar_state
+from crs_cc.sim.devices.waits import when
 from crs_cc.sim.engine.passage import Passage, answers_of, served_of
 from crs_cc.sim.engine.quiet_time import MARGIN, NEVER
 from crs_cc.sim.kernels.calm import ANSWER, CODES, FRAME, MOST, CalmKernel, frames_of
@@ -90,7 +92,7 @@ class CalmTime:
             self._goal_room_m = data.goals.room_m(state)
         left, room_m = data.physics.calm_cycles(state.bodies)
         left = min(cycles, left, self._cycles_to_event() if cycles else 0)
-        if left <= 0 < cycles:
+        if left <= 0 < cycles or not self._goal_room_m:
             return False
         self._draw()
         self.kernel.begin(state.cycle + left, state.cycle, room_m, self._goal_room_m)
@@ -119,7 +121,7 @@ class CalmTime:
         data, state, constants = self._data, self._data.state, self._data.constants
         if data.is_weary or not drive.moves_as_commanded(state, constants):
             return False
-        if np.count_nonzero(state.waits.code) or np.count_nonzero(state.drive.hindered):
+        if np.count_nonzero(state.drive.hindered):
             return False
         if np.count_nonzero(bumper_state(state).pressed) or len(state.contacts_before):
             return False
@@ -134,10 +136,20 @@ class CalmTime:
     def _cycles_to_event(self) -> int:
         """Return how many cycles may end before the next event that is known."""
         data, state = self._data, self._data.state
-        event_s = min(float(state.degradation.next_s), data.due_s, data.goals.due_s(state))
+        known_s = float(state.degradation.next_s), data.due_s, data.goals.due_s(state)
+        event_s = min(*known_s, self._wait_ends_s())
         if not event_s < NEVER * data.timestep_s:
             return NEVER
         return int(event_s / data.timestep_s) - MARGIN - state.cycle
+
+    def _wait_ends_s(self) -> float:
+        """Return when the first wait may end, also as its robot's command timeout expires."""
+        data, state = self._data, self._data.state
+        if not np.count_nonzero(state.waits.code):
+            return math.inf
+        waiting = state.waits.code.nonzero()[0]
+        ends_s = np.minimum(when(data.waits, state, waiting), state.drive.deadline_s[waiting])
+        return float(ends_s.min())
 
     # -- the kernel's memory ---------------------------------------------------------------------
 

@@ -6,7 +6,15 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records, all_of
+from crs_cc.core.arrays import (
+    BoolArray,
+    FloatArray,
+    IndexArray,
+    Int32Array,
+    Records,
+    all_of,
+    any_of,
+)
 from crs_cc.requests import CODES, MESSAGE, REQUESTS, Request
 from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.devices.waits import when
@@ -64,6 +72,8 @@ class Dispatcher:
         goes_on_s[good] = self._wait(request, rows[good], waiting)
         messages[good] = waiting
         answered = np.isfinite(goes_on_s)
+        if not any_of(answered):
+            return goes_on_s
         replies = messages[answered]
         context = self._context(request, rows[answered], replies, goes_on_s[answered])
         self._reply(context, good[answered], arguments=arguments[answered])
