@@ -57,6 +57,18 @@ def parse_format(text: str) -> tuple[OutputFormat, str]:
     return OutputFormat("".join(shapes), _count(digits or "1"), size), text[found.end() :]
 
 
+def parse_pattern(text: str) -> re.Pattern[str]:
+    """Return a regular expression for names.
+
+    Raises:
+        DebugError: it is malformed.
+    """
+    try:
+        return re.compile(text)
+    except re.error as error:
+        raise DebugError(f"'{text}' is not a regular expression: {error}") from None
+
+
 def parse_count(text: str) -> int:
     """Return a repeat count; the default is 1.
 

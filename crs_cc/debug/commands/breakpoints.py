@@ -13,6 +13,7 @@ from crs_cc.debug.commands.arguments import (
     parse_breakpoint_arguments,
     parse_count,
     parse_numbers,
+    parse_pattern,
     parse_robot,
     require_argument,
     split_arguments,
@@ -82,10 +83,7 @@ def _is_of_world(context: CommandContext, condition: str) -> bool:
 
 
 def _rbreak(context: CommandContext, text: str) -> Answer:
-    try:
-        pattern = re.compile(require_argument(text, "a regular expression"))
-    except re.error as error:
-        raise DebugError(f"'{text}' is not a regular expression: {error}") from None
+    pattern = parse_pattern(require_argument(text, "a regular expression"))
     names = sorted({name for name, _ in functions(context) if pattern.search(name)})
     if not names:
         raise DebugError(f"no function matches '{text}'")

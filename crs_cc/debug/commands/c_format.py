@@ -38,6 +38,15 @@ def string_literal(text: str) -> str:
     """
     if not _LITERAL.fullmatch(text):
         raise DebugError(f"{text} is not a format string in double quotes")
+    return unescaped(text[1:-1])
+
+
+def unescaped(text: str) -> str:
+    r"""Return a text with C's escape sequences replaced.
+
+    >>> unescaped(r"a\tb\41")
+    'a\tb!'
+    """
 
     def meant(found: re.Match[str]) -> str:
         code = found[1]
@@ -47,7 +56,7 @@ def string_literal(text: str) -> str:
             return chr(int(code, 8) & 0xFF)
         return _ESCAPES.get(code, code)
 
-    return _ESCAPE.sub(meant, text[1:-1])
+    return _ESCAPE.sub(meant, text)
 
 
 @dataclass(frozen=True, slots=True)

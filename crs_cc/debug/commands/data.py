@@ -11,6 +11,7 @@ from crs_cc.debug.commands.arguments import (
     OutputFormat,
     parse_format,
     parse_numbers,
+    parse_pattern,
     require_argument,
     split_arguments,
 )
@@ -182,7 +183,8 @@ def _info_args(context: CommandContext, _text: str) -> Answer:
 
 
 def _info_globals(context: CommandContext, text: str) -> Answer:
-    found = [each for each in context.debugger.view.globals_() if text in each.name]
+    pattern = parse_pattern(text)
+    found = [each for each in context.debugger.view.globals_() if pattern.search(each.name)]
     if not found:
         raise DebugError(f"no global variable matches '{text}'")
     yield from map(_variable, found)
@@ -260,7 +262,7 @@ DATA: Final = Group(
         ),
         Command("info args", "", "Show the arguments of the selected frame.", _info_args),
         Command(
-            "info globals", "[TEXT]", "Show the global variables whose names contain TEXT.",
+            "info globals", "[REGEX]", "Show the global variables whose names match REGEX.",
             _info_globals, ("info variables",), completes="expression",
         ),
     ),

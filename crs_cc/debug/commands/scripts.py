@@ -12,6 +12,7 @@ from crs_cc.core.host_system import open_regular
 from crs_cc.debug.breakpoints import Breakpoint
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import require_argument
+from crs_cc.debug.commands.c_format import unescaped
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.errors import DebugError
@@ -109,7 +110,7 @@ def _write(path: Path, content: str) -> None:
 
 
 def _echo(_context: CommandContext, text: str) -> Answer:
-    yield text
+    yield unescaped(text).removesuffix("\n")
 
 
 SCRIPTS: Final = Group(
@@ -126,6 +127,9 @@ SCRIPTS: Final = Group(
             _save_breakpoints, text="Only files of saved breakpoints are overwritten.",
             completes="file",
         ),
-        Command("echo", "TEXT", "Print a text.", _echo),
+        Command(
+            "echo", "TEXT", "Print a text.", _echo,
+            text=r"Escape sequences of C, such as \n and \t, have their meaning.",
+        ),
     ),
 )  # fmt: skip

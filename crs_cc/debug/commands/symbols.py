@@ -7,9 +7,10 @@ from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.debug.commands.answer import Answer, SourceLine
-from crs_cc.debug.commands.arguments import require_argument
+from crs_cc.debug.commands.arguments import OutputFormat, parse_pattern, require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
+from crs_cc.debug.commands.formats import formatted
 from crs_cc.debug.commands.stack import find_line, functions
 from crs_cc.debug.data.scope import is_own
 from crs_cc.debug.errors import DebugError
@@ -31,7 +32,8 @@ def _listed(lines: list[str], what: str, text: str) -> Answer:
 
 
 def _info_functions(context: CommandContext, text: str) -> Answer:
-    found = sorted((place, name) for name, place in functions(context) if text in name)
+    pattern = parse_pattern(text)
+    found = sorted((place, name) for name, place in functions(context) if pattern.search(name))
     lines = [f"{place.file}:{place.line}: {name}" for place, name in found]
     return _listed(lines, "function", text)
 
@@ -55,7 +57,8 @@ def _info_sources(context: CommandContext, text: str) -> Answer:
     """List all files, headers included."""
     view = context.debugger.view
     detail = context.debugger.run.programs[view.robot].executable.detail()
-    files = sorted(file for file in detail.lines if text in file)
+    pattern = parse_pattern(text)
+    files = sorted(file for file in detail.lines if pattern.search(file))
     return _listed(files, "source file", text)
 
 
@@ -68,10 +71,10 @@ def _sources(context: CommandContext) -> Iterator[tuple[str, int]]:
 
 
 def _info_types(context: CommandContext, text: str) -> Answer:
-    found = []
+    found, pattern = [], parse_pattern(text)
     for place, ctype, alias in context.debugger.view.file_names().types():
         shown = f"typedef {spell(ctype, alias)};" if alias else f"{ctype};"
-        if place.line and is_own(place) and text in (alias or str(ctype)):
+        if place.line and is_own(place) and pattern.search(alias or str(ctype)):
             found.append((place, shown))
     lines = [f"{place.file}:{place.line}: {shown}" for place, shown in sorted(found)]
     return _listed(lines, "type", text)
@@ -102,6 +105,21 @@ def _info_scope(context: CommandContext, text: str) -> Answer:
         yield f"  {each.kind} {spell(variable.ctype, variable.name)}, line {variable.location.line}"
 
 
+def _info_symbol(context: CommandContext, text: str) -> Answer:
+    view = context.debugger.view
+    number = view.look_up(require_argument(text, "an address, such as &total")).number
+    name = ""
+    if isinstance(number, int):
+        name = view.evaluator(view.robot).inspector().symbol_at(number)
+    yield name or f"No variable or function is at {text}."
+
+
+def _info_address(context: CommandContext, text: str) -> Answer:
+    name = require_argument(text, "the name of a variable or a function")
+    value = context.debugger.view.look_up(f"&({name})")
+    yield f"{name} is at {formatted(value, OutputFormat('a'))}"
+
+
 def _info_macro(context: CommandContext, text: str) -> Answer:
     name = require_argument(text, "the name of a macro")
     found = context.debugger.view.file_names().macro(name)
@@ -127,11 +145,11 @@ SYMBOLS: Final = Group(
             completes="place",
         ),
         Command(
-            "info functions", "[TEXT]", "List the functions whose names contain TEXT.",
+            "info functions", "[REGEX]", "List the functions whose names match REGEX.",
             _info_functions, completes="place",
         ),
         Command(
-            "info types", "[TEXT]", "List the types whose names contain TEXT.", _info_types,
+            "info types", "[REGEX]", "List the types whose names match REGEX.", _info_types,
             text="Structs, unions, enums and typedef names of the current file and its headers.",
         ),
         Command(
@@ -140,8 +158,16 @@ SYMBOLS: Final = Group(
         ),
         Command("info source", "", "List the C files of the program.", _info_source),
         Command(
-            "info sources", "[TEXT]", "List all source files, headers included.", _info_sources,
-            text="With TEXT, those whose names contain it.",
+            "info sources", "[REGEX]", "List all source files, headers included.", _info_sources,
+            text="With REGEX, those whose names match it.",
+        ),
+        Command(
+            "info symbol", "ADDRESS", "Show which variable or function is at an address.",
+            _info_symbol, completes="expression",
+        ),
+        Command(
+            "info address", "NAME", "Show the address of a variable or a function.",
+            _info_address, completes="expression",
         ),
         Command(
             "info macro", "NAME", "Show the definition of a macro.", _info_macro, completes="macro",
