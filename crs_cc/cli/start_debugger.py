@@ -75,10 +75,10 @@ def record_at_end(
 ) -> None:
     """Record the run as it stands when the debugger ends, if requested."""
     if options.record is not None:
-        _record(debugger, loaded, options, waiting, options.record)
+        record(debugger, loaded, options, waiting, options.record)
 
 
-def _record(
+def record(
     debugger: Debugger, loaded: Loaded, options: DebugOptions, waiting: WaitingAfter, path: Path
 ) -> None:
     """Record the run as it stands; raise OSError if the recording cannot be written."""
@@ -150,5 +150,5 @@ def _made(
         end_at(debugger, options.max_time_s or loaded.world.duration_s)
     else:  # it may have run longer than its world says
         recorded.begin(debugger)
-    debugger.save = functools.partial(_record, debugger, loaded, options, waiting)
+    debugger.save = functools.partial(record, debugger, loaded, options, waiting)
     return debugger

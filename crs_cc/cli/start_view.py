@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import sys
 import webbrowser
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.make_debugger import end_at, make_debugger
 from crs_cc.cli.messages import say, show_before_run
-from crs_cc.cli.start_debugger import given_input, record_at_end
+from crs_cc.cli.start_debugger import given_input, record, record_at_end
 from crs_cc.cli.view_address import announced
 from crs_cc.core.source import Diagnostics
 from crs_cc.session.host import no_input
@@ -77,6 +78,7 @@ def _opened(options: DebugOptions, port: int) -> tuple[Screen, Loaded, WaitingAf
     end_at(debugger, options.max_time_s or world.duration_s)
     watcher.begin(debugger.session)
     debugger.start()
+    debugger.save = functools.partial(record, debugger, loaded, options, waiting)
     run = DebuggedRun(debugger, watcher)
     return Screen(run, feed, Player(world.timestep_s), port), loaded, waiting
 

@@ -6,11 +6,14 @@ The debugger's own commands go through `console`, as far as `allowed.ALLOWED` ha
 from __future__ import annotations
 
 import math
+import tempfile
+from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.errors import DebugError
 from crs_cc.workbench import console, questions, sources, stops
 from crs_cc.workbench.command import Command
-from crs_cc.workbench.messages import block_message, page_message
+from crs_cc.workbench.messages import block_message, page_message, recording_message
 from crs_cc.workbench.page import known_of, page_of
 from crs_cc.workbench.panel_commands import PANEL
 from crs_cc.workbench.player import FASTEST, SLOWEST
@@ -18,6 +21,9 @@ from crs_cc.workbench.values import values
 
 if TYPE_CHECKING:
     from crs_cc.workbench.context import Context
+
+MAX_RECORDING_BYTES: Final = 48 * 2**20
+"""Of a recording that is sent to a page."""
 
 
 def _play(screen: Context) -> None:
@@ -84,6 +90,24 @@ def _page(screen: Context) -> bytes:
     return page_message(page_of(known_of(screen.feed)))
 
 
+def _recording(screen: Context) -> bytes:
+    """Record the run up to the time that is shown: it is run again, from the start."""
+    debugger = screen.run.debugger()
+    if debugger.save is None:
+        raise DebugError("this run cannot be recorded here: start it with crs view, or --record")
+    screen.player.pause()
+    with screen.working(), tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "run.mcap")
+        try:
+            debugger.save(path)
+            content = path.read_bytes()
+        except OSError as error:
+            raise DebugError(f"the run cannot be recorded: {error.strerror}") from None
+    if len(content) > MAX_RECORDING_BYTES:
+        raise DebugError("the recording is too large for a page: use crs debug, or --record")
+    return recording_message(content)
+
+
 RUNNING: Final = (
     Command("play", "Let the run go on.", _play, needs="play"),
     Command("pause", "Let the run wait.", _pause, needs="play", at_once=True),
@@ -98,6 +122,8 @@ RUNNING: Final = (
     Command("point", "Answer a program that has asked the user for a pose.", _point,
             {"robot": int, "x_m": float, "y_m": float, "heading_deg": float}),
     Command("page", "Send the run, as far as it is known, as one HTML page.", _page, asks=True),
+    Command("recording", "Send the run, up to the time that is shown, as a recording.", _recording,
+            needs="debug", asks=True),
     Command("frames", "Send a block of frames.", _frames, {"block": int}, controls=False,
             at_once=True),
 )  # fmt: skip

@@ -73,6 +73,11 @@ def page_message(page: str) -> bytes:
     return b"P" + page.encode()
 
 
+def recording_message(content: bytes) -> bytes:
+    """Return the message of a run as a recording."""
+    return b"R" + content
+
+
 def plain_text(content: dict[str, Any]) -> str:
     """Return JSON; numbers that it does not have become null."""
     try:

@@ -16,6 +16,7 @@ from crs_cc.cli.inputs import Inputs
 from crs_cc.cli.main import main
 from crs_cc.cli.start_view import screen_of
 from crs_cc.cli.view_recording import recording_screen
+from crs_cc.recording import topics
 from crs_cc.recording.recording import Recording
 from crs_cc.workbench.screen import Screen
 from tests.workbench.in_browser import page_at, page_in, played, wait
@@ -169,6 +170,21 @@ def a_video_and_a_page_are_saved(browser: Any, page: Any, folder: Path) -> None:
     alone.close()
 
 
+def a_recording_is_saved_that_runs_again(page: Any, folder: Path) -> None:
+    page.evaluate("crs.model.channel.ask('console', { line: 'note here it holds on' })")
+    page.keyboard.press("m")
+    with page.expect_download() as saved:
+        page.click(".menu >> text=Recording")
+    saved.value.save_as(folder / "crs-run.mcap")
+    recording = Recording(folder / "crs-run.mcap")
+    wait(page, "!crs.model.state.playing")
+    shown_s = page.evaluate("crs.model.state.t")
+    assert recording.end_ns == pytest.approx(shown_s * 1e9, abs=0.06e9)
+    changes = [data for _, data in recording.data(topics.INPUT.topic)]
+    assert any("here it holds on" in each.values() for each in changes)
+    assert main(["replay", "--verify", str(folder / "crs-run.mcap")]) == 0
+
+
 def a_picture_is_saved_and_a_link_leads_here(browser: Any, page: Any, folder: Path) -> None:
     page.keyboard.press("Escape")
     with page.expect_download() as saved:
@@ -215,6 +231,7 @@ def test_the_view_shows_devices_and_saves_what_it_shows(
         a_video_and_a_page_are_saved(browser, page, tmp_path)
         a_picture_is_saved_and_a_link_leads_here(browser, page, tmp_path)
         a_span_is_repeated(page)
+        a_recording_is_saved_that_runs_again(page, tmp_path)
 
 
 FIELD = "crs.look.fields.find(({ name }) => name === 'trail')"

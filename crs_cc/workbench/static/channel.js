@@ -91,6 +91,8 @@ export class SocketChannel {
       this.hear({ type: "frame", time: view.getFloat64(1, true), data: withZeros(bytes.subarray(9)) });
     } else if (bytes[0] === 0x50) {
       this.pageCame?.(bytes.subarray(1));
+    } else if (bytes[0] === 0x52) {
+      this.recordingCame?.(bytes.subarray(1));
     } else {
       const number = view.getUint32(1, true);
       this.blocks.get(number)?.(bytes.subarray(5));
@@ -113,6 +115,12 @@ export class SocketChannel {
   page() {
     const bytes = new Promise((resolve) => (this.pageCame = resolve));
     return this.ask("page").then(() => bytes);
+  }
+
+  /** The run as a recording, up to the time that is shown. @returns {Promise<Uint8Array>} */
+  recording() {
+    const bytes = new Promise((resolve) => (this.recordingCame = resolve));
+    return this.ask("recording").then(() => bytes);
   }
 
   /** The bytes of a block of frames. @param {number} number @returns {Promise<Uint8Array>} */

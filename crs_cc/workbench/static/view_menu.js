@@ -76,7 +76,8 @@ export class ViewMenu {
           views.video.toggle();
           this.draw();
         } }),
-        views.model.channel.isLocal ? null : button({ text: "Web page", title: "Save the run as one file that opens in any browser", onclick: () => views.exportPage() })));
+        views.model.channel.isLocal ? null : button({ text: "Web page", title: "Save the run as one file that opens in any browser", onclick: () => views.exportPage() }),
+        views.model.can("debug") && views.model.run.kind === "live" ? button({ text: "Recording", title: "Save the run up to here, with programs, notes and breakpoints, for crs debug and crs replay", onclick: () => views.exportRecording() }) : null));
   }
 
   /** Have something put where the user clicks next. */

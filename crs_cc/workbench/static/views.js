@@ -180,4 +180,13 @@ export class Views {
     saveFile(new Blob([bytes], { type: "text/html" }), "crs-run.html");
     this.say("page saved: it opens in any browser");
   }
+
+  /** Save the run up to the time that is shown, with its programs, as a recording. */
+  async exportRecording() {
+    this.say("running it again, to record it");
+    const bytes = await this.model.channel.recording().catch((error) => this.say(error.message, true));
+    if (!bytes) return;
+    saveFile(new Blob([bytes], { type: "application/octet-stream" }), "crs-run.mcap");
+    this.say("recording saved: crs debug and crs replay open it");
+  }
 }
