@@ -15,9 +15,10 @@ Read `engine` first: the operations of the debugger, without a user interface. I
   that users watch; `world_watch`: those that use the world or several programs; `surroundings`:
   how expressions use these.
 - `past`: questions about the recorded past; `last_write`: who wrote an object before; `why`: a tree
-  of where a value came from, through `message_cause` to other robots, and through `motion_cause` to
-  what moves objects; `returned_value`: what a call has returned; `skips`: functions that steps do
-  not enter; `call_sites`: calls that a step can be told to enter.
+  of where a value came from, whose nodes are in `cause`; through `message_cause` to other robots,
+  `motion_cause` to what moves objects, and `battery_cause` to what drains batteries;
+  `statement_source`: the text of what a statement did; `returned_value`: what a call has returned;
+  `skips`: functions that steps do not enter; `call_sites`: calls that a step can be told to enter.
 - `branches`: alternative histories; `branch_comparison`: the differences between two of them.
 - `data/`: C expressions, and values by their types.
 - `world/`: displays of the world, its events, and changes to it and to the run; `uploads`: programs
