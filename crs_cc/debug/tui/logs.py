@@ -9,7 +9,6 @@ from typing import Final
 from rich.console import Console
 from rich.style import Style
 from rich.text import Text
-from textual import events
 from textual.widgets import RichLog
 
 from crs_cc.debug.commands.shell import PROMPT
@@ -55,29 +54,30 @@ class ConsoleLog(RichLog):
 
     def _add(self, text: Text) -> None:
         self._texts.append(text)
-        if self.size.width:
-            self._wrap(text)
+        width = self.scrollable_content_region.width
+        if width:
+            self._wrap(text, width)
         else:  # it is hidden, and its width unknown
             self._wrapped_at = _STALE
 
-    def on_resize(self, event: events.Resize) -> None:
+    def on_resize(self) -> None:
         """Rewrap the lines."""
-        self._rewrap(event.size.width)
+        self._rewrap()
 
     def on_show(self) -> None:
         """Wrap what was written while the pane was hidden."""
-        self._rewrap(self.size.width)
+        self._rewrap()
 
-    def _rewrap(self, width: int) -> None:
+    def _rewrap(self) -> None:
+        width = self.scrollable_content_region.width
         if width and self._wrapped_at != width:
             self.clear()
             for text in self._texts:
-                self._wrap(text)
+                self._wrap(text, width)
             self._wrapped_at = width
 
-    def _wrap(self, text: Text) -> None:
+    def _wrap(self, text: Text, width: int) -> None:
         """Write lines so that what continues one is indented as its text."""
-        width = self.scrollable_content_region.width
         for line in text.split("\n", allow_blank=True):
             for part in wrapped(line, width):
                 self.write(part)
