@@ -9,6 +9,7 @@ from typing import Final
 from rich.console import Console
 from rich.style import Style
 from rich.text import Text
+from textual import events
 from textual.widgets import RichLog
 
 from crs_cc.debug.commands.shell import PROMPT
@@ -60,7 +61,7 @@ class ConsoleLog(RichLog):
         else:  # it is hidden, and its width unknown
             self._wrapped_at = _STALE
 
-    def on_resize(self) -> None:
+    def on_resize(self, _event: events.Resize) -> None:
         """Rewrap the lines."""
         self._rewrap()
 
