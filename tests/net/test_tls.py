@@ -14,7 +14,7 @@ from crs_cc.net import tls
 from crs_cc.net.access import Access
 from crs_cc.net.channel import MAGIC, ConnectionLostError, Pulse
 from crs_cc.net.gate import Gate, bound, led_to
-from crs_cc.net.handshake import Hello, Program, RefusedError, devices_digest, digest_of
+from crs_cc.net.handshake import Hello, Program, RefusedError, devices_digest
 from crs_cc.net.roster import Roster
 from crs_cc.net.visit import Visit, visit
 from tests.session.programs import HALL
@@ -38,8 +38,9 @@ def gate(server: tls.Server) -> Iterator[Gate]:
 
 
 def come(gate: Gate, client: tls.Client | None, pulse: Pulse) -> Visit:
-    content = Program("a.c", "a", sources=("/a.c",), files={"/a.c": ""}).content()
-    hello = Hello(TOKEN, "one", (), digest_of(content), devices=devices_digest())
+    program = Program("a.c", "a", sources=("/a.c",), files={"/a.c": ""})
+    content = program.content()
+    hello = Hello(TOKEN, "one", (), program.digest, devices=devices_digest())
     address = "127.0.0.1", gate.port
     if client is None:
         return visit(address, hello, content, pulse)
