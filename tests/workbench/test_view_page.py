@@ -254,6 +254,7 @@ def shows(page: Any, time_s: float, most: float, squares: int) -> None:
 
 def what_was_laid_is_shown_at_any_time(page: Any) -> None:
     """At 2 s there is 31.94, which evaporates in 2 s; at 6 s the robot has gone on."""
+    page.wait_for_selector(".robot b")  # it has heard of the run
     shows(page, 6.0, 10.71, 2)
     shows(page, 3.5, 31.94 * math.exp(-1.5 / 2), 1)
     shows(page, 1.0, 0.0, 0)
