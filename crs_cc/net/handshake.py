@@ -105,7 +105,7 @@ class Program:
 
     @property
     def digest(self) -> str:
-        """What identifies it on every machine: the folder that all its files are in does not count.
+        """Return its identity on every machine, wherever the folder is that all its files are in.
 
         >>> one, other = (
         ...     Program("a.c", "a", sources=(f"/{at}/a.c",), files={f"/{at}/a.h": ""})

@@ -62,7 +62,7 @@ class FrameReader:
 
 
 class Courses:
-    """What the groups of frames in a chunk say of odometry."""
+    """The odometry that the groups of frames in a chunk lead to."""
 
     def __init__(self, messages: Sequence[Message]) -> None:
         """Take note of the messages of a chunk; nothing is decoded before it is asked for."""

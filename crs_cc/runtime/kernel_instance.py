@@ -13,13 +13,13 @@ from typing import Final
 
 import numpy as np
 import wasmtime
-from wasmtime import _bindings, _ffi
+from wasmtime import _bindings
 
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Location
 from crs_cc.requests import MESSAGE, SLOT, SUSPENDED, slot_offset
 from crs_cc.runtime.executable import Executable, engine
-from crs_cc.runtime.shard import Mailbox, memory_demanded, view
+from crs_cc.runtime.shard import CALL_TYPES, QUICKEST_CALL, Mailbox, memory_demanded, view
 
 _FUEL: Final = 1 << 60  # more than any call can use; twice as much would say that it stops
 _RESUME: Final = struct.Struct("<iiiiIIq")
@@ -27,15 +27,8 @@ _RESUME: Final = struct.Struct("<iiiiIIq")
 _STATE: Final = struct.Struct("<ii")
 """Status and code."""
 
-_call = ctypes.PYFUNCTYPE(
-    ctypes.c_void_p,
-    ctypes.c_void_p,
-    ctypes.c_void_p,
-    ctypes.c_void_p,
-    ctypes.c_size_t,
-    ctypes.c_void_p,
-)(("wasmtime_func_call_unchecked", _ffi.dll))
-"""wasmtime's quickest call, with the interpreter's lock held: others take longer than the work."""
+_call = ctypes.PYFUNCTYPE(*CALL_TYPES)(QUICKEST_CALL)
+"""The call with the interpreter's lock held: to release it takes longer than the work."""
 
 
 class KernelInstance:

@@ -42,15 +42,12 @@ _NONE: Final = np.zeros(0, np.uint8)
 _MOST_CALLS: Final = 16
 """Calls of a shard that are kept: its own functions, and those of partners."""
 
-_call_unchecked = ctypes.CFUNCTYPE(
-    ctypes.c_void_p,
-    ctypes.c_void_p,
-    ctypes.c_void_p,
-    ctypes.c_void_p,
-    ctypes.c_size_t,
-    ctypes.c_void_p,
-)(("wasmtime_func_call_unchecked", _ffi.dll))
-"""wasmtime's quickest call, with the interpreter's lock released: programs may run for long."""
+QUICKEST_CALL: Final = "wasmtime_func_call_unchecked", _ffi.dll
+CALL_TYPES: Final = *(ctypes.c_void_p,) * 4, ctypes.c_size_t, ctypes.c_void_p
+"""wasmtime's quickest call, and the types of its result and arguments."""
+
+_call_unchecked = ctypes.CFUNCTYPE(*CALL_TYPES)(QUICKEST_CALL)
+"""The call with the interpreter's lock released: programs may run for long."""
 
 
 class Ran(NamedTuple):

@@ -17,7 +17,7 @@ DELAY_S: Final = 1.0
 
 
 class Progress:
-    """Tells a client of the moves of one session."""
+    """Progress events for the moves of one session."""
 
     def __init__(self, connection: Connection, *, wanted: bool, delay_s: float = DELAY_S) -> None:
         """Store the connection, and whether the client shows progress."""

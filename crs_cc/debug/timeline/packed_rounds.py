@@ -45,12 +45,12 @@ class RoundBlock:
 
     @property
     def is_empty(self) -> bool:
-        """Whether it has nothing."""
+        """Return whether it holds no rounds."""
         return not self._keys
 
     @property
     def is_full(self) -> bool:
-        """Whether it is worth packing."""
+        """Return whether it has enough rounds to be worth packing."""
         return self._size >= _FULL
 
     @property

@@ -27,7 +27,7 @@ _NEUTRAL: Final = re.compile(r"(?:\x1b\[[\d;]*H|\x1b\[\?[\d;]*[hl]|[\r\n])*")
 
 @dataclass(frozen=True, slots=True)
 class _Style:
-    """What a terminal does with text; empty for its defaults."""
+    """A style in which a terminal shows text; empty for its defaults."""
 
     foreground: str = ""
     background: str = ""

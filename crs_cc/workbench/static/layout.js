@@ -90,7 +90,8 @@ export class Layout {
 
   share() {
     const words = new URLSearchParams(location.hash.slice(1));
-    words.set("t", this.model.clock.shown.toFixed(3));
+    const { clock } = this.model; // while it stands, what is shown may still be on its way there
+    words.set("t", (clock.isPlaying ? clock.shown : (clock.held ?? clock.target)).toFixed(3));
     words.set("view", this.page.views.cameras());
     history.replaceState(null, "", `#${words}`);
     navigator.clipboard?.writeText(location.href).then(() => this.model.say("link copied"), () => this.model.say("the address bar has the link"));
