@@ -15,9 +15,12 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.fields import FieldState
 
 
-def read(state: FieldState, grid: FieldGrid, cells: Int64Array) -> Int64Array:
-    """Return the integers in cells, 0 for `NOWHERE`."""
-    return state.amount.ravel().take(_places(state.directory(grid.tiles), cells, cells // TILE))
+def read(state: FieldState, grid: FieldGrid, tiles: Int64Array, places: Int64Array) -> Int64Array:
+    """Return the integers at places in tiles, 0 for `NOWHERE`."""
+    found = state.directory(grid.tiles).take(tiles)
+    found *= TILE
+    found += places
+    return state.amount.reshape(-1).take(found)
 
 
 def add(
@@ -29,16 +32,15 @@ def add(
 ) -> None:
     """Add integers to cells, up to a largest one for each; cells may be named several times."""
     tiles, directory = cells // TILE, state.directory(grid.tiles)
-    state.make(tiles[directory.take(tiles) == EMPTY])
-    places = _places(directory, cells, tiles)
+    slots = directory.take(tiles)
+    new = np.flatnonzero(slots == EMPTY)
+    if len(new):
+        state.make(tiles[new])
+        slots[new] = directory.take(tiles[new])
+    places = cells + (slots - tiles) * TILE
     flat = state.amount.reshape(-1)
     np.add.at(flat, places, amounts)
     flat[places] = np.minimum(flat.take(places), most)
-
-
-def _places(directory: IndexArray, cells: Int64Array, tiles: Int64Array) -> IndexArray:
-    """Return the places of cells in these tiles among all integers that are stored."""
-    return cells + (directory.take(tiles) - tiles) * TILE
 
 
 def of(state: FieldState, grid: FieldGrid, field: int) -> IndexArray:

@@ -20,6 +20,8 @@ any more are dropped.
 
 from __future__ import annotations
 
+import math
+from functools import lru_cache
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -27,13 +29,17 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, all_of
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.devices import field_tiles
+from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.name_lookup import look_up, numbers_of
 from crs_cc.sim.geometry.field_grid import NOWHERE, SIDE, FieldGrid
 from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels.field_cells import Trails, antenna_cells, trail_cells
+from crs_cc.sim.kernels.program import kernels
 from crs_cc.sim.state.fields import UNIT
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.fields import FieldState
@@ -93,15 +99,43 @@ class Fields:
             one = one if isinstance(one, int) else one[there]
         amount = np.minimum(amount, self._saturation[one])
         deposit = np.rint(amount / self._units(state.fields, state.cycle, 1)[one])
-        state.fields.deposit_cell = np.concatenate([state.fields.deposit_cell, cells])
-        state.fields.deposit = np.concatenate([
-            state.fields.deposit, deposit.astype(np.int64)
-        ])  # fmt: skip
+        self._put(state, cells, deposit.astype(np.int64))
 
-    def read(self, state: EnvState, field: int, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
-        """Return the amounts in the cells at places, 0 outside of the area."""
-        found = field_tiles.read(state.fields, self._grid, self._grid.cells(field, x_m, y_m))
-        return np.asarray(found * self._units(state.fields, state.cycle)[field])
+    def lay(self, state: EnvState, trails: Trails) -> None:
+        """Deposit what robots lay in a timestep, evenly along their ways.
+
+        Args:
+            state: changed in place.
+            trails: what they lay.
+        """
+        units = self._units(state.fields, state.cycle, 1)
+        measures = np.column_stack([self._saturation, units])
+        self._put(state, *trail_cells(self._grid.table, measures, trails))
+
+    def smell(
+        self,
+        state: EnvState,
+        constants: RobotConstants,
+        rows: IndexArray,
+        ends_m: FloatArray,
+        amounts: FloatArray,
+    ) -> None:
+        """Smell the amounts at the ends of antennae, 0 outside of the area.
+
+        Args:
+            state: has the fields.
+            constants: the robots' constants.
+            rows: the robots, k of them.
+            ends_m: where their antennae end, see `kernels.field_cells`.
+            amounts: set to the amounts of each field at each end, (fields, antennae, k).
+        """
+        if not self.names:
+            return
+        home = state.rows.at_home(constants.kinds)
+        robots = mount_poses(state, constants, rows) if home is None else rows
+        tiles, places = antenna_cells(home or kernels(), self._grid.table, ends_m, robots)
+        found = field_tiles.read(state.fields, self._grid, tiles, places)
+        np.multiply(found, self._units(state.fields, state.cycle)[:, None, None], out=amounts)
 
     def end_cycle(self, state: EnvState) -> None:
         """Add the deposits of the cycle, let the fields diffuse, and rebase them."""
@@ -174,6 +208,14 @@ class Fields:
         unit = float(self._units(fields, state.cycle)[field])
         return found * unit, cells * float(grid.cell_m[field])
 
+    def _put(self, state: EnvState, cells: Int64Array, deposit: Int64Array) -> None:
+        """Keep integers to add to cells at the end of the cycle."""
+        fields = state.fields
+        if len(fields.deposit):
+            cells = np.concatenate([fields.deposit_cell, cells])
+            deposit = np.concatenate([fields.deposit, deposit])
+        fields.deposit_cell, fields.deposit = cells, deposit
+
     def _add(self, state: EnvState) -> None:
         """Add the deposits of the cycle."""
         fields = state.fields
@@ -197,8 +239,9 @@ class Fields:
 
     def _cycles(self, fields: FieldState) -> Int64Array:
         """Return the number of cycles between two bases of each field."""
-        cycles = np.ceil(_REBASE * fields.evaporation_s / self._timestep_s)
-        return np.minimum(cycles, _NEVER).astype(np.int64)
+        return np.array(
+            [_cycles(each, self._timestep_s) for each in fields.evaporation_s.tolist()], np.int64
+        )
 
     def _units(self, fields: FieldState, cycle: int, later: int = 0) -> FloatArray:
         """Return what an integer 1 in each field stands for at the start of a cycle, (fields,).
@@ -208,8 +251,23 @@ class Fields:
             cycle: the cycle.
             later: number of cycles from then on.
         """
-        since = cycle % self._cycles(fields) + later
-        return UNIT * exact.exp(-(since * self._timestep_s / fields.evaporation_s))
+        times_s, timestep_s = fields.evaporation_s.tolist(), self._timestep_s
+        return np.array([
+            _unit(cycle % _cycles(each_s, timestep_s) + later, timestep_s, each_s)
+            for each_s in times_s
+        ])  # fmt: skip
+
+
+def _cycles(evaporation_s: float, timestep_s: float) -> int:
+    """Return the number of cycles between two bases of a field."""
+    cycles = _REBASE * evaporation_s / timestep_s
+    return math.ceil(cycles) if cycles < _NEVER else _NEVER
+
+
+@lru_cache(maxsize=64)  # gland, antennae and fields ask for the same within a timestep
+def _unit(cycles: int, timestep_s: float, evaporation_s: float) -> float:
+    """Return what an integer 1 stands for some cycles after the base time."""
+    return UNIT * exact.exp(-(cycles * timestep_s / evaporation_s))
 
 
 def _the_one(field: IndexArray) -> IndexArray | int:

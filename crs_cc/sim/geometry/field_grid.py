@@ -40,6 +40,7 @@ class FieldGrid:
         columns: number of cells along x.
         rows: number of cells along y.
         first_tile: number of the first tile; after the last field, the number of all tiles.
+        table: all of this as kernels read it, see `kernels.field_cells`, (fields, 7).
     """
 
     def __init__(self, area: Area, fields: Sequence[Field]) -> None:
@@ -50,6 +51,10 @@ class FieldGrid:
         self._across: Int64Array = -(-self.columns // SIDE)  # tiles in a row of tiles
         self._up: Int64Array = -(-self.rows // SIDE)
         self.first_tile = np.concatenate([[0], np.cumsum(self._across * self._up)])
+        self.table = np.empty((len(fields), 7))
+        self.table[:, :2], self.table[:, 2] = self._corner_m, self.cell_m
+        self.table[:, 3], self.table[:, 4] = self.columns, self.rows
+        self.table[:, 5], self.table[:, 6] = self._across, self.first_tile[:-1]
 
     @property
     def tiles(self) -> int:

@@ -13,10 +13,8 @@ static void turns(int count, const double *angle, double *out)
 {
     int i;
 
-    for (i = 0; i < count; i++) {
-        out[2 * i] = cos(angle[i]);
-        out[2 * i + 1] = sin(angle[i]);
-    }
+    for (i = 0; i < count; i++)
+        __crs_sin_cos(angle[i], &out[2 * i + 1], &out[2 * i]);
 }
 
 static void products(int count, const double *a, const double *b, double *out)

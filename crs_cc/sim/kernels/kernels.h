@@ -9,6 +9,9 @@
 #define CIRCLE_SIZE 5
 #define DEVIATES 3                  /* of a firing of a sonar, see `devices/sonar/errors.py` */
 
+/* Sine and cosine of an angle, of the library. */
+void __crs_sin_cos(double x, double *sine, double *cosine);
+
 /* Elementwise functions, see functions.c. */
 void __crs_apply(int function, int count, double *a, double *b, double *out);
 
@@ -144,6 +147,22 @@ int __crs_sort(double *content, int room);
    for two numbers of each beam. */
 void __crs_survey(int count, const double *fan, double *robots, double *out, const double *fixed,
                   const double *moving);
+
+/* Antennae of robots, and the fields that they smell. */
+struct antennae {
+    int fields, number;                 /* of fields, and of antennae */
+    int is_one, has_poses;              /* whether all robots have the same; whether it is told where they are */
+};
+
+/* The cells at the ends of antennae, see fields.c. `content` has the grids of fields, the ends of each antenna
+   ahead and to the left, of one robot after the other, and perhaps the poses of robots. `out` gets the tiles, by
+   fields, antennae and robots, and then the places in them. */
+void __crs_antennae(int count, const long long *rows, const struct antennae *given,
+                    const double *content, const struct tables *tables, long long *out);
+
+/* The trails of robots in a timestep, see fields.c. `content` has the grids of fields, their measures, and what is
+   known of the robots. `out` gets cells, and from place 64 * `count` on their integers; return how many. */
+int __crs_trails(int count, int fields, const double *content, long long *out);
 
 /* The object that each beam of each robot starts in or on, -1 for none, see rays.c. */
 void __crs_covers(int count, int pieces, int is_first, const double *fan, double *robots,

@@ -6,7 +6,7 @@
 
 /* Other numbers are those of elementwise functions. */
 enum { SETUP = 99, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
-    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM, SORT, SURVEY };
+    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM, SORT, SURVEY, ANTENNAE, TRAILS };
 
 static int arguments[10];
 static double memory[MEMORY];
@@ -48,6 +48,14 @@ static int fire(const int *n, int count, const long long *rows, const double *nu
     return __crs_fire(count, rows, numbers, &around, &tables);
 }
 
+/* Find what antennae smell; the cells come behind the numbers. */
+static void smell(const int *n, const long long *rows, const double *numbers)
+{
+    struct antennae given = { n[3], n[4], n[5], n[6] };
+
+    __crs_antennae(n[1], rows, &given, numbers, &tables, (long long *)(arena + n[7]));
+}
+
 /* Run a kernel on some robots. Their rows come first in the arena, unless it is about the first ones;
    then numbers. */
 static void run_on_robots(int *n)
@@ -76,6 +84,9 @@ static void run_on_robots(int *n)
         break;
     case CHARGES:
         __crs_charges(count, rows, numbers, &tables, out);
+        break;
+    case ANTENNAE:
+        smell(n, rows, numbers);
         break;
     case SPEEDS:
         __crs_speeds(count, rows, numbers, n[3] ? numbers + n[3] : 0, n[4] ? numbers + n[4] : 0,
@@ -137,6 +148,8 @@ int __crs_start(void)
             n[0] = __crs_sort(arena + n[1], n[2]);
         else if (n[0] == SURVEY)
             __crs_survey(n[1], arena, arena + n[2], arena + n[3], arena + n[4], arena + n[5]);
+        else if (n[0] == TRAILS)
+            n[0] = __crs_trails(n[1], n[2], arena, (long long *)(arena + n[3]));
         else if (n[0] == CALM)
             __crs_calm(arena, &tables);
         else if (n[0] > COUNTS)

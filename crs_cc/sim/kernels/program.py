@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import atexit
 import functools
+import math
 import struct
 import threading
 from collections.abc import Sequence
@@ -18,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import numpy as np
 
-from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray, Int32Array, Int64Array, Records
 from crs_cc.core.host_system import keep_freed_memory
 from crs_cc.sim.kernels.tables import (
     BATTERY_SIZE,
@@ -56,6 +57,7 @@ _CHARGES: Final = 110
 _FINISH: Final = 111
 _SERVE: Final = 113
 _FIRE: Final = 114
+_ANTENNAE: Final = 119
 ERRORS: Final = 115
 """The kernel of `sonars.c` on columns."""
 ROBOTS_AT_ONCE: Final = 2048
@@ -203,6 +205,31 @@ class Kernels:
         """
         self._select(_REPORTS, count, rows)
         return np.array(self._second[: 8 * count].reshape(count, 8))
+
+    def antennae(
+        self,
+        rows: IndexArray | None,
+        count: int,
+        numbers: bytes,
+        sizes: tuple[int, int, bool, bool],
+    ) -> Int64Array:
+        """Return the tiles of pheromone fields at the ends of antennae, and the places in them.
+
+        Args:
+            rows: the robots' rows in `robots`, None for the first ones, or if `numbers` has poses.
+            count: the number of robots.
+            numbers: what is known of fields and robots, see `fields.c`.
+            sizes: the numbers of fields and antennae, whether these are the same of all robots, and
+                whether `numbers` has their poses.
+
+        Returns:
+            tiles and places, (2, fields, antennae, robots), until the next call.
+        """
+        out = len(numbers) // _NUMBER + (0 if rows is None else count)
+        self._select(_ANTENNAE, count, rows, numbers, *sizes, out)
+        shape = 2, *sizes[:2], count
+        found = self.arena[out : out + math.prod(shape)].view(np.int64)
+        return found.reshape(shape)
 
     def replies(self, rows: IndexArray | None, for_s: FloatArray) -> Records:
         """Return what replies tell of robots, (k,) of dtype `REPLY`.

@@ -89,9 +89,11 @@ static struct ping ping_of(const struct beam *beam, const struct robot *robot,
 {
     double base = constants->is_synchro != 0 ? robot->base : robot->facing;
     double angle = constants->has_turret != 0 ? robot->turret : base;
-    struct point turn = { cos(angle), sin(angle) }, offset = product(&beam->mount, &turn);
+    struct point turn, offset;
     struct ping ping;
 
+    __crs_sin_cos(angle, &turn.y, &turn.x);
+    offset = product(&beam->mount, &turn);
     ping.place.x = body->x + robot->moved[0];
     ping.place.y = body->y + robot->moved[1];
     ping.start.x = ping.place.x + offset.x;

@@ -117,7 +117,7 @@ class RobotRows:
 
     def tables(self, kinds: RobotKinds) -> tuple[FloatArray, ...]:
         """Return the rows of robots, with their kinds, of bodies, batteries and sonars."""
-        self._at_home(kinds)
+        self.at_home(kinds)
         return self.table, self.bodies, self.batteries, self.sonars
 
     def advance(
@@ -135,7 +135,7 @@ class RobotRows:
         Returns:
             `ADVANCED`, or what happens to one of them; then some of the others may be advanced.
         """
-        home = self._at_home(kinds)
+        home = self.at_home(kinds)
         if home is not None:
             return home.advance(_selected(rows), to_s, last_s, renews=renews)
         found = ADVANCED
@@ -165,7 +165,7 @@ class RobotRows:
             which: the axes to change, (k, 3); by default all.
         """
         flags = None if which is None else which.astype(np.float64)
-        home = self._at_home(kinds)
+        home = self.at_home(kinds)
         if home is not None:
             home.set_speeds(_selected(rows), speed, ramp, flags)
             return
@@ -182,11 +182,22 @@ class RobotRows:
             count: their number.
             kinds: their constants.
         """
-        home = self._at_home(kinds)
+        home = self.at_home(kinds)
         if home is not None:
             return home.reports(_selected(rows), count)
         lent = self._lent(rows, count, kinds)
         return np.concatenate([each.own.reports(None, each.robots) for each in lent])
+
+    def at_home(self, kinds: RobotKinds) -> Kernels | None:
+        """Return the kernels in whose memory the rows lie, with the constants; None if too many."""
+        home = self._home
+        if home is None or len(kinds.table) > KINDS:
+            return None
+        if kinds is not self._kinds:
+            _lay(home.kinds, kinds.table)
+            self.table[:, KIND], self.table[:, BATTERY] = kinds.kind, kinds.battery
+            self._kinds = kinds
+        return home
 
     def replies(self, rows: Rows, for_s: FloatArray, kinds: RobotKinds) -> Records:
         """Return what replies tell of robots, (k,) of dtype `REPLY`.
@@ -196,7 +207,7 @@ class RobotRows:
             for_s: the time for which each has been in the world, (k,).
             kinds: their constants.
         """
-        home = self._at_home(kinds)
+        home = self.at_home(kinds)
         if home is not None:
             return home.replies(_selected(rows), for_s)
         lent = self._lent(rows, len(for_s), kinds)
@@ -217,7 +228,7 @@ class RobotRows:
             asked: when they arrive, when the robots have joined, and the integers of the messages.
             kinds: the robots' constants.
         """
-        home = self._at_home(kinds)
+        home = self.at_home(kinds)
         if home is None:
             return HELD_UP, *_NO_REPLIES
         return home.serve(_selected(rows), service, *asked)
@@ -239,7 +250,7 @@ class RobotRows:
             sizes: how much of it there is.
             kinds: the robots' constants.
         """
-        home = self._at_home(kinds) if len(self.sonars) <= RINGS else None
+        home = self.at_home(kinds) if len(self.sonars) <= RINGS else None
         return HELD_UP if home is None else home.fire(_selected(rows), to_s, numbers, sizes)
 
     def charges(self, rows: Rows, for_s: FloatArray, kinds: RobotKinds) -> FloatArray:
@@ -250,7 +261,7 @@ class RobotRows:
             for_s: the time for which each has been in the world, (k,).
             kinds: their constants.
         """
-        home = self._at_home(kinds)
+        home = self.at_home(kinds)
         if home is not None:
             return home.charges(_selected(rows), for_s)
         lent = self._lent(rows, len(for_s), kinds)
@@ -272,7 +283,7 @@ class RobotRows:
             kinds: their constants.
         """
         joined_s, count = state.presence.joined_s, len(self.table)
-        home = self._at_home(kinds)
+        home = self.at_home(kinds)
         if home is not None:
             cycle = *times_s, before_m is None, _UNKNOWN
             return home.finish(count, cycle, joined_s, before_m)
@@ -288,17 +299,6 @@ class RobotRows:
             empty += [part.start + each for each in some]
             self._take_back(lent)
         return found, empty, is_weary
-
-    def _at_home(self, kinds: RobotKinds) -> Kernels | None:
-        """Return the kernels in whose memory the rows lie, with the constants; None if too many."""
-        home = self._home
-        if home is None or len(kinds.table) > KINDS:
-            return None
-        if kinds is not self._kinds:
-            _lay(home.kinds, kinds.table)
-            self.table[:, KIND], self.table[:, BATTERY] = kinds.kind, kinds.battery
-            self._kinds = kinds
-        return home
 
     def _lent(self, rows: Rows, count: int, kinds: RobotKinds) -> Iterator[_Lent]:
         """Yield this thread's kernels with copies of some rows, as often as needed for all."""

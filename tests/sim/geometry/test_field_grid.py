@@ -63,7 +63,7 @@ def test_what_is_added_at_once_is_summed_and_then_cut() -> None:
             expected[one] += amount
         expected = Counter({one: min(amount, 500) for one, amount in expected.items()})
     every = np.arange(grid.tiles * TILE)
-    found = field_tiles.read(state, grid, every)
+    found = field_tiles.read(state, grid, every // TILE, every % TILE)
     assert {one: amount for one, amount in enumerate(found.tolist()) if amount} == +expected
     assert 500 in expected.values()
-    assert field_tiles.read(state, grid, np.array([NOWHERE])).tolist() == [0]
+    assert field_tiles.read(state, grid, *np.divmod([NOWHERE], TILE)).tolist() == [0]

@@ -48,6 +48,15 @@ def test_complex_functions_are_those_of_numpy() -> None:
     assert exact.magnitude(one) == exact.magnitude(z)[3]
 
 
+def test_directions_are_cosine_and_sine_to_the_bit() -> None:
+    random, odd = np.random.default_rng(6), [0.0, -0.0, 1e-9, -1e-9, np.inf, -np.inf, np.nan]
+    turns = np.arange(-9, 10) * np.pi / 4
+    x = np.concatenate([random.uniform(-9, 9, 5000), turns, random.normal(0, 1e9, 500), odd])
+    found = exact.turn(x)
+    assert np.ascontiguousarray(found.real).tobytes() == exact.cos(x).tobytes()
+    assert np.ascontiguousarray(found.imag).tobytes() == exact.sin(x).tobytes()
+
+
 def test_arrays_broadcast_and_keep_their_shapes() -> None:
     column, row = np.ones((3, 1)), np.arange(4.0)
     assert exact.arctan2(column, row).shape == (3, 4)

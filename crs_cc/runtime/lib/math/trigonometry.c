@@ -59,6 +59,27 @@ double cos(double x)
     return quadrant & 2 ? -(value.hi + value.lo) : value.hi + value.lo;
 }
 
+/* Both, to the same bits, for little more than one of them. */
+void __crs_sin_cos(double x, double *sine, double *cosine)
+{
+    struct __crs_pair rest, across, along;
+    double high, low;
+    int quadrant;
+
+    if (__builtin_fabs(x) < 0x1p-27 || x - x != 0) {
+        *sine = sin(x);
+        *cosine = cos(x);
+        return;
+    }
+    quadrant = __crs_reduce(x, &rest);
+    across = __crs_sin_kernel(rest.hi, rest.lo);
+    along = __crs_cos_kernel(rest.hi, rest.lo);
+    high = quadrant & 1 ? along.hi + along.lo : across.hi + across.lo;
+    low = quadrant & 1 ? across.hi + across.lo : along.hi + along.lo;
+    *sine = quadrant & 2 ? -high : high;
+    *cosine = (quadrant + 1) & 2 ? -low : low;
+}
+
 double tan(double x)
 {
     struct __crs_pair rest, top, bottom;

@@ -28,7 +28,6 @@ from crs_cc.requests import device_request
 from crs_cc.requests.request import fields
 from crs_cc.robot_api.row import OURS, Function
 from crs_cc.sim.devices.fields import Fields
-from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor import Measurement, Readings, Sensor, last_values
 from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.attribute import FRACTION, Count, attribute, period, rate
@@ -36,7 +35,7 @@ from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.fields import MAX_FIELDS
 from crs_cc.sim.model.robot import devices_of
-from crs_cc.sim.state.rows import ALL, Rows, simplest
+from crs_cc.sim.state.rows import ALL, simplest
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.installed import Installed
@@ -130,21 +129,14 @@ class _AllAntennae:
 
     def measure(self, now: Measurement) -> FloatArray:
         """Return the amounts at the ends of antennae, (k, 4 * fields)."""
-        mine: Rows = ALL
-        if self._ends_m.shape[-1] > 1:
+        ends_m = self._ends_m
+        if ends_m.shape[-1] > 1:
             mine = simplest(now.constants.numbers["antennae"][now.rows], len(self._numbers))
-        ahead_m, left_m = self._ends_m[:, 0, mine], self._ends_m[:, 1, mine]
-        x_m, y_m, heading_rad = np.ascontiguousarray(
-            mount_poses(now.state, now.constants, now.rows).T
-        )
-        ahead = exact.turn(heading_rad)
-        cos, sin = np.ascontiguousarray(ahead.real), np.ascontiguousarray(ahead.imag)
+            ends_m = ends_m[:, :, mine]
         amounts = np.zeros((len(now.rows), self._width))
-        end_x_m = x_m + (cos * ahead_m - sin * left_m)  # (antennae, k)
-        end_y_m = y_m + (sin * ahead_m + cos * left_m)
-        for field in range(len(self._fields.names)):
-            smelled = self._fields.read(now.state, field, end_x_m, end_y_m)
-            amounts[:, _MOST * field : _MOST * field + len(smelled)] = smelled.T
+        fields = self._width // _MOST
+        smelled = amounts.reshape(-1, fields, _MOST).transpose(1, 2, 0)[:, : len(ends_m)]
+        self._fields.smell(now.state, now.constants, now.rows, ends_m, smelled)
         if self._thresholds:
             amounts[amounts < now.settings["threshold"][:, None]] = 0.0
         return amounts
@@ -153,17 +145,19 @@ class _AllAntennae:
         """Answer SMELL; refuse unknown fields and antennae."""
         has, mine = self._sensor.asked(context)
         where = ALL if all_of(has) else has
-        field, antenna = context["field"][where], context["antenna"][where]
+        asked = context.columns("field", "antenna", "gradient")[where]
+        field, antenna, gradients = np.ascontiguousarray(asked.T)
         good = (field >= 0) & (field < len(self._fields.names))
         good &= (antenna >= 0) & (antenna < self._numbers[mine])
         if not all_of(good):
             has[has] = good
             where = has
             mine, field, antenna = mine[good], field[good], antenna[good]
+            gradients = gradients[good]
         readings = self._sensor.readings(context.state).value.ravel()
         first = mine * _WIDTH + _MOST * field
         context.put("amount", np.maximum(readings.take(first + antenna), 0.0), where)
-        wants = np.flatnonzero(context["gradient"][where])
+        wants = np.flatnonzero(gradients)
         if len(wants):
             gradient = np.zeros((2, len(mine)))
             for number, weights in enumerate(self._weights):

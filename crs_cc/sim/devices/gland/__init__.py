@@ -24,7 +24,7 @@ from crs_cc.robot_api.row import OURS, Function
 from crs_cc.sim.devices.fields import Fields
 from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.devices.mount import mount_poses
-from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels.field_cells import Trails
 from crs_cc.sim.model.attribute import attribute
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
@@ -39,9 +39,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
-
-_PIECES: Final = 64  # of a timestep's trail, at most
-_SLACK_M: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,6 +86,8 @@ class Glands:
         self._cell_m = np.array([field.cell_m for field in world.fields])
         found = devices_of([robot.model for robot in world.robots], row.name)
         self._most = np.array([gland.most for gland in found if gland is not None])
+        self._rows = np.array([row for row, gland in enumerate(found) if gland], dtype=np.intp)
+        self._robots = simplest(self._rows, len(found))
 
     @property
     def are_there(self) -> bool:
@@ -126,33 +125,21 @@ class Glands:
         glands = state.device(self._name, GlandState)
         if not len(glands.field):
             return
-        rows = np.flatnonzero(constants.numbers[self._name] >= 0)
-        robots = simplest(rows, len(state.distance_m))
+        rows, robots = self._rows, self._robots
         # Copies that lie together: all that follows takes less time.
         distance_m = np.ascontiguousarray(take(state.distance_m, robots))
         position_m = take(state.bodies.position_m[: len(state.distance_m)], robots)
         position_m = np.ascontiguousarray(position_m)
-        way_m, moved_m = position_m - glands.from_m, distance_m - glands.distance_m
+        from_m, moved_m = glands.from_m.copy(), distance_m - glands.distance_m
         glands.from_m[:], glands.distance_m[:] = position_m, distance_m
         lays = (glands.per_m > 0.0) & (moved_m > 0.0) & state.presence.present[rows]
         if not (any_of(lays) and len(self._cell_m)):
             return
-        straight_m = exact.hypot(way_m[:, 0], way_m[:, 1])
-        way_m[~(straight_m <= moved_m + _SLACK_M)] = 0.0  # carried, or new in the world
         laying = ALL if all_of(lays) else lays
-        rows, position_m, way_m = rows[laying], position_m[laying], way_m[laying]
-        at = np.full(len(rows), at_s)
-        per_m = self._altered(state, constants, rows, glands.per_m[laying], at)
-        field = glands.field[laying]
-        pieces = np.ceil(straight_m[laying] / self._cell_m[field])
-        pieces = np.where(pieces <= _PIECES, np.maximum(pieces, 1.0), _PIECES)
-        amount = per_m * moved_m[laying] / pieces
-        for number in range(int(pieces.max())):
-            there = pieces > number
-            some = ALL if all_of(there) else np.flatnonzero(there)
-            back = 1.0 - (number + 0.5) / pieces[some]
-            place_m = position_m[some] - way_m[some] * back[:, None]
-            self._fields.deposit(state, field[some], place_m, amount[some])
+        rows, per_m = rows[laying], glands.per_m[laying]
+        per_m = self._altered(state, constants, rows, per_m, np.full(len(rows), at_s))
+        ways = position_m[laying], from_m[laying], moved_m[laying]
+        self._fields.lay(state, Trails(*ways, per_m, glands.field[laying]))
 
     def _asked(self, context: RequestContext) -> tuple[BoolArray, IndexArray]:
         """Return which requests are good, (k,), and the numbers of their glands."""
