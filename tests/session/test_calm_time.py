@@ -5,29 +5,23 @@ Each test runs the same programs in the same world with and without it.
 
 from __future__ import annotations
 
-import random
-from dataclasses import dataclass, field
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.turns import RECORD
 from crs_cc.session import calm_programs
 from crs_cc.session.build import build_executable
-from crs_cc.session.session import Session
 from crs_cc.sim import files
-from crs_cc.sim.engine.passage import Passage
-from crs_cc.sim.engine.step import Served, Step
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.sim.kernels.calm import ASKED, DONE, DRAWN, FRAME, FULL, REFUSED
+from crs_cc.sim.kernels.calm import ASKED, DONE, DRAWN, FULL, REFUSED
 from crs_cc.sim.kernels.program import executable
+from crs_cc.sim.model.degradation import Degradation
 from crs_cc.sim.model.world import Pose, WorldModel
+from tests.session.both_ways import Observer, compare, start
 from tests.session.programs import build
 
-FIRST_ARGUMENT = 1000  # seeds, or how long to wander
 ROOT = Path(__file__).parents[2]
 
 PROGRAMS = {
@@ -78,6 +72,11 @@ int main(int argc, char **argv)
         for (n = rand() % 40; n; n--) { vm(left, right, 0); gs(); }
     }
 }
+""",
+    "sleeps": """
+#include <Nclient.h>
+#include <unistd.h>
+int main(void) { connect_robot(1); for (;;) sleep(1); }
 """,
     "waits": """
 #include <Nclient.h>
@@ -177,39 +176,6 @@ STATUSES = {
 TIMESTEPS = {"odd timestep": "37ms"}
 
 
-@dataclass
-class Observer:
-    """Keeps what it hears of: each answer, where robots are."""
-
-    told: list[tuple[object, ...]] = field(default_factory=list)
-    passed_over: int = 0
-
-    def step(self, step: Step) -> None:
-        self.hear(step.cycle, step.served)
-
-    def hear(self, cycle: int, answers: tuple[Served, ...]) -> None:
-        for each in answers:
-            states = None if each.states is None else each.states.tolist()
-            told = each.robots, each.clock_s, each.arguments, each.results
-            types = [array.dtype for array in told]
-            self.told.append((cycle, each.code, states, types, *(one.tolist() for one in told)))
-
-
-class CalmObserver(Observer):
-    """The same, of calm timesteps at once."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.frames: dict[int, np.ndarray] = {}
-
-    def passed(self, passage: Passage) -> None:
-        self.passed_over += len(passage.frames)
-        assert passage.frames.shape[2] == FRAME
-        for cycle, frame in zip(passage.cycles, passage.frames, strict=True):
-            self.hear(cycle, passage.served(cycle))
-            self.frames[cycle + 1] = frame
-
-
 def world_of(name: str, folder: Path) -> WorldModel:
     scout = (Path(files.__file__).parent / "robots" / "scout.xml").read_text()
     loud = scout.replace(' noise="0in"', ' noise="2cm" dropouts="0.03" crosstalk="0.05"')
@@ -218,55 +184,6 @@ def world_of(name: str, folder: Path) -> WorldModel:
     file = folder / "world.xml"
     file.write_text(f'<world version="1" timestep="{timestep}">{WORLDS[name]}</world>')
     return load_world(file)
-
-
-def start(
-    world: WorldModel, programs: list[Executable], observer: Observer
-) -> tuple[Session, list[tuple[int, int, bytes]]]:
-    written: list[tuple[int, int, bytes]] = []
-    arguments = [["program", str(robot + FIRST_ARGUMENT)] for robot in range(len(programs))]
-    session = Session(
-        world, programs, 5, arguments=arguments, output=lambda *piece: written.append(piece),
-        threads=1, observer=observer,
-    )  # fmt: skip
-    return session, written
-
-
-def frame_of(session: Session) -> np.ndarray:
-    """Return a frame as a passage has it."""
-    state = session.environment.last_state
-    odometry, bodies = state.odometry, state.bodies.position_m[: len(state.heading_rad)]
-    believed = odometry.x_m, odometry.y_m, odometry.heading_rad
-    return np.column_stack([bodies, state.heading_rad, state.drive.turret_rad, *believed])
-
-
-def compare(world: WorldModel, programs: list[Executable], steps: int) -> int:
-    """Compare runs; return the number of timesteps that have passed calmly."""
-    session, written = start(world, programs, Observer())
-    session.calm.is_allowed = False
-    hashes, frames, goes_on = [session.state_hash()], [frame_of(session)], True
-    while goes_on and session.timesteps < steps:
-        goes_on = session.step()
-        hashes.append(session.state_hash())
-        frames.append(frame_of(session))
-    plain, calm = session, CalmObserver()
-    for observer in (Observer(), calm):
-        dice = random.Random(steps)
-        session, again = start(world, programs, observer)
-        look = 0
-        while look < len(hashes) - 1:
-            look = min(look + dice.randint(1, 40), len(hashes) - 1)
-            while session.timesteps < look:
-                session.advance(look - session.timesteps, calmly=dice.random() < 0.8)
-            assert session.state_hash() == hashes[look], look
-            if dice.random() < 0.2:
-                session.restore(session.snapshot())
-        assert again == written
-        assert session.result() == plain.result()
-        assert session.hints == plain.hints
-        assert observer.told == plain._observer.told
-    assert all((frames[at] == frame).all() for at, frame in calm.frames.items())
-    return calm.passed_over
 
 
 @pytest.mark.parametrize("world", WORLDS)
@@ -325,6 +242,21 @@ def test_a_change_from_outside_is_noticed(world: str, tmp_path: Path) -> None:
                 if end % 40:
                     session.environment.carry(name, place)
         hashes.append((session.state_hash(), session.timesteps, session.result().goals))
+    assert hashes[0] == hashes[1]
+
+
+@pytest.mark.parametrize("program", ["reads", "sleeps"])
+def test_a_degradation_by_a_control_that_was_kept_is_noticed(program: str, tmp_path: Path) -> None:
+    built, hashes = build(tmp_path, PROGRAMS[program]), []
+    for is_calm in (True, False):
+        session, _ = start(world_of("one robot", tmp_path), [built], Observer())
+        session.calm.is_allowed = session.environment.skips_quiet_time = is_calm
+        control = session.environment.degradations
+        for end in (20, 40):
+            while session.timesteps < end:
+                session.advance(end - session.timesteps, calmly=True)
+            control.add(Degradation("a", "sonar", bias=0.3))
+        hashes.append(session.state_hash())
     assert hashes[0] == hashes[1]
 
 

@@ -16,7 +16,7 @@ from crs_cc.requests import CODES, REQUESTS
 from crs_cc.requests.request import ALL_SENSORS, LASER
 from crs_cc.sim.devices import pos_data
 from crs_cc.sim.devices.clock import BoardClock
-from crs_cc.sim.devices.compass import compasses
+from crs_cc.sim.devices.compass import Compasses, compasses
 from crs_cc.sim.devices.infrared import MAX_INFRARED, InfraredRing, rings
 from crs_cc.sim.devices.laser.model import laser_state
 from crs_cc.sim.devices.timers import read_on_request
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
 
-_GROUPS: Final = {"infrared": mask.INFRARED, "compass": mask.COMPASS, "laser": mask.LASER}
+GROUPS: Final = {"infrared": mask.INFRARED, "compass": mask.COMPASS, "laser": mask.LASER}
 """The bits of masks that select a device of the registry."""
 
 _PLACES: Final = {
@@ -65,6 +65,8 @@ class SensorBoard:
 
     Attributes:
         batteries: the robots' batteries.
+        infrared: the infrared rings.
+        compasses: the compasses.
     """
 
     def __init__(self, world: WorldModel, installed: Mapping[str, Installed]) -> None:
@@ -76,11 +78,12 @@ class SensorBoard:
         """
         self.batteries: Batteries = installed["motor_battery"].device
         self._clock = BoardClock(world)
-        self._infrared: InfraredRing = installed["infrared"].device
+        self.infrared: InfraredRing = installed["infrared"].device
+        self.compasses: Compasses = installed["compass"].device
         models = [robot.model for robot in world.robots]
         self._instruments = [
             (registry.device(name), timed.read, group)
-            for name, group in _GROUPS.items()
+            for name, group in GROUPS.items()
             if (timed := installed[name].timed) is not None
             and any(model.device(name) is not None for model in models)
         ]
@@ -93,6 +96,11 @@ class SensorBoard:
         """Whether `State` in replies depends on more than the rows of robots that kernels know."""
         has_instruments = bool(self._instruments) or self._lasers is not None
         return has_instruments or self.batteries.are_in_status
+
+    @property
+    def is_simple(self) -> bool:
+        """Whether it measures with nothing but infrared rings and compasses."""
+        return self._lasers is None and not self.batteries.are_in_status
 
     def reply(self, context: RequestContext, good: BoolArray) -> Int32Array:
         """Write `State` into replies, with batteries, clock, laser readings and positions.
@@ -114,7 +122,7 @@ class SensorBoard:
             replies["state"][:, MOTOR_STATUS] |= status
         laser_count: Int32Array | int = 0
         if self._lasers is not None and request.sensors & LASER:
-            masked = _is_requested(context, mask.LASER)
+            masked = selects(context.state, context.rows, mask.LASER)
             laser_count = self._lasers.reply(context, masked)
         pos_data.keep(state, constants, self._clock, rows, request.sensors)
         self.write(state, constants, (rows, at_s), replies, context.messages)
@@ -151,7 +159,7 @@ class SensorBoard:
         """Measure with the instruments that the programs' masks select."""
         for row, measure, group in self._instruments:
             has = context.constants.numbers[row.name][context.rows] >= 0
-            requested = good & has & _is_requested(context, group)
+            requested = good & has & selects(context.state, context.rows, group)
             read_on_request(context, measure, row.number, requested)
 
     def look(
@@ -177,7 +185,7 @@ class SensorBoard:
         infrared = np.zeros((len(rows), MAX_INFRARED), dtype=np.int32)
         has = constants.numbers["infrared"][rows] >= 0
         if has.any():
-            look = self._infrared.look
+            look = self.infrared.look
             infrared[has] = look(state, constants, rays, rows[has], poses[has])
         counts = np.zeros(len(rows), dtype=np.int32)
         if self._lasers is not None:
@@ -221,7 +229,6 @@ def _having(numbers: IndexArray, rows: IndexArray) -> tuple[Rows, IndexArray]:
     return np.flatnonzero(has), mine[has]
 
 
-def _is_requested(context: RequestContext, group: slice) -> BoolArray:
-    """Return which programs' masks have any bit of a group, (k,)."""
-    bits = context.state.mask[context.rows, group].view(np.int8)
-    return np.asarray((bits > 0).any(axis=1))
+def selects(state: EnvState, rows: IndexArray, group: slice) -> BoolArray:
+    """Return of which robots the programs' masks have any bit of a group, (k,)."""
+    return np.asarray((state.mask[rows, group].view(np.int8) > 0).any(axis=1))

@@ -23,9 +23,12 @@ from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.sensor_board import BATTERIES, BOARD_MS, LASER_COUNT
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.devices.waits import when
+from crs_cc.sim.engine.calm_instruments import CalmInstruments
+from crs_cc.sim.engine.handlers import calm_commands
 from crs_cc.sim.engine.passage import Passage, answers_of, served_of
 from crs_cc.sim.engine.quiet_time import MARGIN, NEVER
 from crs_cc.sim.kernels.calm import ANSWER, CODES, FRAME, MOST, CalmKernel, frames_of
+from crs_cc.sim.kernels.draws import Draws
 from crs_cc.sim.physics.contacts import SLOP_M
 
 if TYPE_CHECKING:
@@ -34,13 +37,13 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.world_data import WorldData
 
 _DEVICES: Final = ("sonar", "bumper", "battery")
-_DRAWS: Final = 64  # firings of each robot whose errors are drawn at once
 _CYCLES: Final = 512  # whose frames are logged at most
 _ANSWERS: Final = 40_000 // 31  # that are logged at most for observers, and
 _FEW_ANSWERS: Final = 64  # for each robot if only those of a cycle are kept
 _ANSWER: Final = ANSWER.itemsize // 8
 _ROW: Final = np.dtype(("V", ANSWER.itemsize))  # numpy copies fields one by one
 _FACE, _ROUND, _BACKUP, _RECORD = 6, 4, 114, 56  # numbers for each in the kernel's tables
+_DEVIATES: Final = 3  # of a firing
 
 
 class CalmTime:
@@ -65,7 +68,7 @@ class CalmTime:
         self._is_possible = False
         self._keeps = False
         self._most = np.zeros((0, 3))
-        self._draws = 0
+        self._find_sensors()
         self._goal_room_m = 0.0  # at the last `end`
 
     # -- whether it is calm ----------------------------------------------------------------------
@@ -94,7 +97,8 @@ class CalmTime:
         left = min(cycles, left, self._cycles_to_event() if cycles else 0)
         if left <= 0 < cycles or not self._goal_room_m:
             return False
-        self._draw()
+        self._firings.renew(self.kernel, sonar_state(state).count)
+        self._instruments.renew(self.kernel)
         self.kernel.begin(state.cycle + left, state.cycle, room_m, self._goal_room_m)
         return True
 
@@ -105,10 +109,11 @@ class CalmTime:
         if all(a is b for a, b in zip(equipment, self._equipment, strict=True)):
             return self._is_possible
         self._equipment, self._places = equipment, b""
+        self._find_sensors()
         self._is_possible = (
             len(state.bodies.angle_rad) <= MOST
             and len(data.constants.kinds.table) <= MOST
-            and bool(data.simple)
+            and self._instruments.are_simple
             and data.constants.inclines is None
             and data.rolling.are_exact
             and not devices.has_duties
@@ -116,6 +121,14 @@ class CalmTime:
             and data.rays.few_shapes(state, len(state.connected)) is not None
         )
         return self._is_possible
+
+    def _find_sensors(self) -> None:
+        data, sonars = self._data, self._data.devices.sonars
+        robots = np.arange(len(data.state.connected))
+        draw = sonars.draw if sonars.kernel_tables().are_random else None
+        self._firings = Draws("sonar", robots, _DEVIATES, draw)
+        self._instruments = CalmInstruments(data)
+        self._devices = *_DEVICES, *self._instruments.names
 
     def _is_calm(self) -> bool:
         data, state, constants = self._data, self._data.state, self._data.constants
@@ -127,7 +140,7 @@ class CalmTime:
             return False
         if len(state.pos_data.reported) or data.log.snapshot():
             return False
-        if any(constants.degradations.concern(state, device) for device in _DEVICES):
+        if any(constants.degradations.concern(state, device) for device in self._devices):
             return False
         messages = state.messages
         rest = messages.receptions, messages.packets, messages.shuts, messages.outbox
@@ -167,6 +180,7 @@ class CalmTime:
         for memory, table in zip(self._memories(), rows.tables(kinds), strict=True):
             memory[: table.nbytes] = table.tobytes()
         kernel.kinds[: kinds.table.nbytes] = kinds.table.tobytes()
+        self._instruments.enter(kernel)
         self._place_circles()
 
     def _memories(self) -> tuple[Any, ...]:
@@ -184,42 +198,46 @@ class CalmTime:
         data, state = self._data, self._data.state
         count = len(state.connected)
         present = state.presence.present.nonzero()[0]
-        segments, circles = data.rays.obstacles(state).rows()
+        shapes = data.rays.few_shapes(state, count)
+        assert shapes is not None
+        segments, circles, pieces = shapes.tables()
         sonars, batteries = data.devices.sonars, data.devices.sensor_board.batteries
         volts, volts_of = batteries.byte_tables()
-        beams, modes, mistakes, are_random = sonars.kernel_tables()
-        commands = np.full(CODES, -1.0)
-        simple = np.array([pair for pair in data.simple.items() if pair[0] < CODES])
+        beams, modes, mistakes, _ = sonars.kernel_tables()
+        commands, known = np.full(CODES, -1.0), calm_commands(data.devices, data.constants.numbers)
+        simple = np.array([pair for pair in known.items() if pair[0] < CODES])
         commands[simple[:, 0]] = simple[:, 1]
         links = np.zeros((count, CODES))
         robots = np.arange(count)
         links[:, simple[:, 0]] = data.line.time_s(state.link, simple[:, 0], robots[:, None], 0)
-        self._draws = _DRAWS if are_random else 0
         tables = {
             "rows": present,
             "joined": state.presence.joined_s,
             "called": np.full(count, -np.inf),
             "modes": modes,
-            "first": np.full(count, -NEVER),
             "mistakes": mistakes,
             "beams": beams,
             "segments": segments,
             "circles": circles,
+            "pieces": pieces,
             "links": links,
             "commands": commands,
             "most": self._most,
             "volts": volts,
             "volts_of": volts_of,
+            **self._firings.tables(),
+            **self._instruments.tables(),
         }
         answers = max(_ANSWERS, 2 * count) if self._keeps else _FEW_ANSWERS * count
         cycles = _CYCLES if self._keeps else 0
         spaces = {
             "records": _RECORD * count,
-            "deviates": count * self._draws * 3,
             "work": _FACE * len(segments) + _ROUND * len(circles),
             "backup": _BACKUP * count,
             "frames": cycles * count * FRAME,
             "answers": answers * _ANSWER,
+            **self._firings.spaces(),
+            **self._instruments.spaces(),
         }
         self.kernel.lay(tables, spaces)
         self.kernel.tell(
@@ -227,7 +245,9 @@ class CalmTime:
             present=len(present),
             segment_count=len(segments),
             circle_count=len(circles),
-            draws=self._draws,
+            piece_count=len(pieces),
+            sonar_draws=self._firings.ahead,
+            **self._instruments.draws(),
             frame_room=cycles * count,
             answer_room=answers,
             keeps=self._keeps,
@@ -237,21 +257,6 @@ class CalmTime:
             timestep_s=data.timestep_s,
             slop_m=SLOP_M,
         )
-
-    def _draw(self) -> None:
-        """Draw the errors of the next firings of sonars, if they are not known."""
-        if not self._draws:
-            return
-        counts = sonar_state(self._data.state).count
-        first = self.kernel.table("first", len(counts), np.int64)
-        ahead = counts - first
-        if ((ahead >= 0) & (ahead < self._draws)).all():
-            return
-        first[:] = counts
-        robots = np.repeat(np.arange(len(counts)), self._draws)
-        numbers = (counts[:, None] + np.arange(self._draws)).reshape(-1)
-        deviates = self._data.devices.sonars.draw(robots, numbers)
-        self.kernel.table("deviates", deviates.size)[:] = deviates.reshape(-1)
 
     # -- after it --------------------------------------------------------------------------------
 
@@ -270,6 +275,7 @@ class CalmTime:
         tables = state.rows.tables(data.constants.kinds)
         for memory, table in zip(self._memories(), tables, strict=True):
             table[:] = np.ndarray(table.shape, table.dtype, memory)
+        self._instruments.leave(kernel)
         passage, earlier = None, len(self._dispatcher.served)
         answers = kernel.table("answers", answered, ANSWER)
         now = answers[answered - served :]

@@ -277,7 +277,7 @@ class Environment:
     @property
     def degradations(self) -> DegradationControl:
         """The degradations of devices, to be read and changed between two steps."""
-        return DegradationControl(self._data, self._data.log)
+        return DegradationControl(self, self._data.log)
 
     @property
     def goals(self) -> tuple[GoalResult, ...]:
@@ -297,7 +297,7 @@ class Environment:
     @property
     def communication(self) -> CommunicationControl:
         """The communication links, to be shut and opened between two steps, and counts."""
-        return CommunicationControl(self._data)
+        return CommunicationControl(self)
 
     @property
     def cycle(self) -> int:
@@ -332,7 +332,7 @@ class Environment:
     @property
     def drives(self) -> Drives:
         """The constants of all drives."""
-        return self._data.constants.drives
+        return self._running.constants.drives
 
     def charges(self, number: int) -> tuple[float, float]:
         """Return the state of charge of a robot's computer and motor batteries, 0 to 1."""

@@ -16,7 +16,7 @@ step.
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -43,6 +43,15 @@ if TYPE_CHECKING:
 
     from crs_cc.sim.devices.request_context import Handler, RequestContext
     from crs_cc.sim.engine.device_board import DeviceBoard
+
+
+_READS: Final = {
+    "GET_SN": "sonar",
+    "GET_BP": "bumper",
+    "GET_IR": "infrared",
+    "GET_CP": "compass",
+}
+"""Requests for `State` that robots without a device refuse."""
 
 
 def connect(context: RequestContext) -> None:
@@ -152,12 +161,15 @@ def simple_commands(devices: DeviceBoard, numbers: Mapping[str, IndexArray]) -> 
         devices: the robots' devices.
         numbers: the number of each robot's device, -1 for none, by the devices' names.
     """
-    if devices.sensor_board.measures_for_replies:
-        return {}
+    return {} if devices.sensor_board.measures_for_replies else calm_commands(devices, numbers)
+
+
+def calm_commands(devices: DeviceBoard, numbers: Mapping[str, IndexArray]) -> dict[int, int]:
+    """Return the same if kernels know all that instruments measure, see `CalmTime`."""
     handlers = handlers_of(devices)
     reads = [code for code, handler in handlers.items() if handler is acknowledge]
     simple = dict.fromkeys((code for code in reads if REQUESTS[code].replies_state), 0)
-    for name, device in (("GET_SN", "sonar"), ("GET_BP", "bumper")):
+    for name, device in _READS.items():
         if (numbers[device] >= 0).all():
             simple[CODES[name]] = 0
     return simple | {code: code for code in (CODES["VM"], CODES["ST"])}

@@ -34,18 +34,22 @@ ASKED, REFUSED, DONE, FULL, DRAWN, STANDS = range(1, 7)
 """Why the kernel returns, as in `calm.h`."""
 
 TABLES: Final = (
-    "records", "rows", "joined", "called", "modes", "first", "deviates", "mistakes", "beams",
-    "segments", "circles", "work", "links", "commands", "most", "volts", "volts_of", "backup",
-    "frames", "answers",
+    "records", "rows", "joined", "called", "modes", "mistakes", "beams", "segments", "circles",
+    "pieces", "work", "links", "commands", "measures", "most", "volts", "volts_of", "ring_of",
+    "rings", "fans", "compass_of", "compasses", "backup", "frames", "answers",
 )  # fmt: skip
 """The tables, in their order."""
+SENSORS: Final = "sonar", "ring", "compass"
+"""Those with random errors, in their order."""
+_FIRST, _DEVIATES, _DRAWS = ("{}_first", "{}_deviates", "{}_draws")
+_DRAWN: Final = [form.format(name) for name in SENSORS for form in (_FIRST, _DEVIATES, _DRAWS)]
 
 CALM: Final = np.dtype(
     [
         ("verdict", "<i4"), ("ran", "<i4"), ("end_s", "<f8"),
-        *((name, "<i8") for name in TABLES),
+        *((name, "<i8") for name in (*TABLES, *_DRAWN)),
         ("count", "<i8"), ("present", "<i8"), ("segment_count", "<i8"), ("circle_count", "<i8"),
-        ("draws", "<i8"), ("frame_room", "<i8"), ("answer_room", "<i8"), ("keeps", "<i8"),
+        ("piece_count", "<i8"), ("frame_room", "<i8"), ("answer_room", "<i8"), ("keeps", "<i8"),
         ("until", "<i8"), ("laser_count", "<i8"), ("batteries", "<i8"), ("board_ms", "<i8"),
         ("timestep_s", "<f8"), ("slop_m", "<f8"),
         ("cycle", "<i8"), ("room_m", "<f8"), ("goal_room_m", "<f8"), ("rounds", "<i8"),
@@ -109,7 +113,8 @@ class CalmKernel:
     def lay(self, tables: dict[str, npt.NDArray[Any]], spaces: dict[str, int]) -> None:
         """Lay tables one after the other, and reserve space [numbers] for others."""
         place = -(-CALM.itemsize // _NUMBER)
-        for name in TABLES:
+        drawn = [form.format(name) for name in SENSORS for form in (_FIRST, _DEVIATES)]
+        for name in (*TABLES, *drawn):
             self._head[name] = place
             if name in tables:
                 content = tables[name].tobytes()
@@ -117,11 +122,6 @@ class CalmKernel:
                 place += -(-len(content) // _NUMBER)
             else:
                 place += spaces.get(name, 0)
-
-    @property
-    def room(self) -> int:
-        """The numbers that the last table, the answers, has room for."""
-        return 3 * _THIRD - int(self._head["answers"][0])
 
     def tell(self, **numbers: float) -> None:
         """Set what the kernel is told."""

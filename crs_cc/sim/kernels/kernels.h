@@ -130,6 +130,9 @@ struct surroundings {
 int __crs_fire(int count, const long long *rows, const double *to,
                const struct surroundings *around, const struct tables *tables);
 
+/* The direction of a robot's mount, see `devices/mount.py`. */
+double __crs_mount(const struct robot *robot, const struct constants *constants);
+
 /* Run cycles in which nothing but requests for kernels happens, see calm.c; the memory begins with what
    it is told. */
 void __crs_calm(double *memory, const struct tables *tables);
@@ -138,6 +141,11 @@ void __crs_calm(double *memory, const struct tables *tables);
    and then, if they are wanted, the object that each hits. The first call initialises it. */
 void __crs_rays(int count, int segments, int circles, int is_first, int wants_objects,
                 const double *fan, double *robots, double *out, const double *shapes);
+
+/* The same of all shapes, 0 for beams that start in or on one. The rows of segments, circles and pieces
+   lie one after the other. `out` has room for two numbers of each beam. */
+void __crs_scan(int count, int segments, int circles, int pieces, const double *fan, double *robots,
+                double *out, const double *shapes);
 
 /* Sort shapes by the cells of their grid, see survey.c; return how many numbers they take with their lists,
    0 if there is no room for these. */

@@ -99,28 +99,17 @@ static void run_on_robots(int *n)
     }
 }
 
-/* Cast rays, find what covers their starts, or both: each is called at one place, where it is inlined.
-   Both is for all shapes at once, and makes distances from covered starts 0. */
-static void cast(int *n)
+/* Cast rays, or find what covers their starts, or both. */
+static void cast(const int *n)
 {
-    int count = n[1], beams = count * (int)arena[0], is_scan = n[0] == SCAN, pieces = n[2], i;
-    double *robot = arena + n[6], *out = arena + n[7], *shapes = arena + n[8], *covers = out;
+    double *robot = arena + n[6], *out = arena + n[7], *shapes = arena + n[8];
 
-    if (n[0] != COVERS)
-        __crs_rays(count, n[2], n[3], n[4], n[5], arena, robot, out, shapes);
     if (n[0] == RAYS)
-        return;
-    if (is_scan) {
-        pieces = n[9];
-        shapes += n[2] * SEGMENT_SIZE + n[3] * CIRCLE_SIZE;
-        covers = out + beams;
-        for (i = 0; i < beams; i++)
-            covers[i] = -1;
-    }
-    __crs_covers(count, pieces, is_scan ? 0 : n[4], arena, robot, covers, shapes);
-    for (i = 0; is_scan && i < beams; i++)
-        if (covers[i] >= 0)
-            out[i] = 0;
+        __crs_rays(n[1], n[2], n[3], n[4], n[5], arena, robot, out, shapes);
+    else if (n[0] == COVERS)
+        __crs_covers(n[1], n[2], n[4], arena, robot, out, shapes);
+    else
+        __crs_scan(n[1], n[2], n[3], n[9], arena, robot, out, shapes);
 }
 
 int __crs_start(void)

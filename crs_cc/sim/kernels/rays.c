@@ -40,3 +40,19 @@ void __crs_covers(int count, int pieces, int is_first, const double *fan_table,
         FOR_ROBOTS(i, piece, count)
             try_piece(i, piece);
 }
+
+void __crs_scan(int count, int segments, int circles, int pieces, const double *fan_table,
+                double *robot_table, double *out, const double *shapes)
+{
+    int beams = count * (int)fan_table[0], i;
+    double *covers = out + beams;
+
+    __crs_rays(count, segments, circles, 1, 0, fan_table, robot_table, out, shapes);
+    for (i = 0; i < beams; i++)
+        covers[i] = -1;
+    shapes += segments * SEGMENT_SIZE + circles * CIRCLE_SIZE;
+    __crs_covers(count, pieces, 0, fan_table, robot_table, covers, shapes);
+    for (i = 0; i < beams; i++)
+        if (covers[i] >= 0)
+            out[i] = 0;
+}

@@ -83,12 +83,18 @@ static struct point product(const struct point *a, const struct point *b)
     return result;
 }
 
+double __crs_mount(const struct robot *robot, const struct constants *constants)
+{
+    double base = constants->is_synchro != 0 ? robot->base : robot->facing;
+
+    return constants->has_turret != 0 ? robot->turret : base;
+}
+
 /* Return the ping of a sonar from where its robot has come in this cycle. */
 static struct ping ping_of(const struct beam *beam, const struct robot *robot,
                            const struct body *body, const struct constants *constants)
 {
-    double base = constants->is_synchro != 0 ? robot->base : robot->facing;
-    double angle = constants->has_turret != 0 ? robot->turret : base;
+    double angle = __crs_mount(robot, constants);
     struct point turn, offset;
     struct ping ping;
 

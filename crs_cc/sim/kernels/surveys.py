@@ -21,6 +21,7 @@ _COVERS: Final = 106
 _SCAN: Final = 112
 
 _VIEWER: Final = 5  # numbers of a robot
+_WIDTHS: Final = 7, 5, 14  # of rows of segments, circles and pieces
 _NUMBER: Final = 8  # bytes
 
 
@@ -41,6 +42,14 @@ class Shapes(NamedTuple):
         tables = segments, circles, pieces
         content = b"".join([table.tobytes() for table in tables])
         return cls((len(segments), len(circles), len(pieces)), content)
+
+    def tables(self) -> tuple[FloatArray, ...]:
+        """Return the rows of segments, circles and pieces, read-only."""
+        numbers, found, end = np.frombuffer(self.content), [], 0
+        for count, width in zip(self.counts, _WIDTHS, strict=True):
+            begin, end = end, end + count * width
+            found.append(numbers[begin:end].reshape(count, width))
+        return tuple(found)
 
 
 def echoes(instance: Kernels, tables: Sequence[FloatArray], *, hushed: bool) -> FloatArray:

@@ -34,6 +34,25 @@ REPLY: Final = np.dtype(
 )
 """What the reply to a request tells of a robot, see `report.c`."""
 
+_INSTRUMENT: Final = [
+    ("interval_s", "<f8"), ("noise", "<f8"), ("on_request", "<f8"), ("masked", "<f8"),
+    ("at_s", "<f8"), ("count", "<i8"), ("configuration", "<i4", 8),
+]  # fmt: skip
+RING: Final = np.dtype(
+    [
+        *_INSTRUMENT, ("step_m", "<f8"), ("fan", "<f8"), ("share", "<f8"),
+        ("on", "<f8", 16), ("level", "<f8", 16),
+    ]
+)  # fmt: skip
+"""An infrared ring, see `instruments.h`."""
+COMPASS: Final = np.dtype(
+    [
+        *_INSTRUMENT, ("offset_rad", "<f8"), ("deviation_rad", "<f8"), ("on", "<f8"),
+        ("reading", "<f8"),
+    ]
+)  # fmt: skip
+"""A compass."""
+
 PING_SIZE: Final = 13
 """Numbers in a row of pings, see `echoes.c`."""
 RAY_BINS: Final = 256

@@ -17,7 +17,7 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.core.time_grid import is_due
 
 CONFIGURATION: Final = 7
@@ -57,3 +57,8 @@ class LastMeasurement:
         """Record a measurement of some robots."""
         self.at_s[rows] = at_s
         self.configuration[rows] = configuration
+
+    def take_over(self, table: Records) -> None:
+        """Take over all last measurements from the table of a kernel, see `instruments.h`."""
+        self.at_s[:] = table["at_s"]
+        self.configuration[:] = table["configuration"][:, :CONFIGURATION]

@@ -12,7 +12,9 @@ if TYPE_CHECKING:
 class Running(Protocol):
     """A running world. Keep no reference to parts of it: a restored world has another state."""
 
-    state: EnvState
+    @property
+    def state(self) -> EnvState:
+        """Return its state, which may be changed."""
 
     @property
     def world(self) -> WorldModel:

@@ -25,7 +25,14 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.core.arrays import (
+    BoolArray,
+    FloatArray,
+    IndexArray,
+    Int32Array,
+    Int64Array,
+    Records,
+)
 from crs_cc.core.quantity import ANGLE, TIME
 from crs_cc.core.units import rad_to_tenths_deg, tenths_deg_to_rad
 from crs_cc.sim.devices import drive
@@ -34,11 +41,12 @@ from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels.tables import COMPASS
 from crs_cc.sim.model.attribute import Choice, attribute, period, rate
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.robot import devices_of
-from crs_cc.sim.state.last_measurement import LastMeasurement
+from crs_cc.sim.state.last_measurement import CONFIGURATION, LastMeasurement
 from crs_cc.sim.state.random_streams import Noise
 
 if TYPE_CHECKING:
@@ -118,8 +126,12 @@ def _at_start(models: Sequence[Compass]) -> CompassState:
     )
 
 
-class _Compasses:
-    """The compasses of all robots that have one."""
+class Compasses:
+    """The compasses of all robots that have one.
+
+    Attributes:
+        is_noisy: whether any has random errors.
+    """
 
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
         models = devices_of([robot.model for robot in world.robots], row.name)
@@ -130,13 +142,15 @@ class _Compasses:
         self._deviation_rad = np.array([compass.deviation_rad for compass in found])
         self._calibration_s = np.array([compass.calibration_s for compass in found])
         self._noise_rad = np.array([compass.noise_rad for compass in found])
-        self._noise = Noise(seed, row.stream, 1, len(models) if self._noise_rad.any() else 0)
+        self.is_noisy = bool(self._noise_rad.any())
+        self._noise = Noise(seed, row.stream, 1, len(models) if self.is_noisy else 0)
 
     def installed(self) -> Installed:
         """Return the compasses with the handlers of their requests."""
         return Installed(
             handlers={"GET_CP": self.get_cp, "CONF_CP": self.conf_cp},
             timed=Timed(self.read, lambda state: compasses(state).measured.at_s, self._interval_s),
+            device=self,
         )
 
     def read(
@@ -157,7 +171,7 @@ class _Compasses:
         angle_rad = mount_poses(state, constants, rows)[:, 2]
         deviation_rad = np.where(compass.calibrated[mine], 0.0, self._deviation_rad[mine])
         angle_rad += self._offset_rad[mine] + deviation_rad * exact.sin(angle_rad)
-        if self._noise_rad.any():
+        if self.is_noisy:
             deviates = self._noise.rows(rows, compass.count[mine])[:, 0]
             angle_rad += deviates * self._noise_rad[mine]
         angle_rad = constants.degradations.alter(
@@ -168,6 +182,28 @@ class _Compasses:
         compass.reading[mine[reported]] = tenths % _FULL_TURN
         compass.count[mine] += 1
         compass.measured.note(mine, at_s[due], configuration(state, constants, rows))
+
+    def draw(self, robots: IndexArray, numbers: Int64Array) -> FloatArray:
+        """Return the deviate of one measurement of each of some robots' compasses, (k, 1)."""
+        return self._noise.rows(robots, numbers)
+
+    def table(self, state: EnvState) -> Records:
+        """Return what the kernel of calm time is told of compasses, (n,) of dtype `COMPASS`."""
+        compass = compasses(state)
+        table = np.zeros(len(compass.on), COMPASS)
+        table["interval_s"], table["noise"] = self._interval_s, self._noise_rad
+        table["offset_rad"], table["on"] = self._offset_rad, compass.on
+        table["deviation_rad"] = np.where(compass.calibrated, 0.0, self._deviation_rad)
+        table["reading"], table["count"] = compass.reading, compass.count
+        table["at_s"] = compass.measured.at_s
+        table["configuration"][:, :CONFIGURATION] = compass.measured.configuration
+        return table
+
+    def take_over(self, state: EnvState, table: Records) -> None:
+        """Take over from such a table what compasses have measured."""
+        compass = compasses(state)
+        compass.reading[:], compass.count[:] = table["reading"], table["count"]
+        compass.measured.take_over(table)
 
     def get_cp(self, context: RequestContext) -> BoolArray:
         """Answer GET_CP: measure, for `State`; refuse robots without a compass."""
@@ -211,7 +247,7 @@ DEVICE = Device(
     summary="A compass, which turns with the turret.",
     model=Compass,
     state=_at_start,
-    install=lambda row, world, seed, _log: _Compasses(row, world, seed).installed(),
+    install=lambda row, world, seed, _log: Compasses(row, world, seed).installed(),
     degradables=(
         Degradable(
             "compass", "direction", ANGLE, elements_of("compass", lambda _model: ("0",)), 1,

@@ -36,6 +36,7 @@ from crs_cc.core.arrays import (
     IndexArray,
     Int32Array,
     Int64Array,
+    Records,
     all_of,
     any_of,
 )
@@ -50,10 +51,11 @@ from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.files.device_elements import read_attributes
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels.tables import RING
 from crs_cc.sim.model.attribute import SHARE, Count, Numbers, attribute, period, rate
 from crs_cc.sim.model.degradable import Degradable, elements_of, numbered
 from crs_cc.sim.model.device import Device
-from crs_cc.sim.state.last_measurement import LastMeasurement
+from crs_cc.sim.state.last_measurement import CONFIGURATION, LastMeasurement
 from crs_cc.sim.state.random_streams import Noise
 
 if TYPE_CHECKING:
@@ -159,6 +161,7 @@ class InfraredRing:
 
     Attributes:
         fans: the beams of each kind of ring.
+        is_noisy: whether any has random errors.
     """
 
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
@@ -175,8 +178,8 @@ class InfraredRing:
         self._step_m = np.array([ring.step_m for ring in found])[:, None]
         self._reflectance = np.array([ring.reflectance for ring in found])[:, None]
         self._noise_m = np.array([ring.noise_m for ring in found])[:, None]
-        self._is_noisy = bool(self._noise_m.any())
-        robots = len(world.robots) if self._is_noisy else 0
+        self.is_noisy = bool(self._noise_m.any())
+        robots = len(world.robots) if self.is_noisy else 0
         self._noise = Noise(seed, row.stream, MAX_INFRARED, robots)
         shine = np.sqrt(np.tile(self._reflectance, MAX_INFRARED))
         self._shining_m = self._step_m * shine  # where no surface has a reflectance of its own
@@ -208,7 +211,7 @@ class InfraredRing:
             rows, mine, at_s = rows[due], mine[due], at_s[due]
         poses = mount_poses(state, constants, rows)
         distance_m, step_m = self._see(state, constants, rays, rows, poses)
-        if self._is_noisy:
+        if self.is_noisy:
             distance_m += self._noise.rows(rows, ring.count[mine]) * self._noise_m[mine]
         if constants.degradations.concern(state, self._row.name):
             distance_m = constants.degradations.alter(state, self._row.name, rows, distance_m, at_s)
@@ -252,6 +255,35 @@ class InfraredRing:
         """Return the errorless readings, (k, 16), of rings whose mounts were at other poses."""
         steps = _steps(*self._see(state, constants, rays, rows, poses))
         return np.asarray(np.rint(np.clip(steps, 0.0, FARTHEST)), dtype=np.int32)
+
+    def is_simple(self, rays: RayCaster) -> bool:
+        """Return whether kernels know all that readings depend on: no surface is darker."""
+        return rays.surfaces.infrared is None
+
+    def draw(self, robots: IndexArray, numbers: Int64Array) -> FloatArray:
+        """Return the deviates of one measurement of each of some robots' rings, (k, 16)."""
+        return self._noise.rows(robots, numbers)
+
+    def table(self, state: EnvState) -> Records:
+        """Return what the kernel of calm time is told of rings, (n,) of dtype `RING`.
+
+        Where the beams of each kind lie is counted from those of the first one.
+        """
+        ring, sizes = rings(state), [fan.table.size for fan in self.fans]
+        table = np.zeros(len(ring.share), RING)
+        table["interval_s"], table["noise"] = self._interval_s, self._noise_m[:, 0]
+        table["step_m"] = self._shining_m[:, 0]
+        table["fan"] = np.concatenate([[0], np.cumsum(sizes)])[self._kind]
+        table["share"], table["on"], table["level"] = ring.share, ring.on, ring.level
+        table["at_s"], table["count"] = ring.measured.at_s, ring.count
+        table["configuration"][:, :CONFIGURATION] = ring.measured.configuration
+        return table
+
+    def take_over(self, state: EnvState, table: Records) -> None:
+        """Take over from such a table what rings have measured."""
+        ring = rings(state)
+        ring.level[:], ring.count[:] = table["level"], table["count"]
+        ring.measured.take_over(table)
 
     def _see(
         self,
