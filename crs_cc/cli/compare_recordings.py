@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
@@ -14,16 +14,18 @@ from crs_cc.cli.rerun import RecordedInput, unpacked
 from crs_cc.cli.run_options import RunOptions
 from crs_cc.core.errors import RecordingError, ReplayMismatch
 from crs_cc.core.source import Diagnostics, Location
-from crs_cc.debug.branch_comparison import Difference, differences, facts
+from crs_cc.debug.branch_comparison import Difference, Facts, facts
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.first_difference import FirstDifference
+from crs_cc.recording.hashes import same_until
 from crs_cc.recording.mcap_records import NS
 
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
     from crs_cc.recording.recording import Recording
 
-_OF_PROGRAMS: Final = frozenset({"program", "clock"})
-"""What differs between programs that do the same: where they lie, and how long they compute."""
+_PIECE: Final = 20
+"""Timesteps that each run goes on before the other one follows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,59 +60,51 @@ def compare(here: Recording, there: Recording) -> Comparison:
         text = f"its timestep is {there.description.timestep_s:g} s, not {timestep_s:g} s"
         raise RecordingError.at(Location(str(there.path)), text, "only runs with the same compare")
     last = min(_timesteps(here), _timesteps(there))
-    found: tuple[Difference, ...] = ()
-    with _rerun(here) as left, _rerun(there) as right:
-        for timestep in range(_same_until(here, there), last + 1):
-            found = tuple(
-                each
-                for each in differences(left.facts_at(timestep), right.facts_at(timestep))
-                if each.name not in _OF_PROGRAMS
-            )
-            if found:
-                break
+    with rerun(here) as left, rerun(there) as right:
+        search = FirstDifference(left, right, same_until(here.hashes(), there.hashes()))
+        while search.look(last, _PIECE):
+            pass
+    timestep = min(search.timestep, last)
     ends_s = here.end_ns / NS, there.end_ns / NS
     before_s = max(timestep - 1, 0) * timestep_s
-    return Comparison(timestep, timestep * timestep_s, before_s, found, ends_s)
+    return Comparison(timestep, timestep * timestep_s, before_s, search.found, ends_s)
 
 
-class _Rerun:
+class Rerun:
     """A recorded run that goes on once more, in a debugger."""
 
     def __init__(self, recording: Recording, debugger: Debugger) -> None:
         self._recording, self._debugger = recording, debugger
         self._changed = ChangedRun(debugger, recorded_changes(recording))
 
-    def facts_at(self, timestep: int) -> dict[tuple[str, str], str]:
-        """Go forward to the start of a timestep, and return what can be compared there."""
-        try:
-            self._changed.advance_to(timestep)
-        except DebugError as error:
-            raise ReplayMismatch.at(Location(str(self._recording.path)), str(error)) from None
-        return facts(self._debugger.view)
+    def facts(self, timesteps: Sequence[int]) -> list[Facts]:
+        """Go forward to the starts of timesteps, and return what can be compared there."""
+        found = []
+        for timestep in timesteps:
+            try:
+                self._changed.advance_to(timestep)
+            except DebugError as error:
+                raise ReplayMismatch.at(Location(str(self._recording.path)), str(error)) from None
+            found.append(facts(self._debugger.view))
+        return found
 
 
 @contextmanager
-def _rerun(recording: Recording) -> Iterator[_Rerun]:
+def rerun(recording: Recording) -> Iterator[Rerun]:
+    """Run a recorded run again, at its start.
+
+    Raises:
+        CrsError: the programs or the world cannot be loaded.
+    """
     given = RecordedInput(recording)
     with unpacked(recording, RunOptions) as options:
         loaded = load(options, Diagnostics(), debug=True)
         debugger = make_debugger(
             loaded, options, lambda *_output: None, given.read, waiting=given.waiting
         )
-        yield _Rerun(recording, debugger)
+        yield Rerun(recording, debugger)
 
 
 def _timesteps(recording: Recording) -> int:
     """Return the number of timesteps of a recorded run."""
     return round(recording.end_ns / NS / recording.description.timestep_s)
-
-
-def _same_until(here: Recording, there: Recording) -> int:
-    """Return a timestep up to which runs of the same programs are known to be the same."""
-    same = 0
-    for left, right in zip(here.hashes(), there.hashes(), strict=False):
-        if left != right:
-            break
-        if left.state:
-            same = left.timesteps
-    return same

@@ -9,6 +9,7 @@ import webbrowser
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from crs_cc.cli.compare_recordings import rerun
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.make_debugger import end_at, make_debugger
 from crs_cc.cli.messages import say, show_before_run
@@ -34,7 +35,9 @@ FRAME_S = 0.05
 """Simulated time between two frames that the page gets, at least a timestep."""
 
 
-def view_programs(options: DebugOptions, port: int, *, opens: bool, plays: bool) -> int:
+def view_programs(
+    options: DebugOptions, compared: Sequence[Path], port: int, *, opens: bool, plays: bool
+) -> int:
     """Run programs in the world under the eyes of a browser; return the exit status.
 
     Raises:
@@ -42,11 +45,24 @@ def view_programs(options: DebugOptions, port: int, *, opens: bool, plays: bool)
         OSError: the port is in use, or the input cannot be read.
     """
     screen, loaded, waiting = _opened(options, port)
+    open_others(screen, compared)
     if plays:
         screen.player.play()
     status = serve(screen, opens=opens)
     record_at_end(screen.run.debugger(), loaded, options, waiting)
     return status
+
+
+def open_others(screen: Screen, paths: Sequence[Path]) -> None:
+    """Open recordings that pages compare the run with.
+
+    Raises:
+        CrsError: one is damaged.
+    """
+    names = [path.name for path in paths]
+    for path in paths:
+        is_only = names.count(path.name) == 1
+        screen.others.open(path, path.name if is_only else str(path))
 
 
 def screen_of(options: DebugOptions, port: int) -> Screen:
@@ -80,7 +96,9 @@ def _opened(options: DebugOptions, port: int) -> tuple[Screen, Loaded, WaitingAf
     debugger.start()
     debugger.save = functools.partial(record, debugger, loaded, options, waiting)
     run = DebuggedRun(debugger, watcher)
-    return Screen(run, feed, Player(world.timestep_s), port), loaded, waiting
+    screen = Screen(run, feed, Player(world.timestep_s), port)
+    screen.others.runs_again = rerun
+    return screen, loaded, waiting
 
 
 def describe(

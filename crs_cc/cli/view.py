@@ -28,6 +28,8 @@ Examples:
   crs view wander.c room.xml                     watch, steer and debug a run
   crs view convoy.c platoon.xml --speed 5        five times as fast as real time
   crs view run.mcap                              look at a run that was recorded
+  crs view new.mcap --compare old.mcap           where two recorded runs differ
+  crs view wander.c room.xml --compare old.mcap  where a run differs from a recorded one
   crs view wander.c room.xml --no-open           print the address only
   crs view 127.0.0.1:8700                        one more page of a run that is shown there
   crs view procyon:8000 --token TOKEN            a run that crs serve has on another machine
@@ -65,6 +67,14 @@ class _View(WithProgramArguments):
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     help="File to use as the programs' standard input. Default: none.",
 )
+@click.option(
+    "--compare",
+    "compared",
+    metavar="RECORDING",
+    multiple=True,
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="Compare the run with a recorded one, which is drawn beside it; can be repeated.",
+)
 @record_options
 @click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings.")
 @functools.partial(program_options, needs_files=False)
@@ -73,7 +83,15 @@ class _View(WithProgramArguments):
     metavar="TOKEN",
     help="The token for looking at a run that crs serve has on another machine.",
 )
-def view(port: int, *, opens: bool, play: bool, token: str | None, **options: Any) -> int:
+def view(
+    port: int,
+    *,
+    opens: bool,
+    play: bool,
+    compared: tuple[Path, ...],
+    token: str | None,
+    **options: Any,
+) -> int:
     """Compile a C control program and watch it in the browser.
 
     The page shows the world, the robots and the lines at which their programs stand. It plays,
@@ -96,11 +114,12 @@ def view(port: int, *, opens: bool, play: bool, token: str | None, **options: An
         raise click.UsageError("no C file or recording to view.")
     if any(path.suffix.lower() == ".mcap" for path in sources):
         if len(sources) > 1 or wanted.inputs.world is not None or wanted.arguments:
-            raise click.UsageError("a recording is viewed alone: it has programs and world.")
+            hint = "to see two side by side: crs view ONE.mcap --compare OTHER.mcap"
+            raise click.UsageError(f"a recording has its own programs and world; {hint}.")
         if wanted.max_time_s is not None:
             raise click.UsageError("a recording ends where it ends: --max-time is for programs.")
-        return view_recording(sources[0], port, opens=opens, plays=play)
-    return view_programs(wanted, port, opens=opens, plays=play)
+        return view_recording(sources[0], compared, port, opens=opens, plays=play)
+    return view_programs(wanted, compared, port, opens=opens, plays=play)
 
 
 def _open(address: str, *, opens: bool) -> int:

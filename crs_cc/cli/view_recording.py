@@ -6,13 +6,14 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.cli.compare_recordings import rerun
 from crs_cc.cli.debug_options import DebugOptions
 from crs_cc.cli.load import load
 from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.recorded_run import RecordedRunCheck
 from crs_cc.cli.recording_plot import world_of
 from crs_cc.cli.rerun import unpacked
-from crs_cc.cli.start_view import describe, serve
+from crs_cc.cli.start_view import describe, open_others, serve
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.errors import DebugError
@@ -27,13 +28,17 @@ from crs_cc.workbench.screen import Screen
 from crs_cc.workbench.watcher import Watcher
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from crs_cc.sim.engine.step import Step
 
 _QUICK: Final = 20_000
 """Timesteps of all robots that are run again without being asked for: some seconds of real time."""
 
 
-def view_recording(path: Path, port: int, *, opens: bool, plays: bool) -> int:
+def view_recording(
+    path: Path, compared: Sequence[Path], port: int, *, opens: bool, plays: bool
+) -> int:
     """Show a recorded run in a browser; return the exit status.
 
     Raises:
@@ -44,6 +49,7 @@ def view_recording(path: Path, port: int, *, opens: bool, plays: bool) -> int:
         recording = Recording(path)
         stack.callback(recording.close)
         screen = recording_screen(recording, port, stack)
+        open_others(screen, compared)
         if plays:
             screen.player.play()
         return serve(screen, opens=opens)
@@ -70,7 +76,9 @@ def recording_screen(recording: Recording, port: int, stack: ExitStack) -> Scree
     feed.description["follows"] = timesteps <= _QUICK
     playback = Playback(recording, world, feed)
     shown = DebuggedRecording(playback, lambda: _debugged(recording, feed, stack))
-    return Screen(shown, feed, Player(run.frame_s), port)
+    screen = Screen(shown, feed, Player(run.frame_s), port)
+    screen.others.own, screen.others.runs_again = recording, rerun
+    return screen
 
 
 def _debugged(recording: Recording, feed: Feed, stack: ExitStack) -> DebuggedRun:

@@ -19,7 +19,9 @@ Read `engine` first: the operations of the debugger, without a user interface. I
   `motion_cause` to what moves objects, and `battery_cause` to what drains batteries;
   `statement_source`: the text of what a statement did; `returned_value`: what a call has returned;
   `skips`: functions that steps do not enter; `call_sites`: calls that a step can be told to enter.
-- `branches`: alternative histories; `branch_comparison`: the differences between two of them.
+- `branches`: alternative histories; `branch_comparison`: the differences between two of them, told
+  by `difference_text`; `branch_facts`: their states at many timesteps; `first_difference`: the
+  first of these in which two runs differ.
 - `data/`: C expressions, and values by their types.
 - `world/`: displays of the world, its events, and changes to it and to the run; `uploads`: programs
   that a user brings to a run, for robots that join.

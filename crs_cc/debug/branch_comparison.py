@@ -43,6 +43,15 @@ def facts(view: View) -> Facts:
     return found
 
 
+def variables(view: View) -> frozenset[tuple[str, str]]:
+    """Return which of them are variables of programs: by robot and name."""
+    return frozenset(
+        (robot, variable.name)
+        for number, robot in enumerate(view.names)
+        for variable in view.globals_(robot=number)
+    )
+
+
 def _of_robot(view: View, robot: int) -> Iterator[tuple[str, str]]:
     yield from _flat(robot_rows(view.session, robot), "")
     for variable in view.globals_(robot=robot):

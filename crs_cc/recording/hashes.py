@@ -9,7 +9,7 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import accumulate
 from typing import Any, Final, NamedTuple
 
@@ -65,3 +65,18 @@ def hashes_in(entry: Mapping[str, Any]) -> Iterator[Hash]:
         digits = slice(DIGITS * number, DIGITS * (number + 1))
         state = str(states.get(str(timesteps), ""))
         yield Hash(timesteps, str(digests[digits]), int(outputs[digits], 16), state)
+
+
+def same_until(here: Iterable[Hash], there: Iterable[Hash]) -> int:
+    """Return a timestep up to which runs of the same programs are known to be the same.
+
+    >>> same_until([Hash(20, "0f3a", 7, "28")], [Hash(20, "0f3a", 7, "28"), Hash(40, "7a", 9, "")])
+    20
+    """
+    same = 0
+    for one, other in zip(here, there, strict=False):
+        if one != other:
+            break
+        if one.state:
+            same = one.timesteps
+    return same

@@ -1,4 +1,4 @@
-"""The branches of a run as pages know them: what happened in each, and how two of them differ.
+"""The branches of a run as pages know them: what happened in each.
 
 The engine makes a branch when something is changed in the past; what pages knew of the run that is
 left is kept here beside it.
@@ -6,21 +6,18 @@ left is kept here beside it.
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any, Final
 
+from crs_cc.debug.branch_facts import branch_facts
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from crs_cc.debug.branch_comparison import Facts
     from crs_cc.debug.engine import Debugger
     from crs_cc.workbench.feed import Feed
     from crs_cc.workbench.watcher import Watcher
-
-MAX_DIFFERENCES: Final = 60
-MAX_PATHS: Final = 50
-MAX_POINTS: Final = 500
 
 _LONGEST: Final = 80
 
@@ -76,85 +73,43 @@ class KnownBranches:
             for name in self._debugger.branches.names()
         ]
 
-    def compare(self, name: str) -> dict[str, Any]:
-        """Return where this branch and another one first differ, and the paths of the other.
+    def feed(self, name: str) -> Feed:
+        """Return what is known of another branch.
 
         Raises:
             DebugError: it does not exist.
         """
-        other, own = self._known(name), self._watcher.feed
-        found = sorted(
-            [
-                *_quantities(own, other, self._debugger.names),
-                *_first("event", own.events(), other.events(), self._debugger.names),
-                *_first("print", own.output(), other.output(), self._debugger.names),
-            ],
-            key=lambda each: float(each["t"]),
+        return self._known(name)
+
+    def parted_s(self, name: str) -> float:
+        """Return until when another branch and this one are surely the same [s]."""
+        names = list(self._debugger.branches.names())
+        first = min(names.index(name), names.index(self._name))
+        return min((self._since_s.get(each, 0.0) for each in names[first + 1 :]), default=0.0)
+
+    @property
+    def current(self) -> str:
+        """The name of this branch."""
+        return self._name
+
+    def facts(self, name: str, timesteps: Sequence[int]) -> list[Facts]:
+        """Return what can be compared of a branch at the starts of timesteps; pages hear nothing.
+
+        Raises:
+            DebugError: it does not exist.
+        """
+        known_s, timestep_s = (
+            self._watcher.feed.end_s,
+            self._debugger.session.environment.timestep_s,
         )
-        begin_s = found[0]["t"] if found else math.inf
-        return {
-            "name": name,
-            "differences": found[:MAX_DIFFERENCES],
-            "paths": _paths(other, begin_s, len(self._debugger.names)),
-        }
+        self._watcher.stop()
+        try:
+            return branch_facts(self._debugger, name, timesteps)
+        finally:
+            self._watcher.resume(round(known_s / timestep_s))
 
     def _known(self, name: str) -> Feed:
         found = self._left.get(name)
         if found is None:
             raise DebugError(f"no other run '{name[:_LONGEST]}' is kept")
         return found
-
-
-def _quantities(own: Feed, other: Feed, names: Sequence[str]) -> list[dict[str, Any]]:
-    return [
-        {
-            "t": each.time_s,
-            "robot": names[each.robot],
-            "what": each.name,
-            "here": _shown(each.here),
-            "there": _shown(each.there),
-        }
-        for each in own.trace.first_differences(other.trace)
-        if each.robot < len(names)
-    ]
-
-
-def _shown(value: float) -> str:
-    return "nothing" if math.isnan(value) else f"{value:.4g}"
-
-
-def _first(
-    what: str, own: Sequence[Any], other: Sequence[Any], names: Sequence[str]
-) -> list[dict[str, Any]]:
-    """Return the first of some happenings that is not in both, which are equal before.
-
-    One that has not happened yet in a run that is not known so far is no difference.
-    """
-    for mine, theirs in zip(own, other, strict=False):
-        if mine != theirs:
-            first = min(mine, theirs, key=lambda each: float(each[0]))
-            robot = first[1] if what == "print" else first[2]
-            return [
-                {
-                    "t": first[0],
-                    "robot": names[robot] if 0 <= robot < len(names) else "",
-                    "what": what,
-                    "here": mine[3][:_LONGEST].strip() if mine is first else "not then",
-                    "there": theirs[3][:_LONGEST].strip() if theirs is first else "not then",
-                }
-            ]
-    return []
-
-
-def _paths(feed: Feed, begin_s: float, robots: int) -> list[list[list[float]]]:
-    """Return the paths of the first robots from a time on, thinned: x, y [m] and time [s]."""
-    frames = list(feed.frames.between(begin_s, math.inf))
-    frames = frames[:: max(1, -(-len(frames) // MAX_POINTS))]
-    return [
-        [
-            [round(float(frame[0, robot]), 3), round(float(frame[1, robot]), 3), round(time_s, 3)]
-            for time_s, frame in frames
-            if robot < frame.shape[1] and not math.isnan(frame[0, robot])
-        ]
-        for robot in range(min(robots, MAX_PATHS))
-    ]

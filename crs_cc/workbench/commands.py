@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.errors import DebugError
 from crs_cc.workbench import console, questions, sources, stops
 from crs_cc.workbench.command import Command
+from crs_cc.workbench.comparing import COMPARING
 from crs_cc.workbench.messages import block_message, page_message, recording_message
 from crs_cc.workbench.page import known_of, page_of
 from crs_cc.workbench.panel_commands import PANEL
@@ -80,7 +81,7 @@ def _point(screen: Context, robot: int, x_m: float, y_m: float, heading_deg: flo
 
 
 def _frames(screen: Context, block: int) -> bytes:
-    content = screen.feed.frames.content(block)
+    content = screen.feed.frames.content(block) or screen.others.block(block)
     if content is None:
         raise ValueError(f"no block {block}: the run has taken another course")
     return block_message(block, content)
@@ -168,5 +169,5 @@ QUESTIONS: Final = (
             {"number": int}, needs="debug"),
 )  # fmt: skip
 
-TABLE: Final = {row.name: row for row in (*RUNNING, *DEBUGGING, *QUESTIONS, *PANEL)}
+TABLE: Final = {row.name: row for row in (*RUNNING, *DEBUGGING, *QUESTIONS, *PANEL, *COMPARING)}
 """All commands by name."""

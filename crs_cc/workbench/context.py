@@ -6,7 +6,9 @@ from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
+    from crs_cc.workbench.exact_comparison import ExactComparison
     from crs_cc.workbench.feed import Feed
+    from crs_cc.workbench.other_runs import OtherRuns
     from crs_cc.workbench.player import Player
     from crs_cc.workbench.pointing import Pointing
     from crs_cc.workbench.run import Run
@@ -23,6 +25,8 @@ class Context(Protocol):
         server: sends messages to pages.
         robot: the selected robot.
         pointing: poses for which programs have asked the user.
+        others: recorded runs to compare with.
+        exact: a comparison of variables that has been begun.
     """
 
     run: Run
@@ -31,6 +35,8 @@ class Context(Protocol):
     server: Server
     robot: int
     pointing: Pointing
+    others: OtherRuns
+    exact: ExactComparison | None
 
     def publish(self) -> None:
         """Tell all about where the run stands."""

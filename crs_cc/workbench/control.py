@@ -66,11 +66,6 @@ def switch(screen: Context, name: str) -> None:
         screen.run.switch(name)
 
 
-def compare(screen: Context, name: str) -> dict[str, Any]:
-    """Return how another branch of the run differs from this one."""
-    return screen.run.branches().compare(name)
-
-
 def panel(environment: Environment, changes: Sequence[Change]) -> dict[str, Any]:
     """Return what has been changed, what is degraded, and which links are shut."""
     first = max(0, len(changes) - _MAX_CHANGES)

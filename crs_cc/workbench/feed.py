@@ -49,25 +49,27 @@ class Feed:
         frames: where everything was.
         messages: what became of messages.
         trace: what robots did and measured.
+        frame_s: simulated time between two frames, at least.
         server: passes on what is new; None to keep it only.
         end_s: the latest time that is known [s].
     """
 
-    def __init__(self, description: dict[str, Any], frame_s: float) -> None:
+    def __init__(self, description: dict[str, Any], frame_s: float, first: int = 0) -> None:
         """Create an empty feed.
 
         Args:
             description: what does not change, as JSON.
             frame_s: simulated time between two frames, at least.
+            first: the number of its first block of frames.
         """
         self.description = description
-        self.frames = FrameStore()
+        self.frames = FrameStore(first=first)
         self.messages = MessageLog()
         self.trace = Trace()
         self.server: Server | None = None
         self.end_s = 0.0
         self._lock = threading.Lock()
-        self._frame_s = frame_s
+        self.frame_s = frame_s
         self._events: list[Event] = []
         self._output: list[Output] = []
         self._output_size = 0
@@ -89,7 +91,7 @@ class Feed:
             return self._known()
 
     def _known(self) -> dict[str, Any]:
-        return {**self.description, "frame_s": self._frame_s, **self._course()}
+        return {**self.description, "frame_s": self.frame_s, **self._course()}
 
     def _course(self) -> dict[str, Any]:
         """Return what is known of the course of the run."""
@@ -135,7 +137,7 @@ class Feed:
         last_s = self.frames.end_s
         self.end_s = max(self.end_s, time_s)
         if time_s > last_s + _SLACK_S and (
-            last_s < 0.0 or time_s - last_s >= self._frame_s - _SLACK_S
+            last_s < 0.0 or time_s - last_s >= self.frame_s - _SLACK_S
         ):
             with self._lock:
                 block = self.frames.add(time_s, values)

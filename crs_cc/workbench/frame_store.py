@@ -39,12 +39,18 @@ class Block:
 class FrameStore:
     """The frames of a run; thread-safe."""
 
-    def __init__(self, most_bytes: int = MAX_BYTES) -> None:
+    def __init__(self, most_bytes: int = MAX_BYTES, first: int = 0) -> None:
+        """Store nothing yet.
+
+        Args:
+            most_bytes: the size of all blocks; more frames are thinned.
+            first: the number of the first block.
+        """
         self._most_bytes = most_bytes
         self._lock = threading.Lock()
         self._blocks: list[Block] = []
         self._bytes = 0
-        self._numbers = count()  # of all copies
+        self._numbers = count(first)  # of all copies
         self._times_s: list[float] = []  # of the block that is being filled
         self._frames: list[FloatArray] = []
 

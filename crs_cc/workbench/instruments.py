@@ -16,7 +16,9 @@ from crs_cc.debug.world.state_rows import vendor_state_rows
 from crs_cc.sim.model.degradation import degradables
 from crs_cc.sim.model.registry import devices
 from crs_cc.workbench.clearances import Clearances, closest
+from crs_cc.workbench.comparing import apart
 from crs_cc.workbench.quantities import (
+    APART,
     CLEARANCE,
     QUANTITIES,
     reading_of,
@@ -75,12 +77,10 @@ def inspect(screen: Context, robot: int, expressions: str) -> dict[str, Any]:
     environment = run.session().environment
     if not 0 <= robot < len(environment.world.robots):
         raise DebugError(f"no robot {robot}")
-    seen = [
-        (_clearance(screen, robot), None)
-        if each == CLEARANCE
-        else value(environment, debugger, robot, each)
-        for each in wanted
-    ]
+    seen: list[tuple[Value, str | None]] = []
+    for each in wanted:
+        known = _of_the_past(screen, robot, each)
+        seen.append(value(environment, debugger, robot, each) if known is None else (known, None))
     return {
         "t": run.time_s,
         "robot": robot,
@@ -107,7 +107,9 @@ def history(
         raise DebugError(f"at most {MAX_SAMPLES} instants")
     found: list[Samples | None] = []
     for each in _listed(expressions):
-        if each == CLEARANCE:
+        if each.startswith(APART):
+            found.append(_apart(screen, robot, each, begin_s=begin_s, end_s=end_s, most=count))
+        elif each == CLEARANCE:
             clearance = Clearances(screen.run.world, screen.feed, begin_s, end_s).of(robot)
             found.append(thinned(clearance.times_s.tolist(), clearance.gap_m, count))
         else:
@@ -115,11 +117,26 @@ def history(
     return {"t": screen.run.time_s, "end": screen.feed.end_s, "series": found}
 
 
-def _clearance(screen: Context, robot: int) -> Value:
+def _apart(screen: Context, robot: int, expression: str, **span: Any) -> Samples:
+    """Return how far a robot is from where it is in another run; nothing if that is closed."""
+    try:
+        return apart(screen, robot, expression.removeprefix(APART), **span)
+    except DebugError:
+        return [], []
+
+
+def _of_the_past(screen: Context, robot: int, expression: str) -> Value | None:
+    """Return the latest value of what is found from frames; None for another expression."""
     now_s = screen.run.time_s
-    found = Clearances(screen.run.world, screen.feed, now_s - _LATEST_S, now_s).of(robot).gap_m
-    known = found[~np.isnan(found)]
-    return float(known[-1]) if len(known) else "not known"
+    if expression == CLEARANCE:
+        found = Clearances(screen.run.world, screen.feed, now_s - _LATEST_S, now_s).of(robot).gap_m
+        known = found[~np.isnan(found)]
+        return float(known[-1]) if len(known) else "not known"
+    if not expression.startswith(APART):
+        return None
+    span = {"begin_s": now_s - _LATEST_S, "end_s": now_s, "most": MAX_SAMPLES}
+    _, ways = _apart(screen, robot, expression, **span)
+    return ways[-1] if ways and ways[-1] is not None else "not known"
 
 
 def near(screen: Context, robot: int) -> dict[str, Any]:

@@ -30,8 +30,6 @@ PANEL: Final = (
             control.take_back, {"number": int}, needs="debug"),
     Command("switch", "Go to another branch of the run, by its name.", control.switch,
             {"name": str}, needs="debug"),
-    Command("compare", "Return how another branch differs from this one.", control.compare,
-            {"name": str}, needs="debug", controls=False, asks=True),
     Command("export", "Return what was changed, as a script or as XML.", control.export,
             {"form": str}, needs="change", controls=False, asks=True),
     Command("faults", "Return what of a robot can be degraded, and how.", control.form,

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 CLEARANCE: Final = "clearance"
 """The distance from a robot's outline to the nearest object, see `clearances`."""
 
+APART: Final = "apart from "
+"""Before the name of another run: how far the robot is from where it is in that run."""
+
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
@@ -70,7 +73,7 @@ def reading_of(expression: str) -> tuple[str, int] | None:
 
 def unit_of(environment: Environment, robot: int, expression: str) -> str:
     """Return the unit of an expression; empty where it is not known, as for C variables."""
-    if expression == CLEARANCE:
+    if expression == CLEARANCE or expression.startswith(APART):
         return "m"
     if expression in QUANTITIES:
         return QUANTITIES[expression].unit

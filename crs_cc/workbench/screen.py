@@ -17,12 +17,15 @@ from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 from crs_cc.workbench.clients import Client
 from crs_cc.workbench.commands import TABLE
+from crs_cc.workbench.comparing import tell
 from crs_cc.workbench.messages import answer, message, refusal
+from crs_cc.workbench.other_runs import OtherRuns
 from crs_cc.workbench.pointing import Pointing
 from crs_cc.workbench.server import Front, Server
 
 if TYPE_CHECKING:
     from crs_cc.workbench.command import Command
+    from crs_cc.workbench.exact_comparison import ExactComparison
     from crs_cc.workbench.feed import Feed
     from crs_cc.workbench.player import Player
     from crs_cc.workbench.run import Run
@@ -45,6 +48,8 @@ class Screen:
         server: serves the pages.
         robot: the selected robot.
         pointing: poses for which programs have asked the user.
+        others: recorded runs to compare with.
+        exact: a comparison of variables that has been begun.
         waits: the robots whose hosts the run waits for, as text.
     """
 
@@ -59,6 +64,8 @@ class Screen:
         self.run, self.feed, self.player = run, feed, player
         self.robot = 0
         self.pointing = Pointing()
+        self.others = OtherRuns()
+        self.exact: ExactComparison | None = None
         self.is_busy = False
         self.waits = ""
         self._waiting = 0
@@ -176,6 +183,7 @@ class Screen:
         self.feed.greet(client)
         self._panel = ""  # the new page has not been told
         self.player.put(self.publish)
+        self.player.put(lambda: tell(self))
 
     def receive(self, client: Client, command: dict[str, Any]) -> None:
         """Check a command and carry it out, at once or between two pieces of the run."""

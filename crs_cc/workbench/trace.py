@@ -135,6 +135,17 @@ class Trace:
                 found.append(Difference(time_s, robot, _name(column), *values))
         return found
 
+    def motion(self, begin_s: float, end_s: float) -> tuple[FloatArray, FloatArray]:
+        """Return the times [s] of a span, and the poses then [m, rad], (times, 3, robots)."""
+        first = bisect_left(self._times_s, begin_s - _SLACK_S)
+        end = bisect_right(self._times_s, end_s + _SLACK_S)
+        robots = max((len(each) for each in self._samples[first:end]), default=0)
+        poses = np.full((end - first, 3, robots), np.nan)
+        for pose, sample in zip(poses, self._samples[first:end], strict=True):
+            pose[:, : len(sample)] = sample[:, :3].T
+        poses[:, 2] = np.radians(poses[:, 2])
+        return np.array(self._times_s[first:end]), poses
+
     def samples(
         self, robot: int, name: str, begin_s: float, end_s: float, most: int
     ) -> Samples | None:

@@ -40,14 +40,16 @@ def at_a_breakpoint(page: Any) -> None:
 
 def two_runs(page: Any) -> None:
     """Degrade a sonar in the past, and compare the run with the one before."""
-    go_to(page, 20.0)
+    go_to(page, 40.0)
     go_to(page, 9.0)
-    change(page, "degrade robot0 sonar.0 bias 30cm noise 8cm")
+    change(page, "degrade robot0 sonar.0 bias -80cm noise 8cm")
     wait(page, "crs.model.panel.branches.length === 2")
-    go_to(page, 16.0)
-    page.click("#tab-changes")
-    page.click("button:has-text('Compare')")
-    page.wait_for_selector(".differences tr")
+    go_to(page, 30.0)
+    page.evaluate("crs.compare('main')")
+    wait(page, "crs.compared.exact?.is_done")
+    page.click("button:has-text('Plot the distance')")
+    page.click(".chip:has-text('speed') .close")
+    wait(page, "crs.instruments.series.of('0 apart from main').times.length > 50")
 
 
 def four_views(page: Any) -> None:

@@ -83,7 +83,7 @@ three_robots: Final = partial(run_of, SAMPLES / "wander.c", WORLDS / "complex-3r
 
 PICTURES: Final = {
     "workbench": Picture(three_robots, steps.at_a_breakpoint),
-    "workbench-runs": Picture(three_robots, steps.two_runs),
+    "workbench-runs": Picture(three_robots, steps.two_runs, 900),
     "workbench-views": Picture(three_robots, steps.four_views, is_dark=True),
     "workbench-heat": Picture(
         partial(run_of, SAMPLES / "wander.c", WORLDS / "gallery.xml"), steps.infrared

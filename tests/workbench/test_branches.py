@@ -13,6 +13,7 @@ from crs_cc.cli.start_view import screen_of
 from crs_cc.debug.branches import MAX_KEPT
 from crs_cc.debug.errors import DebugError
 from crs_cc.workbench import control
+from crs_cc.workbench.commands import TABLE
 from crs_cc.workbench.screen import Screen
 
 PROGRAM = """\
@@ -81,14 +82,14 @@ def test_the_run_before_a_change_in_the_past_is_kept_as_it_was(screen: Screen) -
 
 
 def test_two_runs_are_compared_from_where_they_part(screen: Screen) -> None:
-    found = control.compare(screen, "main")
+    found = TABLE["compare"](screen, {"name": "main"})
     first = found["differences"][0]
     assert (first["t"], first["robot"]) == (pytest.approx(1.05), "ada")
     rows = {each["what"]: each for each in found["differences"]}
     assert float(rows["pose.heading"]["here"]) == pytest.approx(90.0, abs=0.1)
     assert float(rows["pose.heading"]["there"]) == pytest.approx(0.0, abs=0.1)
     assert rows["print"]["t"] >= 1.0
-    (path,) = found["paths"]
+    path = found["paths"]["ada"]
     assert path[-1][0] > path[0][0]
     assert path[-1][1] == pytest.approx(2.0, abs=1e-3)
 

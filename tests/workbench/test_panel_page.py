@@ -244,7 +244,7 @@ def the_run_before_is_kept_and_compared(page: Any, debugger: Debugger) -> None:
     row = page.locator(".differences tr:has-text('bob pose.x') td")
     row.first.wait_for()
     assert [row.nth(at).inner_text() for at in (2, 3)] == ["1", "3"]
-    assert page.evaluate("crs.look.other.paths[1].at(-1).slice(0, 2)") == [3.0, 2.5]
+    assert page.evaluate("crs.look.other.paths.bob.at(-1).slice(0, 2)") == [3.0, 2.5]
     click(page, "Show", ".branch:has-text('main')")
     wait(page, "Math.abs((crs.model.scene.body(1)?.x ?? 9) - 3) < 1e-3")
     wait(page, "document.querySelectorAll('.change').length === 7")

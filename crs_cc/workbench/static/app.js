@@ -1,7 +1,9 @@
 /** The page: a run that goes on, or one that the page holds. */
 import { SocketChannel } from "crs/channel.js";
+import { Compared } from "crs/compared.js";
 import { button, el, part } from "crs/dom.js";
 import { Drawer } from "crs/drawer.js";
+import { listenToFiles } from "crs/dropped.js";
 import { Found } from "crs/found.js";
 import { Instruments } from "crs/instruments.js";
 import { listenToKeys } from "crs/keys.js";
@@ -25,8 +27,10 @@ page.timeline = new Timeline(part("time"), model, look, page);
 page.drawer = new Drawer(part("time"), model);
 page.instruments = new Instruments(model);
 page.found = new Found(model, page);
+page.compared = new Compared(model, look, page);
 page.layout = new Layout(model, look, page);
 listenToKeys(page);
+listenToFiles(page);
 new Pointing(model, page.views);
 
 /** Go to a place in the run, as answers have it, and select a robot. @param {string} place @param {number} robot */
@@ -88,6 +92,7 @@ async function tick(now) {
     const frame = await model.frames.at(time);
     if (frame) {
       model.scene.place(frame);
+      await page.compared.place(time);
       look.time = time;
       look.trails.update(model.scene, model.frames, time);
       page.views.draw(elapsed);

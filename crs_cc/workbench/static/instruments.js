@@ -78,12 +78,15 @@ export class Instruments {
     const expressions = [...new Set(["speed", "battery", ...wanted])].slice(0, 40);
     try {
       this.note(await this.model.channel.ask("inspect", { robot, expressions: expressions.join("\n") }), expressions);
-      for (const wish of this.shownWishes()) await this.catchUp(robot, wish); // it may want what the answer has named
-      this.model.tell("instruments", this.now);
     } catch {
       this.now = null; // the robot is no more, or the programs of a recording stand elsewhere
-      this.model.tell("instruments", null);
     }
+    try {
+      for (const wish of this.shownWishes()) await this.catchUp(robot, wish); // it may want what the answer has named
+    } catch {
+      this.now = null;
+    }
+    this.model.tell("instruments", this.now);
   }
 
   note(answer, expressions) {

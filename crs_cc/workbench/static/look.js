@@ -18,7 +18,7 @@ export class Look {
     this.isInfrared = false;
     this.isSelectedOnly = false; // what is drawn of other robots is left out
     this.light = new Lighting();
-    /** @type {any} the run that this one is compared with */
+    /** @type {any} the run that this one is compared with, see `compared.js` */
     this.other = null;
     /** @type {{sonar: number, echo: number | null, met: string, robot: number, t: number} | null} the beam that a reading is from */
     this.beam = null;

@@ -3,7 +3,8 @@
  *
  * Kinds: `hello` (all is new), `state` (time, playing, selected robot), `status` (the table of
  * robots), `where` (line, stack, variables), `event`, `output`, `forget`, `link` (connected or not),
- * `panel` (changes, faults, links), `found` (instants that were asked for), `part` (the part of the time
+ * `panel` (changes, faults, links), `found` (instants that were asked for), `others` (recordings to
+ * compare with), `compared` (the run has been compared with another one), `part` (the part of the time
  * line that is shown), `look` (what the user looks at has changed: selection, overlays, theme).
  */
 import { Approaches } from "crs/approaches.js";
@@ -28,6 +29,10 @@ export class Model {
     this.panel = null;
     /** @type {{title: string, rows: any[][]}} instants that a question has found */
     this.found = { title: "", rows: [] };
+    /** @type {any[][]} where the run that it is compared with first differs, like events */
+    this.differs = [];
+    /** @type {{name: string, title: string, end: number}[]} recordings to compare with */
+    this.others = [];
     this.isConnected = false;
     /** @type {import("./scene.js").Scene | null} */
     this.scene = null;
@@ -111,6 +116,12 @@ export class Model {
     this.tell("panel", message);
   }
 
+  /** Recordings to compare with have been opened or closed. */
+  hear_others({ runs }) {
+    this.others = runs;
+    this.tell("others");
+  }
+
   /** Robots have been added to the world. */
   hear_world(message) {
     this.run.world = message.world;
@@ -182,7 +193,7 @@ export class Model {
     const notes = (this.panel?.notes ?? []).filter(({ t, text }) => !recorded.has(`${t} ${text}`))
       .map(({ t, robot, text }) => [t, "note", robot, text, null, null]);
     const found = this.found.rows.map(([t, , text, place, robot]) => [t, "found", robot, text, null, null, null, place]);
-    return [...known, ...this.approaches.events, ...changes, ...notes, ...found];
+    return [...known, ...this.approaches.events, ...changes, ...notes, ...found, ...this.differs];
   }
 
   /** The number and name of the selected robot. */

@@ -5,6 +5,7 @@
 import { fieldScale } from "crs/field_map.js";
 import { heatColour, mostHeat } from "crs/heat.js";
 import { degraded, laser, ranges } from "crs/overlay_devices.js";
+import { otherRun } from "crs/overlay_other.js";
 import { movable } from "crs/overlay_things.js";
 import { askedBeam, cameraStrip, heatRange, infraredBeams } from "crs/overlay_sensors.js";
 import { angleText, gridStep, lengthText } from "crs/units.js";
@@ -65,7 +66,7 @@ export class Overlay {
     for (const part of PARTS) if (look.show[part.name]) part.draw(this);
     this.selection();
     if (look.beam) askedBeam(this, look.beam);
-    if (look.other) otherPaths(this);
+    if (look.other) otherRun(this);
     if (look.heat) heatScale(this);
   }
 
@@ -115,21 +116,6 @@ export class Overlay {
     this.circle(body.x, body.y, body.z + 0.01, body.radius * 1.35);
     pen.stroke();
   }
-}
-
-/** The paths of the run that this one is compared with, as far as this one is known. */
-function otherPaths(o) {
-  const { pen } = o;
-  const { end } = o.look.model.state;
-  pen.lineWidth = 2;
-  pen.setLineDash([3, 5]);
-  o.look.other.paths.forEach((path, row) => {
-    pen.strokeStyle = o.scene.body(row)?.colour ?? o.look.colours.muted;
-    pen.beginPath();
-    o.path(path.filter((point) => point[2] <= end).map(([x, y]) => [x, y, o.scene.ground.height(x, y) + 0.02]));
-    pen.stroke();
-  });
-  pen.setLineDash([]);
 }
 
 /** The scale of infra-red: which colour is which heat. */

@@ -3,7 +3,7 @@ import { button, clockText, el, fill } from "crs/dom.js";
 import { gridStep } from "crs/units.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 0];
-const MARK = 4.2; // the height of a row of marks [pixels]
+const MARK = 3.9; // the height of a row of marks [pixels]
 const ASK = 80; // [ms] between two questions while the user drags
 
 /** Kinds of marks: name, colour, and which events they are. */
@@ -16,6 +16,7 @@ export const MARKS = [
   { name: "note", title: "Notes", colour: "accent", is: (kind) => kind === "note" },
   { name: "found", title: "Found", colour: "#c2255c", is: (kind) => kind === "found" },
   { name: "change", title: "Changes", colour: "#0c8599", is: (kind) => kind === "change" },
+  { name: "differs", title: "Differences", colour: "#d6336c", is: (kind) => kind === "differs" },
   { name: "other", title: "Other events", colour: "muted", is: () => true },
 ];
 
@@ -65,7 +66,7 @@ export class Timeline {
           button({ text: "›", title: "To the next event", key: "N", onclick: () => this.jump(1) }))),
       this.track);
     this.listen();
-    for (const kind of ["state", "hello", "forget", "event", "output", "look", "near", "panel", "found"]) model.on(kind, () => (this.isStale = true));
+    for (const kind of ["state", "hello", "forget", "event", "output", "look", "near", "panel", "found", "compared"]) model.on(kind, () => (this.isStale = true));
     this.isStale = true;
   }
 

@@ -24,7 +24,7 @@ export const changes = {
     const hint = el("p.hint", {}, mayTakeBack
       ? "Nothing has been changed. What you do to the run (moves, faults, links, messages, variables) is listed here, and can be taken back."
       : "Nothing has been changed. What you do to the run (moves, faults, links, messages) is listed here. This run only goes forward: nothing is taken back.");
-    root.append(el("div.bar", {}, script, xml), branches(model, look, page), hint, list);
+    root.append(el("div.bar", {}, script, xml), branches(model, page), hint, list);
 
     const show = () => {
       const all = model.panel?.changes ?? [];

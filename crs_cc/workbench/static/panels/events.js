@@ -64,7 +64,7 @@ export const events = {
       }));
     };
 
-    for (const kind of ["hello", "event", "forget", "near", "look", "roster", "panel", "found"]) model.on(kind, () => (isStale = true));
+    for (const kind of ["hello", "event", "forget", "near", "look", "roster", "panel", "found", "compared"]) model.on(kind, () => (isStale = true));
     model.on("tick", draw);
   },
 };

@@ -10,6 +10,7 @@
  */
 import { changes } from "crs/panels/changes.js";
 import { code } from "crs/panels/code.js";
+import { compare } from "crs/panels/compare.js";
 import { commandLine } from "crs/panels/console.js";
 import { events } from "crs/panels/events.js";
 import { faults } from "crs/panels/faults.js";
@@ -23,4 +24,4 @@ import { robots } from "crs/panels/robots.js";
 import { why } from "crs/panels/why.js";
 
 /** @type {Panel[]} */
-export const PANELS = [robots, overlays, code, robot, faults, output, events, changes, commandLine, robotTable, messages, why, plot];
+export const PANELS = [robots, overlays, code, robot, faults, output, events, changes, commandLine, robotTable, messages, why, compare, plot];
