@@ -1,9 +1,10 @@
-"""A process that runs jobs, each in a child of its own.
+"""A process that runs jobs, in copies of itself.
 
 It reads a job from each line of standard input, and writes lines of JSON to standard output:
-`ready` once; for each job `prepared`, when it has been, and its result. A child is a copy of this
-process, with all that a run needs loaded, so that it starts in milliseconds and leaves no memory
-behind. Where processes cannot be copied (Windows), it ends after one job, and is started anew.
+`ready` once; for each job `prepared`, when it has been, its result, and `done`. A child is a copy
+of this process, with all that a run needs loaded, so that it starts in milliseconds. It does one
+job, or some that are alike, and leaves no memory behind. Where processes cannot be copied
+(Windows), this one ends after one job, and is started anew.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from crs_cc.frontend import unit as _compiler  # noqa: F401 - imported once, before runs need it
 from crs_cc.runtime import link as _linker  # noqa: F401
+from crs_cc.runtime import partner as _partner  # noqa: F401
 from crs_cc.runtime.codegen import module as _generator  # noqa: F401
 from crs_cc.session.build import build_driver
 from crs_cc.session.library import library
@@ -32,20 +34,29 @@ _NAMES: Final = ("connect_robot", "printf", "ws", "scout_pr", "get_sn")
 """Of what nearly every program uses of the library."""
 
 _WORLD: Final = b"""<world version="1"><area length="3m" width="3m"/>
-<box x="2m" y="2m" length="9cm" width="9cm" mass="1kg"/><robot x="1m" y="1m"/>
+<box x="2m" y="2m" length="9cm" width="9cm" mass="1kg"/><robot x="1m" y="1m" setup="noisy"/>
 <goal><no-collision/></goal></world>"""
+
+_MOST: Final = 32
+"""Jobs that a child does at most: what it has not freed then is little."""
 
 Work = Callable[[dict[str, Any], Callable[[], None]], dict[str, Any]]
 """Does a job; calls the function when it is prepared; returns the result."""
 
+Alike = Callable[[dict[str, Any]], str]
+"""Returns what a job has in common with others: one child does jobs with the same, unless empty."""
 
-def serve(work: Work, load: Callable[[dict[str, Any]], None] | None = None) -> None:
+
+def serve(
+    work: Work, load: Callable[[dict[str, Any]], None] | None = None, alike: Alike | None = None
+) -> None:
     """Run jobs until standard input ends.
 
     Args:
-        work: does a job, in the child.
+        work: does a job, in a child; one with an `error` in its result does no more.
         load: loads for a job, in this process, what later jobs may need as well; trusted, and it
             does not raise.
+        alike: says which jobs can be done by one child, one after the other; by default none.
     """
     channel = os.dup(1)
     with open(os.devnull, "wb") as nowhere:  # noqa: PTH123 - what jobs print is not ours
@@ -53,39 +64,90 @@ def serve(work: Work, load: Callable[[dict[str, Any]], None] | None = None) -> N
     _prepare()
     gc.freeze()  # what is shared with children is not touched by their collector
     _say(channel, {"ready": True})
+    child: _Child | None = None
     for line in sys.stdin.buffer:
         job = json.loads(line)
-        if load is not None:
-            load(job)
-        if not hasattr(os, "fork"):
-            _work(channel, work, job)
-            return
-        _say(channel, {"done": _in_a_child(partial(_work, channel, work, job))})
+        common = "" if alike is None else alike(job)
+        if child is not None and not (common and child.common == common):
+            child.end()
+            child = None
+        if child is None:
+            if load is not None:
+                load(job)
+            if not hasattr(os, "fork"):
+                _work(channel, work, job)
+                return
+            child = _Child(partial(_work, channel, work), common)
+        code = child.do(line)
+        if code is not None:
+            child = None
+        _say(channel, {"done": code or 0})
+    if child is not None:
+        child.end()
 
 
-def _in_a_child(work: Callable[[], None]) -> int:
-    """Do something in a child; return its exit code, or end with it if nobody is left to tell.
+class _Child:
+    """A copy of this process that does jobs, until it is told to end or something goes wrong.
 
-    The end of standard input says that whoever gave the job has ended, perhaps killed: nothing else
-    would stop a run without an end then.
+    The end of standard input says that whoever gave the jobs has ended, perhaps killed: nothing
+    else would stop a run without an end then.
+
+    Attributes:
+        common: what its jobs have in common, empty if it does one only.
     """
-    its_end, held = os.pipe()
-    child = os.fork()
-    if child == 0:
-        gc.freeze()  # so is what has been loaded since: a collection would copy its pages
+
+    def __init__(self, work: Callable[[dict[str, Any]], dict[str, Any]], common: str) -> None:
+        self.common = common
+        jobs, self._jobs = os.pipe()
+        self._answers, answers = os.pipe()
+        self._pid = os.fork()
+        if self._pid == 0:
+            gc.freeze()  # so is what has been loaded since: a collection would copy its pages
+            try:
+                os.close(self._jobs)
+                os.close(self._answers)
+                _do_jobs(work, jobs, answers, _MOST if common else 1)
+            finally:
+                os._exit(0)
+        os.close(jobs)
+        os.close(answers)  # which the child holds until it ends
+
+    def do(self, line: bytes) -> int | None:
+        """Have a job done; return the exit code if the child has ended."""
+        waiting = select.poll()
+        waiting.register(self._answers, select.POLLIN)
+        waiting.register(sys.stdin.fileno(), 0)  # its end is always told
         try:
-            work()
-        finally:
-            os._exit(0)
-    os.close(held)  # which the child holds until it ends
-    waiting = select.poll()
-    waiting.register(its_end, select.POLLIN)
-    waiting.register(sys.stdin.fileno(), 0)  # its end is always told
-    if its_end not in dict(waiting.poll()):
-        os.kill(child, signal.SIGKILL)
-    os.close(its_end)
-    _, status = os.waitpid(child, 0)
-    return os.waitstatus_to_exitcode(status)
+            os.write(self._jobs, line)
+        except BrokenPipeError:  # it has been killed
+            return self._wait()
+        if self._answers not in dict(waiting.poll()):  # nobody is left to tell
+            os.kill(self._pid, signal.SIGKILL)
+            return self._wait()
+        return None if os.read(self._answers, 1) else self._wait()
+
+    def end(self) -> None:
+        """Have it end, as there is nothing more to do."""
+        self._wait()
+
+    def _wait(self) -> int:
+        os.close(self._jobs)
+        os.close(self._answers)
+        _, status = os.waitpid(self._pid, 0)
+        return os.waitstatus_to_exitcode(status)
+
+
+def _do_jobs(
+    work: Callable[[dict[str, Any]], dict[str, Any]], jobs: int, answers: int, most: int
+) -> None:
+    """Do jobs as they come, and say after each but the last one that another can come."""
+    with open(jobs, "rb") as lines:
+        for number, line in enumerate(lines, 1):
+            result = work(json.loads(line))
+            if number == most or result.get("error"):
+                return
+            gc.collect()  # what has been frozen is not looked at
+            os.write(answers, b"\n")
 
 
 def _prepare() -> None:
@@ -96,9 +158,10 @@ def _prepare() -> None:
     Environment(parse_world(_WORLD, "world"), seed=0).step()
 
 
-def _work(channel: int, work: Work, job: dict[str, Any]) -> None:
+def _work(channel: int, work: Work, job: dict[str, Any]) -> dict[str, Any]:
     result = work(job, lambda: _say(channel, {"prepared": True}))
     _say(channel, {"result": result})
+    return result
 
 
 def _say(channel: int, data: dict[str, Any]) -> None:

@@ -1,0 +1,23 @@
+"""Jobs that tell which process does them: `name` says which are alike, `how` what goes wrong."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable
+from typing import Any
+
+from crs_cc.jobs.worker import serve
+
+
+def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
+    prepared()
+    if job.get("how") == "killed":
+        os.kill(os.getpid(), signal.SIGKILL)
+    if job.get("how") == "raises":
+        raise ValueError
+    return {"pid": os.getpid(), "error": job.get("how", "")}
+
+
+if __name__ == "__main__":
+    serve(_work, alike=lambda job: str(job["name"]))

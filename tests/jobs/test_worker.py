@@ -1,0 +1,69 @@
+"""Processes that run jobs: which are done by the same one, and what becomes of those that end."""
+
+from __future__ import annotations
+
+import os
+import signal
+from typing import Any
+
+import pytest
+
+from crs_cc.jobs import worker
+from crs_cc.jobs.pool import Outcome, Pool, Task
+
+MODULE = "tests.jobs.pids"
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="one job a process elsewhere")
+
+
+def done(*jobs: dict[str, Any], retries: int = 0) -> list[Outcome]:
+    """Return what becomes of jobs, one after the other."""
+    with Pool(MODULE, 1) as pool:
+        return list(pool.run((Task(job, 60.0, 60.0) for job in jobs), retries))
+
+
+def pids(outcomes: list[Outcome]) -> list[int | None]:
+    return [each.result["pid"] if each.result else None for each in outcomes]
+
+
+def test_jobs_that_are_alike_are_done_by_one_process_others_not() -> None:
+    names = ["a", "a", "b", "a", "a", "", ""]
+    found = pids(done(*({"name": name} for name in names)))
+    assert found[0] == found[1]
+    assert found[3] == found[4]
+    assert len({*found}) == 5
+
+
+def test_a_process_does_so_many_jobs() -> None:
+    found = pids(done(*[{"name": "a"}] * (worker._MOST + 1)))
+    assert len({*found[:-1]}) == 1
+    assert found[-1] != found[0]
+
+
+def test_a_process_in_which_something_went_wrong_does_no_more() -> None:
+    found = pids(done({"name": "a"}, {"name": "a", "how": "wrong"}, {"name": "a"}))
+    assert found[0] == found[1] != found[2]
+
+
+@pytest.mark.parametrize("how", ["killed", "raises"])
+def test_a_job_that_ends_its_process_harms_no_other(how: str) -> None:
+    outcomes = done({"name": "a"}, {"name": "a", "how": how}, {"name": "a"}, retries=1)
+    assert [each.kind for each in outcomes] == ["done", "crashed", "done"]
+    assert ("by signal 9" if how == "killed" else "without a result") in outcomes[1].text
+
+
+def test_a_process_that_is_killed_between_jobs_is_replaced() -> None:
+    def tasks():
+        yield Task({"name": "a"}, 60.0, 60.0)
+        yield Task({"name": "a"}, 60.0, 60.0)
+
+    found: list[Outcome] = []
+    with Pool(MODULE, 1) as pool:
+        wanted = tasks()
+        first = pool.run([next(wanted)])
+        found += first
+        assert found[0].result
+        os.kill(found[0].result["pid"], signal.SIGKILL)
+        found += pool.run(wanted, retries=1)
+    assert [each.kind for each in found] == ["done", "done"]
+    assert len({*pids(found)}) == 2
