@@ -22,10 +22,13 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Final
 
+from pycparser import c_ast
+
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit, expression
+from crs_cc.frontend.check.conversion import convert
 from crs_cc.frontend.check.operators import is_lvalue
 from crs_cc.frontend.check.scope import (
     EnumConstant,
@@ -47,7 +50,15 @@ from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import check_file
 from crs_cc.ir.instruction import Block, Operand, Return, Variable
 from crs_cc.ir.program import Function, Parameter, Program
-from crs_cc.ir.types import ArrayType, CType, FunctionType, PointerType, RecordType, VoidType
+from crs_cc.ir.types import (
+    ArrayType,
+    CType,
+    EnumType,
+    FunctionType,
+    PointerType,
+    RecordType,
+    VoidType,
+)
 
 EXPRESSION: Final = "<expression>"
 """The name of the expression's file and of the function that it becomes."""
@@ -105,6 +116,14 @@ class FileNames:
     def defines(self, function: str) -> bool:
         """Return whether the file, or a header that it includes, defines a function."""
         return any(each.symbol.link_name == function for each in self._unit.functions)
+
+    def body(self, function: str) -> Location | None:
+        """Return where the body of a function begins; None if it is not defined here."""
+        for each in self._unit.functions:
+            if each.symbol.link_name == function:
+                ends = (start for _, (start, end) in self._unit.blocks if end == each.end)
+                return next(ends, None)
+        return None
 
     def knows(self, name: str) -> bool:
         """Return whether a name is declared at file scope."""
@@ -218,7 +237,18 @@ class FileNames:
         with unit.new_scope() as scope:
             scope.names.update(inner)
             scope.tags.update(blocks.tags)
-            return expression(unit, node)
+            return _of_enum(unit, node, expression(unit, node))
+
+
+def _of_enum(unit: Unit, node: c_ast.Node, checked: tree.Expression) -> tree.Expression:
+    """Return a constant of an enum in the type of the enum, so that it is shown by its name.
+
+    In C it is an int (C17 6.7.2.2p3), and in larger expressions it stays one.
+    """
+    symbol = unit.scope.find(node.name) if isinstance(node, c_ast.ID) else None
+    if isinstance(symbol, EnumConstant):
+        return convert(checked, EnumType(symbol.enumeration))
+    return checked
 
 
 def _locals(unit: Unit) -> Iterator[ObjectSymbol]:

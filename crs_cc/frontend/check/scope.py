@@ -18,7 +18,7 @@ from typing import Any, Final, TypeAlias
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import closest
 from crs_cc.ir.instruction import Variable
-from crs_cc.ir.types import CType, EnumType, FunctionType, RecordType
+from crs_cc.ir.types import CType, Enumeration, EnumType, FunctionType, RecordType
 
 ENTRIES: Final = frozenset({"main", "runcode"})
 """Entry points of a program, whose result type may be left out: `main`, and that of the CRS
@@ -145,12 +145,13 @@ class TypedefName:
 
 @dataclass(slots=True, eq=False)
 class EnumConstant:
-    """A constant of an enum."""
+    """A constant of an enum, whose type is mostly not that of the enum (C17 6.7.2.2p3)."""
 
     name: str
     type: CType
     location: Location
     value: int
+    enumeration: Enumeration
 
 
 @dataclass(slots=True, eq=False)

@@ -198,7 +198,9 @@ def _declare_constants(unit: Unit, definition: Enumeration, node: Node) -> None:
         known = unit.scope.names.get(each.name)
         if known is not None:
             unit.error(location, f"redefinition of '{each.name}'", f"first at {known.location}")
-        unit.scope.names[each.name] = made = EnumConstant(each.name, ctype, location, value)
+        unit.scope.names[each.name] = made = EnumConstant(
+            each.name, ctype, location, value, definition
+        )
         if fixed is not None and not fixed.smallest <= value <= fixed.largest:
             unit.error(location, f"'{each.name}' does not fit into '{fixed}'")
         if ctype is not INT or fixed is not None:

@@ -116,12 +116,11 @@ def _function_definition(unit: Unit, node: Node) -> None:
         with vla.block(state, body, location):
             for each in node.body.block_items or []:
                 statement(unit, each, body)
-    record_block(unit, scope, node.body)
+    ends = record_block(unit, scope, node.body)
     check_labels(unit)
     vla.finish(state, body)
-    made = tree.FunctionDefinition(
-        location, symbol, unit.at(node.body), parameters, passed, body, implicit
-    )
+    _, end = ends or (location, unit.at(node.body))
+    made = tree.FunctionDefinition(location, symbol, end, parameters, passed, body, implicit)
     enclose(unit, made, state)
     unit.functions.append(made)
 

@@ -48,9 +48,6 @@ class DeclarationGrammar(ExpressionGrammar):
             report(self._diagnostics, token.location, text)
             raise ParseError
         found: list[Node] = super()._parse_external_declaration()
-        if found and isinstance(found[0], c_ast.FuncDef):
-            # A message that its end is reached concerns its `}`.
-            found[0].body.coord = self._stream.buffer[self._stream.index - 1]
         return found
 
     def _parse_declaration_specifiers(self, allow_no_type: bool = False) -> Any:
@@ -119,7 +116,6 @@ class DeclarationGrammar(ExpressionGrammar):
                 self._add_identifier(each.name, each.coord)
         body = self._parse_compound_statement(new_scope=False)
         self._pop_scope()
-        body.coord = self._stream.buffer[self._stream.index - 1]
         return c_ast.FuncDef(declaration, None, body, declaration.coord)
 
     def _parse_struct_declaration(self) -> list[Node] | None:

@@ -38,6 +38,7 @@ int work(int speed, double d, char letter)
     float f = 0.1f;
     char array[4];
     int i;
+    enum phase { NEAR = 8, FAR };
     p->next = &n;
     p->at.x = 3;
     freed = malloc(24);
@@ -95,7 +96,11 @@ SHOWN = {
     "n.on": "5",
     "n.off": "-3",
     "TWICE(speed + 1)": "10",
-    "TURN": "5",
+    "TURN": "TURN",
+    "TURN + 1": "6",
+    "FAR": "FAR",
+    "FAR + 1": "10",
+    "(enum phase)8": "NEAR",
     "(enum mode)5": "TURN",
     "(enum mode)total": "7",
     "sizeof(struct node)": "24",
