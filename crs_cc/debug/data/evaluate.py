@@ -33,7 +33,8 @@ from crs_cc.debug.data.expression_compiler import (
 )
 from crs_cc.debug.data.expression_memory import EvaluationError
 from crs_cc.debug.data.expression_scope import active_call, global_scope, lasting_scope
-from crs_cc.debug.data.interpret import SCRATCH, Interpreter, check_address, result_bytes
+from crs_cc.debug.data.instruction_steps import SCRATCH
+from crs_cc.debug.data.interpret import Interpreter, check_address, result_bytes
 from crs_cc.debug.data.memory import MemoryReads, SavedRegister, StoppedMemory
 from crs_cc.debug.data.memory_inspection import FULL, MemoryInspector
 from crs_cc.debug.data.notation import (
@@ -109,6 +110,7 @@ class Evaluator:
         self.convenience_values = {} if convenience_values is None else convenience_values
         self.full_style = FULL
         self._replaced: list[tuple[str, Value | None]] = []  # by the last expression
+        self._contexts: dict[tuple[str, Location], ExpressionContext] = {}
         self.functions = ConvenienceFunctions(self._part, lambda: stopped().stack, robot)
         self._stopped = stopped
         self._names = names
@@ -380,8 +382,12 @@ class Evaluator:
     ) -> ExpressionContext:
         if frame is None:
             return ExpressionContext()
-        extents = self._scopes.extents(frame.function)
-        sizes = known.sizes(extents, stopped.memory)
+        sizes = known.sizes(self._scopes.extents(frame.function), stopped.memory)
+        if not sizes:  # as mostly: then nothing of it changes
+            place = frame.function, frame.location
+            if place not in self._contexts:
+                self._contexts[place] = ExpressionContext(*place)
+            return self._contexts[place]
         return ExpressionContext(frame.function, frame.location, sizes)
 
     def _run(
@@ -486,4 +492,7 @@ class Evaluator:
 
 
 def _innermost(stopped: Stopped) -> StackFrame | None:
-    return next((each for each in stopped.stack if not in_library(each.location)), None)
+    for each in stopped.stack:
+        if not in_library(each.location):
+            return each
+    return None

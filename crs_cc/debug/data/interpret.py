@@ -10,27 +10,32 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any, Final, Protocol
 
 import numpy as np
 
 from crs_cc.debug.data.expression_memory import EvaluationError, Scratch
-from crs_cc.debug.data.operators import compute, signed, unsigned
+from crs_cc.debug.data.instruction_steps import (
+    SCRATCH,
+    SCRATCH_BYTES,
+    CallFrame,
+    InstructionSteps,
+    loaded,
+    operand_value,
+    store,
+)
+from crs_cc.debug.data.operators import signed, unsigned
 from crs_cc.debug.data.unused_objects import UnusedObjects
 from crs_cc.debug.timeline.change import STREAMS, UNLINKED
 from crs_cc.ir import instruction as ir
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import Data, Function, Program
 from crs_cc.ir.types import CType, FloatType, PointerType, VoidType
-from crs_cc.ir.value_type import MEMORY_SIZE, MemoryType
+from crs_cc.ir.value_type import MemoryType
 from crs_cc.requests import CODES, DATA_SIZE, MESSAGE
 
 MAX_INSTRUCTIONS: Final = 1_000_000
 MAX_CALLS: Final = 200
-SCRATCH: Final = 0x8000_0000
-"""The first address of the scratch memory: no program's own memory reaches so far."""
-SCRATCH_BYTES: Final = 1 << 24
 CALLED_ONLY: Final = 0xF000_0000
 """The first address of functions to which no pointer of the program can point."""
 Printed = tuple[int, bytes]
@@ -41,13 +46,6 @@ Lend = Callable[[str], Function | Data | None]
 
 def _nothing(_name: str) -> None:
     return None
-
-
-_FORMAT: Final[dict[MemoryType, str]] = {
-    "i8": "<b", "u8": "<B", "i16": "<h", "u16": "<H", "i32": "<i", "i64": "<q",
-    "f32": "<f", "f64": "<d",
-}  # fmt: skip
-_STORED: Final[dict[MemoryType, int]] = {"i8": 8, "u8": 8, "i16": 16, "u16": 16}
 
 
 class InterpreterMemory(Protocol):
@@ -83,15 +81,6 @@ class InterpreterMemory(Protocol):
         """Set the `ByteState`s of bytes."""
 
 
-@dataclass(slots=True)
-class _CallFrame:
-    """An active call: registers, slots, and variable arguments."""
-
-    values: dict[ir.Register, Any] = field(default_factory=dict)
-    slots: dict[ir.Slot, int] = field(default_factory=dict)
-    more: int = 0
-
-
 class Interpreter:
     """Evaluates functions of IR.
 
@@ -121,7 +110,7 @@ class Interpreter:
         self._addresses = dict(addresses)
         self._memory = memory
         self._unused = unused or UnusedObjects({})
-        self._unused.known = self._known
+        self._unused.known = self.known
         self._addresses.update(self._unused.addresses)
         functions = [*program.functions, *(program.unused or Program()).functions]
         called = [name for name in functions if name not in self._addresses]
@@ -133,6 +122,7 @@ class Interpreter:
         self._loans: list[str] = []
         self._left = MAX_INSTRUCTIONS
         self._depth = 0
+        self._steps = InstructionSteps(self)
         self.printed: list[Printed] = []
 
     def evaluate(self, expression: Program, name: str, arguments: Sequence[int | bytes]) -> Any:
@@ -141,7 +131,7 @@ class Interpreter:
         Args:
             expression: the expression's program.
             name: its function.
-            arguments: i32 arguments; bytes are passed by address.
+            arguments: what its registers hold at first; bytes are passed by address.
 
         Returns:
             Its value, or None. Scratch memory that it points to is valid
@@ -162,9 +152,20 @@ class Interpreter:
             self._addresses[data.name] = self._scratch.allocate(data.size)
         for data in expression.data.values():
             self._fill(data)
-        own = expression.functions[name]
-        passed = [self._kept(each) if isinstance(each, bytes) else each for each in arguments]
-        return self._call(own, [("i32", signed(each, 32), 4) for each in passed])
+        own, frame = expression.functions[name], CallFrame()
+        for parameter, each in zip(own.parameters, arguments, strict=True):
+            assert isinstance(parameter.place, ir.Register)
+            address = self._kept(each) if isinstance(each, bytes) else each
+            frame.values[parameter.place] = signed(address, 32)
+        for slot in own.slots:
+            frame.slots[slot] = self._scratch.allocate(max(1, slot.size))
+        self._depth = 1
+        try:
+            return self._run(own, frame)
+        except ArithmeticError as wrong:
+            raise EvaluationError(str(wrong)) from None
+        finally:
+            self._depth = 0
 
     def scratch(self, address: int, size: int) -> bytes:
         """Return bytes of the scratch memory or of unused objects, fewer at their ends."""
@@ -191,12 +192,12 @@ class Interpreter:
 
     def _fill(self, data: Data) -> None:
         address = self._addresses[data.name]
-        self._write(address, (data.content or b"").ljust(data.size, b"\0"))
+        self.write(address, (data.content or b"").ljust(data.size, b"\0"))
         for relocation in data.relocations:
-            value = unsigned(self._known(relocation.symbol) + relocation.addend, 32)
-            self._write(address + relocation.offset, value.to_bytes(4, "little"))
+            value = unsigned(self.known(relocation.symbol) + relocation.addend, 32)
+            self.write(address + relocation.offset, value.to_bytes(4, "little"))
 
-    def _known(self, name: str) -> int:
+    def known(self, name: str) -> int:
         """Return the address of an object or function."""
         if name not in self._addresses and name not in self._program.functions:
             found = self._lend(name)
@@ -210,13 +211,14 @@ class Interpreter:
 
     # -- memory ------------------------------------------------------------------------------
 
-    def _read(self, address: int, size: int, *, judged: bool = True) -> bytes:
-        address = unsigned(address, 32)
+    def read(self, address: int, size: int, *, judged: bool = True) -> bytes:
+        """Return bytes; they must be initialised if `judged`."""
         if address < SCRATCH:
             return self._memory.read(address, size, judged=judged)
         return self.read_scratch(address, size)
 
-    def _write(self, address: int, content: bytes, states: bytes = b"") -> None:
+    def write(self, address: int, content: bytes, states: bytes = b"") -> None:
+        """Write bytes; they become initialised unless `states` says otherwise."""
         address = unsigned(address, 32)
         if address < SCRATCH:
             self._memory.write(address, content, states)
@@ -225,23 +227,17 @@ class Interpreter:
         else:
             (self._lent if address in self._lent else self._scratch).write(address, content)
 
-    def _load(self, address: int, memory: MemoryType, *, judged: bool = True) -> Any:
-        form = _FORMAT[memory]
-        return struct.unpack(form, self._read(address, MEMORY_SIZE[memory], judged=judged))[0]
+    def states(self, address: int, size: int) -> bytes:
+        """Return the `ByteState`s of bytes of the program."""
+        return self._memory.states(address, size)
 
-    def _copy(self, target: int, source: int, size: int) -> None:
-        """Copy bytes with their states."""
-        content, source = self._read(source, size, judged=False), unsigned(source, 32)
-        states = self._memory.states(source, size) if source < SCRATCH else b""
-        self._write(target, content, states)
+    def state(self, address: int) -> int:
+        """Return the `ByteState` of a byte of the program."""
+        return self._memory.state(address)
 
-    def _store(self, address: int, memory: MemoryType, value: Any) -> None:
-        form = _FORMAT[memory]
-        if memory in _STORED:
-            content = unsigned(int(value), _STORED[memory]).to_bytes(_STORED[memory] // 8, "little")
-        else:
-            content = struct.pack(form, value)
-        self._write(address, content)
+    def mark(self, address: int, size: int, state: int) -> None:
+        """Set the `ByteState`s of bytes of the program."""
+        self._memory.mark(address, size, state)
 
     # -- calls -------------------------------------------------------------------------------
 
@@ -249,7 +245,7 @@ class Interpreter:
         self._depth += 1
         if self._depth > MAX_CALLS:
             raise EvaluationError("too many nested calls")
-        mark, frame, trusting = self._scratch.mark(), _CallFrame(), self._memory.trusting
+        mark, frame, trusting = self._scratch.mark(), CallFrame(), self._memory.trusting
         try:
             self._enter(function, frame, arguments)
             self._memory.trusting = function.trusted
@@ -257,13 +253,12 @@ class Interpreter:
         finally:
             self._depth -= 1
             self._memory.trusting = trusting
-            if self._depth:
-                self._scratch.release(mark)
+            self._scratch.release(mark)
 
     def _enter(
         self,
         function: Function,
-        frame: _CallFrame,
+        frame: CallFrame,
         arguments: list[tuple[MemoryType | None, Any, int]],
     ) -> None:
         """Lay out arguments, as a caller does, and slots."""
@@ -272,38 +267,37 @@ class Interpreter:
         at = start = self._scratch.allocate(max(sum(sizes), wanted))
         for (memory, value, size), room in zip(arguments, sizes, strict=True):
             if memory is None:
-                self._write(at, self._read(value, size, judged=False))
+                self.write(at, self.read(unsigned(value, 32), size, judged=False))
             else:
-                self._store(at, memory, value)
+                store(self, at, memory, value)
             at += room
         at = start
         for parameter in function.parameters:
             if isinstance(parameter.place, ir.Slot):
                 frame.slots[parameter.place] = at
             elif parameter.memory is not None:
-                frame.values[parameter.place] = self._load(at, parameter.memory)
+                frame.values[parameter.place] = loaded(self, at, parameter.memory)
             at += -(-parameter.size // 4) * 4
         frame.more = at
         for slot in function.slots:
             frame.slots[slot] = self._scratch.allocate(max(1, slot.size))
 
-    def _run(self, function: Function, frame: _CallFrame) -> Any:
+    def _run(self, function: Function, frame: CallFrame) -> Any:
         block = function.blocks[0]
         while True:
-            for instruction in block.instructions:
-                self._spend()
-                self._execute(frame, instruction)
-            self._spend()
+            self._spend(len(block.instructions) + 1)
+            for step in self._steps.of(block):
+                step(frame)
             end = block.terminator
             if isinstance(end, ir.Return):
-                return None if end.value is None else self._value(frame, end.value)
+                return None if end.value is None else operand_value(frame, end.value)
             block = self._next(frame, end)
 
     def _request(self, code: int, address: int) -> int:
         """Answer a request to print; refuse others, which are to the simulated world."""
         if code != CODES["WRITE"]:
             raise EvaluationError("the expression calls a function that needs the simulated world")
-        content = self._read(address, MESSAGE.itemsize, judged=False)
+        content = self.read(unsigned(address, 32), MESSAGE.itemsize, judged=False)
         message = np.frombuffer(content, MESSAGE)[0]
         stream, size = int(message["i"][0]), int(message["size"])
         if stream not in STREAMS or not 0 <= size <= DATA_SIZE:
@@ -311,26 +305,26 @@ class Interpreter:
         self.printed.append((stream, message["data"][:size].tobytes()))
         return size
 
-    def _spend(self) -> None:
-        self._left -= 1
+    def _spend(self, instructions: int) -> None:
+        self._left -= instructions
         if self._left < 0:
             raise EvaluationError(f"evaluation exceeds {MAX_INSTRUCTIONS:,} instructions")
 
-    def _next(self, frame: _CallFrame, end: Any) -> ir.Block:
+    def _next(self, frame: CallFrame, end: Any) -> ir.Block:
         match end:
             case ir.Jump(target=target):
                 return target
             case ir.Branch():
-                return end.then if self._value(frame, end.condition) else end.otherwise
+                return end.then if operand_value(frame, end.condition) else end.otherwise
             case ir.Switch():
-                return dict(end.cases).get(self._value(frame, end.value), end.default)
+                return dict(end.cases).get(operand_value(frame, end.value), end.default)
             case ir.Call():
                 result = self._call_by(frame, end)
                 if end.result is not None:
                     frame.values[end.result] = result
                 return end.then
             case ir.Request():
-                code, message = self._value(frame, end.code), self._value(frame, end.message)
+                code, message = operand_value(frame, end.code), operand_value(frame, end.message)
                 frame.values[end.result] = self._request(code, message)
                 return end.then
             case ir.SetJump() | ir.LongJump():
@@ -339,10 +333,10 @@ class Interpreter:
                 raise EvaluationError(kind)
         raise AssertionError(end)
 
-    def _call_by(self, frame: _CallFrame, call: ir.Call) -> Any:
+    def _call_by(self, frame: CallFrame, call: ir.Call) -> Any:
         name = call.callee
         if isinstance(name, ir.Register):
-            pointer = self._value(frame, name)
+            pointer = operand_value(frame, name)
             if pointer not in self._functions:
                 raise EvaluationError(f"{unsigned(pointer, 32):#x} is not a function's address")
             name = self._functions[pointer]
@@ -350,99 +344,13 @@ class Interpreter:
         if not isinstance(function, Function) or self._is_missing(function):
             raise EvaluationError(f"the program has no function '{plain_name(name)}'")
         arguments = [
-            (each.memory, self._value(frame, each.value), each.size) for each in call.arguments
+            (each.memory, operand_value(frame, each.value), each.size) for each in call.arguments
         ]
         return self._call(function, arguments)
 
     def _is_missing(self, function: Function) -> bool:
         """Return whether a function works on a heap that the program lacks."""
         return function.trusted and function.name not in self._program.functions
-
-    # -- instructions ------------------------------------------------------------------------
-
-    def _value(self, frame: _CallFrame, operand: ir.Operand) -> Any:
-        if isinstance(operand, ir.Constant):
-            return operand.value
-        return frame.values.get(operand, 0)
-
-    def _address(self, frame: _CallFrame, base: ir.Base, offset: int) -> int:
-        match base:
-            case ir.Register():
-                start = self._value(frame, base)
-            case ir.Slot():
-                start = frame.more if base is ir.VARARGS else frame.slots[base]
-            case _:
-                start = self._known(base)
-        return unsigned(start + offset, 32)
-
-    def _execute(self, frame: _CallFrame, it: ir.Instruction) -> None:
-        match it:
-            case ir.Move():
-                frame.values[it.result] = self._value(frame, it.source)
-            case ir.Unary():
-                frame.values[it.result] = self._compute(it.op, self._value(frame, it.source))
-            case ir.Binary():
-                operands = self._value(frame, it.left), self._value(frame, it.right)
-                frame.values[it.result] = self._compute(it.op, *operands)
-            case ir.Address():
-                address = self._address(frame, it.base, it.offset)
-                frame.values[it.result] = compute("i32.add", address, 0)
-            case ir.State():
-                address = unsigned(self._value(frame, it.address), 32)
-                is_own = address >= SCRATCH
-                state = ir.ByteState.WITH_VALUE if is_own else self._memory.state(address)
-                frame.values[it.result] = int(state)
-            case _:
-                self._access(frame, it)
-
-    def _access(self, frame: _CallFrame, it: ir.Instruction) -> None:
-        match it:
-            case ir.Load():
-                address = self._address(frame, it.base, it.offset)
-                judged = not it.unjudged
-                frame.values[it.result] = self._load(address, it.memory, judged=judged)
-            case ir.Store():
-                address = self._address(frame, it.base, it.offset)
-                self._store(address, it.memory, self._value(frame, it.source))
-            case ir.Copy():
-                size = unsigned(self._value(frame, it.size), 32)
-                if size:
-                    self._copy(self._value(frame, it.target), self._value(frame, it.source), size)
-            case ir.Fill():
-                size = unsigned(self._value(frame, it.size), 32)
-                if size > SCRATCH_BYTES:
-                    raise EvaluationError("the expression needs too much memory")
-                byte = unsigned(self._value(frame, it.value), 8)
-                self._write(self._value(frame, it.target), bytes([byte]) * size)
-            case ir.Mark():
-                address, size = (
-                    unsigned(self._value(frame, each), 32) for each in (it.target, it.size)
-                )
-                self._memory.mark(address, size, it.state)
-            case ir.MarkUnset():
-                address, size = (
-                    unsigned(self._value(frame, each), 32) for each in (it.target, it.size)
-                )
-                self._memory.mark(address, size, ir.ByteState.WITHOUT_VALUE)
-            case _:
-                without_effect = (
-                    ir.Statement
-                    | ir.Lifetime
-                    | ir.Seal
-                    | ir.Callers
-                    | ir.Bounds
-                    | ir.SameObject
-                    | ir.Passed
-                )
-                assert isinstance(it, without_effect), it
-
-    def _compute(self, op: str, *operands: float) -> Any:
-        if ".trunc_f" in op:  # C's conversions saturate to the lowest value here, see `selection`
-            return _truncated(op, operands[0])
-        try:
-            return compute(op, *operands)
-        except ArithmeticError as wrong:
-            raise EvaluationError(str(wrong)) from None
 
 
 def check_address(ctype: CType, result: float) -> None:
@@ -463,17 +371,3 @@ def result_bytes(ctype: CType, result: Any) -> bytes:
     if isinstance(ctype, FloatType):
         return struct.pack("<f" if ctype.size == 4 else "<d", result)
     return unsigned(int(result), 8 * ctype.size).to_bytes(ctype.size, "little")
-
-
-def _truncated(op: str, value: float) -> int:
-    """Convert to an integer as `runtime.codegen.selection` does: i386 with SSE2."""
-    kind, _, name = op.partition(".")
-    source, bits = name[6:9], 32 if kind == "i32" else 64
-    if name.endswith("_s"):
-        low = -(1 << bits - 1)
-        return int(compute(f"{kind}.trunc_sat_{source}_s", value)) if value < -low else low
-    if kind == "i32":
-        wide = compute(f"i64.trunc_sat_{source}_s", value)
-        return int(compute("i32.wrap_i64", wide))
-    sign = "s" if value < 1 << 63 else "u"
-    return int(compute(f"i64.trunc_sat_{source}_{sign}", value))

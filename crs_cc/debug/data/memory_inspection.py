@@ -11,7 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Final
 
-from crs_cc.debug.data.interpret import SCRATCH
+from crs_cc.debug.data.instruction_steps import SCRATCH
 from crs_cc.debug.data.memory import SavedRegister
 from crs_cc.debug.data.scope import FrameAddresses, frame_storage, is_own
 from crs_cc.debug.data.values import GONE, Value

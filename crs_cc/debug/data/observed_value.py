@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-from crs_cc.debug.data.interpret import SCRATCH, Interpreter, result_bytes
+from crs_cc.debug.data.instruction_steps import SCRATCH
+from crs_cc.debug.data.interpret import Interpreter, result_bytes
 from crs_cc.debug.data.memory import StoppedMemory
 from crs_cc.debug.data.observation import Observation
 from crs_cc.debug.data.operators import unsigned

@@ -12,6 +12,7 @@ ZeroDivisionError: division by zero
 
 from __future__ import annotations
 
+import functools
 import math
 import operator
 import struct
@@ -28,13 +29,21 @@ def compute(op: str, *operands: float) -> Any:
     Raises:
         ArithmeticError: division by zero, or a quotient that does not fit.
     """
+    return operation(op)(*operands)
+
+
+@functools.cache
+def operation(op: str) -> Callable[..., Any]:
+    """Return the function of an operator; it raises what `compute` does."""
     kind, _, name = op.partition(".")
     if "_f" in name or "_i" in name:
-        return _convert(kind, name, operands[0])
+        return functools.partial(_convert, kind, name)
     if kind in _BITS:
-        return _integer(_BITS[kind], name, *map(int, operands))
-    result = _FLOAT[name](*operands)
-    return int(result) if isinstance(result, bool) else _rounded(kind, result)
+        return _integer_operation(_BITS[kind], name)
+    work = _FLOAT[name]
+    if name in _COMPARISONS:
+        return lambda left, right: int(work(left, right))
+    return lambda *operands: _rounded(kind, work(*operands))
 
 
 def signed(value: int, bits: int) -> int:
@@ -46,6 +55,30 @@ def signed(value: int, bits: int) -> int:
 def unsigned(value: int, bits: int) -> int:
     """Return the low bits of a number, as an unsigned number."""
     return value & (1 << bits) - 1
+
+
+def _integer_operation(bits: int, name: str) -> Callable[..., int]:
+    """Return the function of an operator; the frequent ones by themselves, as they are quicker."""
+    stem, _, mode = name.rpartition("_")
+    whole, half = 1 << bits, 1 << bits - 1
+    mask = whole - 1
+    if name in _COMPARISONS or (stem in _COMPARISONS and mode == "s"):
+        compares = _EITHER[name if name in _COMPARISONS else stem]
+        return lambda left, right: int(compares(left, right))
+    if stem in _COMPARISONS:
+        compares = _EITHER[stem]
+        return lambda left, right: int(compares(left & mask, right & mask))
+    if name == "eqz":
+        return lambda value: int(not value)
+    if name in _WRAPPING:
+        work = _INTEGER[name]
+
+        def wrapping(left: int, right: int) -> int:
+            result: int = work(left, right) & mask
+            return result - whole if result & half else result
+
+        return wrapping
+    return functools.partial(_integer, bits, name)
 
 
 def _integer(bits: int, name: str, *operands: int) -> int:
@@ -161,12 +194,13 @@ _COUNTS: Final[dict[str, Callable[[int, int], int]]] = {
     "clz": lambda value, bits: bits - value.bit_length(),
     "ctz": lambda value, bits: (value & -value).bit_length() - 1 if value else bits,
     "popcnt": lambda value, _bits: value.bit_count(),
-    "eqz": lambda value, _bits: int(value == 0),
 }
 _EITHER: Final[dict[str, Callable[..., Any]]] = {
     name: getattr(operator, name)
     for name in ("add", "sub", "mul", "eq", "ne", "lt", "gt", "le", "ge")
 }
+_COMPARISONS: Final = frozenset({"eq", "ne", "lt", "gt", "le", "ge"})
+_WRAPPING: Final = frozenset({"add", "sub", "mul", "and", "or", "xor"})
 _INTEGER: Final[dict[str, Callable[..., Any]]] = {
     **_EITHER,
     "div": _quotient,

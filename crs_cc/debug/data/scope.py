@@ -7,7 +7,8 @@ address.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+import struct
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, Literal
 
@@ -34,6 +35,8 @@ from crs_cc.session.library import HEADERS
 
 _SYSTEM: Final = f"{HEADERS}/"
 """What the library's headers declare has its place there."""
+
+_WORD: Final = struct.Struct("<I")
 
 VariableKind = Literal["parameter", "local", "static", "global"]
 
@@ -183,7 +186,7 @@ class FrameAddresses:
         if active is None:
             return cls(0, Location(""))
         info = stopped.compiled.info(active.function)
-        landing = int(stopped.memory[active.fp + RESUME :][:4].view("<u4")[0])
+        landing = _WORD.unpack_from(stopped.memory.data, active.fp + RESUME)[0]
         stands_there = info.landings.get(landing) == active.location  # or else it has failed
         unset = info.unset.get(landing, frozenset()) if stands_there else frozenset()
         if not stopped.saved and active is stopped.stack[0]:  # their values are unknown
@@ -217,12 +220,14 @@ class FrameAddresses:
         is_unset = storage.register in self.unset or is_later
         return SavedRegister(variable.name, variable.ctype, self.address(storage), flag, is_unset)
 
-    def sizes(self, extents: Iterable[Storage], memory: ByteArray) -> dict[Location, int]:
+    def sizes(self, extents: Sequence[Storage], memory: ByteArray) -> dict[Location, int]:
         """Return the sizes of types that only the running program knows, by their lengths' places.
 
         Two at one location, which come from one macro, cannot be distinguished.
         """
         found: dict[Location, int] = {}
+        if not extents:
+            return found
         twice: set[Location] = set()
         for storage in extents:
             place, saved = storage.variable.location, self.saved(storage)

@@ -54,20 +54,20 @@ class Talking(Interpreter):
     def __init__(self, executable: Executable) -> None:
         self.fleet = Fleet([executable])
         self.output = b""
-        self.host = Host([["case"]], self.write, lambda *_: b"")
+        self.host = Host([["case"]], self.say, lambda *_: b"")
         memory = Bytes(self.fleet)
         super().__init__(executable.program, executable.detail().compiled.addresses, memory)
 
     def _request(self, code: int, message: int) -> int:
         """Answer as a host does; robots there are none."""
-        row = np.frombuffer(bytearray(self._read(message, MESSAGE.itemsize)), MESSAGE)
+        row = np.frombuffer(bytearray(self.read(message & 0xFFFF_FFFF, MESSAGE.itemsize)), MESSAGE)
         self.host.serve(code, HostRequest(0, row[0]))
         if self.host.exit_status[0] is not None:
             raise EndError
-        self._write(message, row.tobytes())
+        self.write(message, row.tobytes())
         return int(row["result"][0])
 
-    def write(self, _robot: int, stream: int, content: bytes) -> None:
+    def say(self, _robot: int, stream: int, content: bytes) -> None:
         """Take what the program prints."""
         if stream == 1:
             self.output += content
