@@ -116,6 +116,19 @@ class Breakpoints:
         places = [each.place for each in self._all.values() if each.concerns(robot)]
         return frozenset().union(*(each.statements.get(robot, ()) for each in places if each))
 
+    def may_stop(self, robot: int) -> bool:
+        """Return whether any of them may be hit by what a robot's program does."""
+        return any(
+            each.concerns(robot)
+            and (
+                each.kind == "catchpoint"
+                or each.watch is not None
+                or (each.place is not None and bool(each.place.codes))
+                or (each.place is not None and bool(each.place.statements.get(robot)))
+            )
+            for each in self._all.values()
+        )
+
     def conditions(self, robot: int) -> dict[int, tuple[str, ...]]:
         """Return the conditions of statements with breakpoints that all have conditions."""
         found: dict[int, list[str]] = {}

@@ -75,7 +75,7 @@ def writes_back(run: RecordedRun, wanted: MemoryObject, before: Position) -> Ite
     for begin in run.history.back_from(before):
         found: list[Write] = []
         run.arm(StopRequest(watched={wanted.robot: [wanted.watched]}, at_once=True))
-        for event in run.replay(begin, limit):
+        for event in run.replay(begin, limit, robots=[wanted.robot]):
             hits = (each for each in event.accesses if each.access.what == "write")
             found += [Write(each.before, each.access) for each in hits if each.before < before]
         if edit is not None and edit.before >= begin:

@@ -8,7 +8,7 @@ stop at the same positions.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -236,9 +236,10 @@ class Navigator:
         if not any(each.enabled for each in self._breakpoints) and not run.any_failed():
             run.seek(BEGINNING)
             return self.stop("beginning")
+        robots = self._concerned()
         try:
             for position in run.history.back_from(start):
-                found = self._last(position, limit, start)
+                found = self._last(position, limit, start, robots)
                 if found is not None:
                     return self._to(found)
                 limit = position
@@ -248,16 +249,33 @@ class Navigator:
         run.seek(BEGINNING)
         return self.stop("beginning")
 
-    def _last(self, begin: Position, limit: Position, start: Position) -> _StopCandidate | None:
+    def _concerned(self) -> list[int]:
+        """Return the robots whose programs may have given a reason to stop before now.
+
+        To stay stopped by an error is a state, so a program that is not in it has not failed.
+        """
+        run = self._run
+        robots = range(len(run.programs))
+        return [each for each in robots if self._breakpoints.may_stop(each) or run.has_failed(each)]
+
+    def _last(
+        self, begin: Position, limit: Position, start: Position, robots: Sequence[int]
+    ) -> _StopCandidate | None:
         """Return the last reason to stop between two positions, but before `start`.
 
         Others may be passed on the way to it, of robots that ran before it in the same round: they
         are reported with it.
+
+        Args:
+            begin: the start.
+            limit: the end.
+            start: where the search began.
+            robots: those whose programs may have given a reason.
         """
         run, found = self._run, list[_StopCandidate]()
         self._arm(replace(self._marks(None), at_once=True))
         needs_world = self._breakpoints.need_world(run.session.environment.names)
-        for event in run.replay(begin, limit, needs_world=needs_world):
+        for event in run.replay(begin, limit, needs_world=needs_world, robots=robots):
             for each in (self._met(event), *self._touched(event)):
                 if each is not None and each.target < start:
                     found = [*(one for one in found if one.may_count_with(each)), each]
@@ -343,7 +361,8 @@ class Navigator:
         """Return the requested points of a program at which fewer than `end` sites were passed."""
         run, spots = self._run, []
         run.arm(request)
-        for event in run.replay(self._snapshot(robot, request.since[robot], limit), limit):
+        begin = self._snapshot(robot, request.since[robot], limit)
+        for event in run.replay(begin, limit, robots=[robot]):
             if run.statements_begun(robot) >= end:
                 break
             program_point = self.program_point(robot) if event.kind == "statement" else None

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import fields
 from itertools import takewhile
 from typing import TYPE_CHECKING, Any, Final
@@ -273,13 +273,15 @@ class SessionState:
         self.timesteps = snapshot.timesteps
         self.rounds, self.halted = snapshot.rounds, snapshot.halted
 
-    def recall(self, snapshot: SessionSnapshot) -> None:
-        """Restore the programs of a snapshot and their clocks, but not the world.
+    def recall(self, snapshot: SessionSnapshot, robots: Iterable[int]) -> None:
+        """Restore programs of a snapshot and their clocks, but not the world.
 
-        That is enough for programs to run again, if they are given what they were given.
+        That is enough for programs to run again, if they are given what they were given. Those of
+        other robots stay where they are, and do not run.
         """
-        for robot, program in enumerate(snapshot.programs):
-            self.fleet.restore(robot, program)
+        self.fleet.slots["run"] = 0
+        for robot in robots:
+            self.fleet.restore(robot, snapshot.programs[robot])
         for name, saved in zip(_INITIAL, snapshot.arrays, strict=True):
             getattr(self, name)[: len(saved)] = saved
         self.timesteps = snapshot.timesteps

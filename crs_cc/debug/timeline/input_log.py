@@ -16,7 +16,7 @@ from typing import Final, Self
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Int64Array
+from crs_cc.core.arrays import BoolArray, ByteArray, FloatArray, IndexArray, Int64Array, Records
 from crs_cc.debug.timeline.packed_rounds import PackedRounds, RoundBlock
 from crs_cc.debug.timeline.position import Position
 from crs_cc.requests import MESSAGE
@@ -26,6 +26,8 @@ MAX_BYTES: Final = 128 * 2**20
 """Memory for what is noted [bytes]; chosen by us: days of a robot, over a minute of a hundred."""
 
 _UNKNOWN: Final = -1
+_FEW: Final = 8
+"""Messages of a part of the programs as small as this are unpacked one by one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,22 +72,61 @@ class RoundInput:
         """Return the robots whose programs ran, rising."""
         return np.frombuffer(self.content, np.int64, self.count, 8)
 
-    def give(self, fleet: Fleet, clock_s: FloatArray, pending: Int64Array) -> None:
-        """Feed it to the programs again, and set their clocks [s] and fuel."""
+    def give(
+        self, fleet: Fleet, clock_s: FloatArray, pending: Int64Array, chosen: BoolArray | None
+    ) -> IndexArray:
+        """Feed it to programs again, and set their clocks [s] and fuel.
+
+        Args:
+            fleet: the programs.
+            clock_s: by robot, the clock of its program [s].
+            pending: by robot, its fuel; 0 for those that do not run.
+            chosen: by robot, whether its program is to run again; None for all.
+
+        Returns:
+            The robots whose programs run.
+        """
         robots, size = self.robots, 8 * self.count
-        fuel = np.frombuffer(self.content, np.int64, self.count, 8 + size)
+        which = np.ones(self.count, np.bool_) if chosen is None else chosen[robots]
+        given = robots[which]
+        pending[:] = 0
+        if not given.size:
+            return given
+        fuel = np.frombuffer(self.content, np.int64, self.count, 8 + size)[which]
+        fleet.slots["run"][given] = 1
+        fleet.slots["fuel"][given] = fuel
+        is_few = chosen is not None and _FEW * given.size < self.count
+        fleet.reply(given, self._messages_of(which) if is_few else self._messages()[which])
+        clocks_s = np.frombuffer(self.content, np.float64, self.count, 8 + 2 * size)
+        clock_s[given] = clocks_s[which]
+        pending[given] = fuel
+        return given
+
+    def _messages(self) -> Records:
+        """Return the messages that the programs found."""
         messages = np.zeros(self.count, MESSAGE)
         room = messages.view(np.uint8)
-        first = 8 + 3 * size
-        places = np.frombuffer(self.content, np.uint8, -(-len(room) // 8), first)
-        kept = np.frombuffer(self.content, np.uint8, offset=first + len(places))
+        places, kept = self._packed()
         room[np.unpackbits(places, count=len(room)).view(np.bool_)] = kept
-        fleet.slots["run"][robots] = 1
-        fleet.slots["fuel"][robots] = fuel
-        fleet.reply(robots, messages)
-        clock_s[robots] = np.frombuffer(self.content, np.float64, self.count, 8 + 2 * size)
-        pending[:] = 0
-        pending[robots] = fuel
+        return messages
+
+    def _messages_of(self, which: BoolArray) -> Records:
+        """Return the messages of some programs, which are not looked for among all bytes."""
+        places, kept = self._packed()
+        rows = places.reshape(self.count, -1)
+        ends = np.bitwise_count(rows).sum(1, np.int64).cumsum()
+        messages = np.zeros(np.count_nonzero(which), MESSAGE)
+        room = messages.view(np.uint8).reshape(len(messages), -1)
+        for row, number in zip(room, which.nonzero()[0].tolist(), strict=True):
+            first = ends[number - 1] if number else 0
+            row[np.unpackbits(rows[number]).view(np.bool_)] = kept[first : ends[number]]
+        return messages
+
+    def _packed(self) -> tuple[ByteArray, ByteArray]:
+        """Return the bits of all messages for bytes that are not zero, and these bytes."""
+        first, size = 8 + 24 * self.count, self.count * MESSAGE.itemsize // 8
+        places = np.frombuffer(self.content, np.uint8, size, first)
+        return places, np.frombuffer(self.content, np.uint8, offset=first + size)
 
 
 class InputLog:

@@ -11,25 +11,25 @@ there; the history keeps it, and running through that position restores it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.timeline.change import Change, MemoryPatch, write
 from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.debug.timeline.history import History, RunSnapshot
 from crs_cc.debug.timeline.input_log import InputLog
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.debug.timeline.run_event import RunEvent, StopRequest, WatchHit, posted_requests
+from crs_cc.debug.timeline.program_replay import ProgramReplay
+from crs_cc.debug.timeline.run_event import PostedRequests, RunEvent, StopRequest, WatchHit
 from crs_cc.debug.uploads import Uploads
 from crs_cc.debug.watch import WatchSet
 from crs_cc.debug.world.event_history import EventHistory
 from crs_cc.debug.world_watch import WorldWatchSet
-from crs_cc.requests import CODES, FAILED, SUSPENDED
+from crs_cc.requests import FAILED
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.sites import StatementSite
@@ -108,6 +108,7 @@ class RecordedRun:
             trace=self,
             **options,
         )
+        self._replay = ProgramReplay(self.session)
         fleet = self.session.fleet
         self._watches = [WatchSet(fleet, robot, self._watching) for robot in range(len(programs))]
         self._watching_builds: dict[int, Executable] = {}
@@ -234,7 +235,12 @@ class RecordedRun:
         return event
 
     def replay(
-        self, begin: Position, limit: Position, *, needs_world: bool = False
+        self,
+        begin: Position,
+        limit: Position,
+        *,
+        needs_world: bool = False,
+        robots: Iterable[int] | None = None,
     ) -> Iterator[RunEvent]:
         """Replay a part of the past up to a position.
 
@@ -245,6 +251,7 @@ class RecordedRun:
             begin: the start, at a snapshot.
             limit: the end; programs may run a little further.
             needs_world: whether the steps of the world are needed, too.
+            robots: those whose programs matter; others run only where they must. None for all.
 
         Raises:
             InterruptedRunError: the user interrupts.
@@ -261,7 +268,7 @@ class RecordedRun:
             self.is_off_timeline = True
             return
         self.is_off_timeline = True
-        self._recall(begin)
+        self._recall(begin, robots)
         while self.position < limit:
             self._answer_interrupt()
             event = self._again(limit)
@@ -269,10 +276,10 @@ class RecordedRun:
                 return
             yield event
 
-    def _recall(self, begin: Position) -> None:
-        """Restore only the programs from a snapshot."""
+    def _recall(self, begin: Position, robots: Iterable[int] | None) -> None:
+        """Restore only programs from a snapshot."""
         self._stopped.clear()
-        self.session.state.recall(self.history.at(begin).session)
+        self._replay.recall(self.history.at(begin).session, robots)
         self._marks.enter(self.session.fleet.slots)
         self._look_anew()
 
@@ -286,7 +293,9 @@ class RecordedRun:
                 session.state.timesteps, session.state.rounds = place.timestep + 1, 0
                 return RunEvent("timestep", ended=self.input_log.ended_in(place.timestep))
             assert round_ is not None
-            round_.give(session.fleet, session.state.clock_s, session.state.pending)
+            if not self._replay.begin(round_):
+                session.state.rounds += 1
+                return RunEvent("round")
             self._note_begun()
         session.run_programs()
         if self._has_passed(limit) and self.position != limit:
@@ -295,14 +304,7 @@ class RecordedRun:
             return self._with_accesses(_STATEMENT)
         session.state.rounds += 1
         assert round_ is not None
-        return self._with_accesses(self._answered(round_.robots))
-
-    def _answered(self, robots: IndexArray) -> RunEvent:
-        """Return the event of a round in which only the programs have run."""
-        slots = self.session.fleet.slots
-        codes = slots["code"][robots]
-        over = (slots["status"][robots] != SUSPENDED) | (codes == CODES["EXIT"])
-        return RunEvent("round", posted_requests(robots, codes), tuple(robots[over].tolist()))
+        return self._with_accesses(self._replay.end(round_))
 
     def _answer_interrupt(self) -> None:
         if self.interrupted:
@@ -355,7 +357,7 @@ class RecordedRun:
         session = self.session
         slots = session.fleet.slots
         ran = np.flatnonzero(session.state.pending)
-        posted = posted_requests(ran, slots["code"][ran])
+        posted = PostedRequests(ran, slots["code"][ran])
         session.end_round()
         ended = ran[~session.state.alive[ran]]
         return RunEvent("round", posted, tuple(ended.tolist()))

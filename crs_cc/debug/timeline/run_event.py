@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -63,6 +63,27 @@ class WatchHit:
     before: Position
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class PostedRequests:
+    """The requests that programs have posted in a round; few ask for them.
+
+    >>> import numpy as np
+    >>> list(PostedRequests(np.array([2, 5, 7]), np.array([4, 0, 9], np.int32)))
+    [(2, 4), (7, 9)]
+
+    Attributes:
+        robots: the robots that have run, ascending.
+        codes: what each has posted; 0 for nothing.
+    """
+
+    robots: IndexArray
+    codes: Int32Array
+
+    def __iter__(self) -> Iterator[tuple[int, int]]:
+        pairs = zip(self.robots.tolist(), self.codes.tolist(), strict=True)
+        return ((robot, code) for robot, code in pairs if code)
+
+
 @dataclass(frozen=True, slots=True)
 class RunEvent:
     """The event to which a run has advanced.
@@ -79,15 +100,8 @@ class RunEvent:
     """
 
     kind: Literal["statement", "round", "timestep", "limit", "edit"]
-    posted: tuple[tuple[int, int], ...] = ()
+    posted: Iterable[tuple[int, int]] = ()
     ended: tuple[int, ...] = ()
     step: Step | None = None
     over: bool = False
     accesses: tuple[WatchHit, ...] = ()
-
-
-def posted_requests(robots: IndexArray, codes: Int32Array) -> tuple[tuple[int, int], ...]:
-    """Return robots with the codes of the requests that they have posted."""
-    return tuple(
-        (robot, code) for robot, code in zip(robots.tolist(), codes.tolist(), strict=True) if code
-    )

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from crs_cc.debug.engine import Debugger
-from crs_cc.debug.timeline.input_log import InputLog
+from crs_cc.debug.timeline.input_log import InputLog, RoundInput
 from crs_cc.debug.timeline.position import Position
+from crs_cc.requests import MESSAGE
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.testing import counting_program
 from tests.debug.debuggers import ROOT, debugger_at
@@ -66,8 +68,27 @@ def test_rounds_are_given_as_they_were_noted_wherever_they_are() -> None:
         found = input_log.round_at(Position(timestep, 0))
         assert found is not None
         clock_s, pending = np.array([0.0, 5.0]), np.array([0, 7])
-        found.give(fleet, clock_s, pending)
+        found.give(fleet, clock_s, pending, None)
         assert found.robots.tolist() == [0]
         assert clock_s.tolist() == [0.1 * timestep, 5.0]
         assert pending.tolist() == [10 + timestep, 0]
         assert fleet.slots["fuel"][0] == 10 + timestep
+
+
+@pytest.mark.parametrize("chosen", [[], [5], [0, 19], list(range(0, 20, 3)), list(range(20))])
+def test_a_part_of_the_programs_is_given_what_it_had(chosen: list[int]) -> None:
+    random, fleet = np.random.default_rng(3), Fleet([counting_program()] * 20)
+    robots = np.array([0, 1, 2, 5, 6, 9, 12, 18, 19])
+    given = random.integers(-2, 3, (len(robots), MESSAGE.itemsize)).clip(0).astype(np.uint8)
+    fleet.reply(robots, given.view(MESSAGE).reshape(-1))
+    pending, clock_s = np.zeros(20, np.int64), random.random(20)
+    pending[robots] = random.integers(1, 99, len(robots))
+    round_ = RoundInput.of(pending, clock_s, fleet)
+    which, again_s, fuel = np.isin(np.arange(20), chosen), np.zeros(20), np.full(20, 7)
+    other = Fleet([counting_program()] * 20)
+    ran = round_.give(other, again_s, fuel, which)
+    assert ran.tolist() == [each for each in robots.tolist() if each in chosen]
+    assert other.messages(ran).tobytes() == fleet.messages(ran).tobytes()
+    assert fuel.tolist() == np.where(which, pending, 0).tolist()
+    assert again_s[ran].tolist() == clock_s[ran].tolist()
+    assert other.slots["run"].nonzero()[0].tolist() == ran.tolist()
