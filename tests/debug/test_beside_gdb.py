@@ -30,7 +30,13 @@ SESSIONS: Final = [
     if not line.startswith("#")
 ]
 
-SHOWS: Final = re.compile(r"(print|call|whatis)\b")
+SHOWS: Final = re.compile(r"(print|call|whatis|info (locals|args))\b")
+LISTED: Final = {
+    "list": re.compile(r"^[=>* ]*(\d+)(?=\s|$)", re.MULTILINE),
+    "info line": re.compile(r"\A(?:Line |.*:)(\d+)\b"),
+}
+"""The numbers of the lines that a command shows."""
+
 MOVES: Final = re.compile(r"(run|continue|next|step|finish|until|advance|up|down|frame)\b")
 NEWEST: Final = re.compile(r"(ignore|delete|disable) \$")
 
@@ -59,6 +65,9 @@ def seen(command: str, place: object, answer: str) -> Seen:
         for theirs, ours in SPELLING:
             answer = re.sub(theirs, ours, answer.strip())
         return command, answer
+    for name, pattern in LISTED.items():
+        if command.startswith(name):
+            return command, " ".join(pattern.findall(answer))
     return command, str(place) if MOVES.match(command) else ""
 
 

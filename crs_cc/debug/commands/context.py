@@ -96,8 +96,9 @@ class CommandContext:
 
     def apply_settings(self) -> None:
         """Pass on the settings that are not asked for by commands."""
-        elements = self.settings["print elements"]
-        self.debugger.view.full_style = replace(FULL, most_elements=elements)
+        elements, is_pretty = self.settings["print elements"], bool(self.settings["print pretty"])
+        style = replace(FULL, most_elements=elements, is_pretty=is_pretty)
+        self.debugger.view.full_style = style
 
     def show_selection(self) -> Answer:
         """Answer with the frame that the user has selected."""

@@ -21,7 +21,7 @@ from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.display import Display
 from crs_cc.debug.commands.formats import MAX_TEXT_LENGTH, dump, formatted, place_text, quoted
 from crs_cc.debug.commands.settings import SETTINGS, parse_setting
-from crs_cc.debug.commands.stack import frame
+from crs_cc.debug.commands.stack import frame, variable_text
 from crs_cc.debug.commands.type_declaration import declared
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.types import ArrayType, RecordType, VoidType
@@ -157,17 +157,18 @@ def _info_display(context: CommandContext, _text: str) -> Answer:
         yield f"{number}: {display.name}"
 
 
-def _variable(each: Variable) -> str:
+def _variable(context: CommandContext, each: Variable) -> str:
     hidden = "  (shadowed)" if each.is_hidden else ""
-    return f"{each.name} = {each.value.text}{hidden}"
+    return f"{each.name} = {variable_text(context, each)}{hidden}"
 
 
 def _info_locals(context: CommandContext, _text: str) -> Answer:
     here = frame(context)
-    found = context.debugger.view.variables(frame=here.number)
+    variables = context.debugger.view.variables(frame=here.number)
+    found = [each for each in variables if each.scope != "parameter"]
     if not found:
-        yield f"No locals in {here.function}."
-    yield from map(_variable, found)
+        yield "No locals."
+    yield from (_variable(context, each) for each in found)
 
 
 def _info_args(context: CommandContext, _text: str) -> Answer:
@@ -178,8 +179,8 @@ def _info_args(context: CommandContext, _text: str) -> Answer:
         if each.scope == "parameter"
     ]
     if not found:
-        yield f"No arguments in {here.function}."
-    yield from map(_variable, found)
+        yield "No arguments."
+    yield from (_variable(context, each) for each in found)
 
 
 def _info_globals(context: CommandContext, text: str) -> Answer:
@@ -187,7 +188,7 @@ def _info_globals(context: CommandContext, text: str) -> Answer:
     found = [each for each in context.debugger.view.globals_() if pattern.search(each.name)]
     if not found:
         raise DebugError(f"no global variable matches '{text}'")
-    yield from map(_variable, found)
+    yield from (_variable(context, each) for each in found)
 
 
 _FORMATS: Final = (

@@ -22,10 +22,16 @@ _IN_A_LINE: Final = {1: 8, 2: 8, 4: 4, 8: 2}
 _MAX_BYTES: Final = 4096
 
 
-def formatted(value: Value, wanted: OutputFormat) -> str:
+def formatted(value: Value, wanted: OutputFormat, depth: int = 0) -> str:
     """Return a value in a format; arrays and structs are formatted by parts.
 
-    A non-integral number is shown as it is if the format is for integers.
+    As in gdb, formats for integers show the bits of a floating-point number, but "c" and "a" show
+    its value as an integer.
+
+    Args:
+        value: the value.
+        wanted: the format.
+        depth: in how many arrays and structs it is.
 
     Raises:
         DebugError: the format does not apply.
@@ -35,16 +41,18 @@ def formatted(value: Value, wanted: OutputFormat) -> str:
     if isinstance(value.type, ArrayType | RecordType) and wanted.letter != "s":
         is_array = isinstance(value.type, ArrayType)
         parts = [
-            formatted(part, wanted) if is_array else f"{name} = {formatted(part, wanted)}"
+            f"{name} = " * (not is_array) + formatted(part, wanted, depth + 1)
             for name, part in value.children(0, _MAX_PARTS)
         ]
-        rest = ["..."] if value.child_count > len(parts) else []
-        return "{" + ", ".join(parts + rest) + "}"
+        parts += ["..."] if value.child_count > len(parts) else []
+        if is_array:
+            return "{" + ", ".join(parts) + "}"
+        return value.inspector.full.style.braced(parts, depth)
     if not value.is_initialised or not value.content:
         return value.full
     if wanted.letter == "s":
         return text_at(value)
-    if isinstance(value.type, FloatType) and wanted.letter not in "fa":
+    if isinstance(value.type, FloatType) and wanted.letter in "ca":
         return _whole(value, wanted.letter)
     if wanted.letter == "a" and isinstance(value.type, PointerType):
         return _function(value) or f"{value.number:#x} {value.full}"
@@ -63,11 +71,12 @@ def _function(value: Value) -> str:
 
 
 def _whole(value: Value, letter: str) -> str:
-    """Return a floating value in an integer format, if it is integral."""
+    """Return a floating value in an integer format, without its fraction."""
     number = value.number
-    if number is None or not abs(number) < 2**63 or number != int(number):
+    if number is None or not abs(number) < 2**63:
         return value.full
-    return letters(int(number).to_bytes(8, "little", signed=True), letter)
+    content = int(number).to_bytes(8, "little", signed=True)
+    return letters(content[:4] if letter == "a" else content, letter)
 
 
 def letters(content: bytes, letter: str) -> str:

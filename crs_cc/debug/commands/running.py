@@ -17,6 +17,7 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.skipping import SKIPPING
+from crs_cc.debug.commands.stop_text import program_lines
 from crs_cc.debug.commands.why import go_to_write
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.past import Past
@@ -151,6 +152,10 @@ def _goto(context: CommandContext, text: str) -> Answer:
     return context.move(partial(go, int(number)))
 
 
+def _info_program(context: CommandContext, _text: str) -> Answer:
+    return program_lines(context.debugger)
+
+
 _BACKWARD_TEXT: Final = (
     "The programs and the world go back together; their state is restored exactly."
 )
@@ -241,6 +246,10 @@ RUNNING: Final = Group(
             " way are ignored; end runs until all programs have ended. @N is an instant of the last"
             ' list (see "when" and "history"), output N the statement that printed line N of the'
             ' output (see "output /n").',
+        ),
+        Command(
+            "info program", "", "Show where the robot's program stands, and why it stopped.",
+            _info_program,
         ),
         *SKIPPING,
     ),

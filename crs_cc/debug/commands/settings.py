@@ -61,6 +61,9 @@ class Setting:
 SETTINGS: Final = (
     Setting("listsize", 10, "How many source lines list shows.", 1, 10_000),
     Setting("print elements", 200, "How many elements of an array print shows.", 1, 100_000),
+    Setting(
+        "print pretty", 0, "Whether print gives each member of a struct a line.", is_switch=True
+    ),
     Setting("backtrace limit", 100, "How many frames backtrace shows.", 1, 100_000),
     Setting("history save", 1, "Whether commands are kept in a file.", is_switch=True),
     Setting("history size", 1000, "How many commands the file keeps.", 0, 100_000),

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import contextlib
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.source import Location
@@ -16,7 +17,9 @@ from crs_cc.debug.locations import find_location, is_file
 from crs_cc.ir.names import in_library, plain_name
 
 if TYPE_CHECKING:
+    from crs_cc.debug.data.variables import Variable
     from crs_cc.debug.view import BacktraceFrame
+    from crs_cc.ir.program import Function
 
 
 def frames(context: CommandContext) -> list[BacktraceFrame]:
@@ -56,9 +59,14 @@ def _locals(context: CommandContext, of: BacktraceFrame) -> Iterator[str]:
     """Return lines with the variables of a frame, but not its parameters."""
     variables = [] if of.is_library else context.debugger.view.variables(frame=of.number)
     found = [each for each in variables if each.scope != "parameter"]
-    yield from (f"        {each.name} = {each.value.text}" for each in found)
+    yield from (f"        {each.name} = {variable_text(context, each)}" for each in found)
     if not found:
         yield "        No locals."
+
+
+def variable_text(context: CommandContext, variable: Variable) -> str:
+    """Return a variable's value as lists of variables show it: in a line unless it is pretty."""
+    return variable.value.full if context.settings["print pretty"] else variable.value.text
 
 
 def _shown(found: list[BacktraceFrame]) -> Iterator[BacktraceFrame]:
@@ -124,15 +132,21 @@ def _list(context: CommandContext, text: str) -> Answer:
     lines = context.debugger.view.source(file)
     if not lines:
         raise DebugError(f"the source of '{file}' is not available")
-    if first > len(lines):
-        raise DebugError(f"'{file}' has only {len(lines)} lines")
-    last = min(last, len(lines))
+    count = line_count(lines)
+    if first > count:
+        raise DebugError(f"'{file}' has only {count} lines")
+    last = min(last, count)
     context.listing = Listing(file, first, last)
     here = context.debugger.view.location()
     current = here.line if here is not None and here.file == file else 0
     stops = _lines_with_breakpoints(context, file)
     for number in range(first, last + 1):
         yield SourceLine(number, lines[number - 1], number == current, number in stops)
+
+
+def line_count(lines: Sequence[str]) -> int:
+    """Return the number of lines of a file, as `wc` counts them."""
+    return len(lines) - (bool(lines) and not lines[-1])
 
 
 def _lines_with_breakpoints(context: CommandContext, file: str) -> set[int]:
@@ -180,8 +194,8 @@ def _listed(context: CommandContext, text: str) -> Location:
         ):
             if is_file(path, known):
                 return Location(path, int(line))
-    named = dict(functions(context))
-    return named[line] if line in named and not file else find_line(context, text)
+    found = None if file else function_body(context, line)
+    return found or find_line(context, text)
 
 
 def _around(file: str, line: int, lines: int) -> tuple[str, int, int]:
@@ -208,11 +222,27 @@ def find_line(context: CommandContext, text: str) -> Location:
 
 def functions(context: CommandContext) -> Iterator[tuple[str, Location]]:
     """Return names and locations of the user's functions in the selected robot's program."""
+    for each in _functions(context):
+        yield plain_name(each.name), each.location
+
+
+def _functions(context: CommandContext) -> Iterator[Function]:
     program = context.debugger.run.programs[context.debugger.view.robot].executable.program
     unused = program.unused.functions if program.unused else {}
-    for name, function in (program.functions | unused).items():
-        if not in_library(function.location):
-            yield plain_name(name), function.location
+    own = (program.functions | unused).values()
+    return (each for each in own if not in_library(each.location))
+
+
+def function_body(context: CommandContext, name: str) -> Location | None:
+    """Return where the body of a function begins, as gdb does; None if there is no function."""
+    view = context.debugger.view
+    for each in _functions(context):
+        if plain_name(each.name) == name:
+            with contextlib.suppress(DebugError):
+                names = view.names_in(view.robot, each.name, each.location.file)
+                return names.body(each.name) or each.location
+            return each.location
+    return None
 
 
 _LIST_TEXT: Final = (

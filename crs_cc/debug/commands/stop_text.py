@@ -98,6 +98,30 @@ def stop_lines(
     yield from now.lines(debugger, with_head=False)
 
 
+def program_lines(debugger: Debugger) -> Answer:
+    """Answer with the files of the selected robot's program, where it stands, and why."""
+    robot, frames = debugger.view.robot, debugger.view.frames()
+    name, files = debugger.names[robot], ", ".join(debugger.run.programs[robot].files)
+    stop = debugger.stop
+    if not debugger.session.state.alive[robot]:
+        yield f"{name}'s program ({files}) does not run: {activity(debugger.session, robot)}."
+        return
+    own = next((each for each in frames if not each.is_library), None)
+    at = f" in {frame_text(debugger, own)}" if own else ""
+    yield f"{name}'s program ({files}) has stopped{at}, t = {debugger.view.time_s:.3f} s."
+    known = {each.number: each for each in debugger.stop_points.breakpoints}
+    hit = [
+        name_of(known[number]).lower() if number in known else f"a deleted breakpoint ({number})"
+        for number in stop.breakpoints
+    ]
+    if hit:
+        yield f"The run stopped at {', '.join(hit)}."
+    elif stop.reason == "step":
+        yield "The run stopped after being stepped."
+    elif stop.why:
+        yield f"The run stopped: {stop.why}."
+
+
 def _ends(debugger: Debugger) -> str:
     """Return the outcome of the programs."""
     ends = [

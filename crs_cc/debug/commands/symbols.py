@@ -11,7 +11,7 @@ from crs_cc.debug.commands.arguments import OutputFormat, parse_pattern, require
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.formats import formatted
-from crs_cc.debug.commands.stack import find_line, functions
+from crs_cc.debug.commands.stack import find_line, function_body, functions, line_count
 from crs_cc.debug.data.scope import is_own
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import find_location
@@ -39,7 +39,11 @@ def _info_functions(context: CommandContext, text: str) -> Answer:
 
 
 def _info_line(context: CommandContext, text: str) -> Answer:
-    place = find_line(context, require_argument(text, "a line or a function"))
+    place = context.debugger.view.location()
+    if text:
+        place = function_body(context, text) or find_line(context, text)
+    if place is None:
+        raise DebugError("no current line: specify a line or a function")
     lines = context.debugger.view.source(place.file)
     yield f"{place.file}:{place.line}"
     if 0 < place.line <= len(lines):
@@ -66,8 +70,7 @@ def _sources(context: CommandContext) -> Iterator[tuple[str, int]]:
     """Return the C files of the selected robot's program, with their numbers of lines."""
     view = context.debugger.view
     for file in context.debugger.run.programs[view.robot].files:
-        lines = view.source(file)
-        yield file, len(lines) - (bool(lines) and not lines[-1])
+        yield file, line_count(view.source(file))
 
 
 def _info_types(context: CommandContext, text: str) -> Answer:
@@ -141,7 +144,8 @@ SYMBOLS: Final = Group(
     "What the source declares.",
     (
         Command(
-            "info line", "LOCATION", "Show the location of a line or a function.", _info_line,
+            "info line", "[LOCATION]", "Show the location of a line or a function.", _info_line,
+            text="Default is the current line.",
             completes="place",
         ),
         Command(

@@ -20,7 +20,7 @@ from __future__ import annotations
 import functools
 import operator
 import struct
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -54,6 +54,7 @@ _ESCAPES_IN_TEXT: Final = (
 )
 
 _FEWEST_FLAGS: Final = 2
+_INDENT: Final = "  "
 _KNOWN: Final = bytes([ByteState.WITH_VALUE])
 
 
@@ -68,6 +69,7 @@ class Style:
         most_nested: maximum depth of nested structs and arrays.
         repeats: minimum number of equal elements written as one; 0 for never.
         unset: the text for an uninitialised value.
+        is_pretty: whether each member of a struct has a line of its own.
     """
 
     longest: int = LONGEST
@@ -76,6 +78,20 @@ class Style:
     most_nested: int = 3
     repeats: int = 0
     unset: str = "?"
+    is_pretty: bool = False
+
+    def braced(self, members: Sequence[str], depth: int) -> str:
+        """Return the members of a struct in braces.
+
+        Args:
+            members: the text of each.
+            depth: in how many structs and arrays the struct is.
+        """
+        if not self.is_pretty or not members:
+            return "{" + ", ".join(members) + "}"
+        outside = "\n" + _INDENT * depth
+        inside = outside + _INDENT
+        return "{" + inside + f",{inside}".join(members) + outside + "}"
 
 
 BRIEF: Final = Style()
@@ -122,7 +138,7 @@ class Values:
     style: Style = BRIEF
 
     def show(self, ctype: CType, content: bytes, states: bytes = b"") -> str:
-        """Return the value of an object of a type, in one line.
+        """Return the value of an object of a type, in one line unless the style is pretty.
 
         Args:
             ctype: the type.
@@ -219,7 +235,7 @@ class Values:
             real, imaginary = (each.partition(" = ")[2] for each in parts)
             sign = "-" if imaginary.startswith("-") else "+"
             return f"{real} {sign} {imaginary.removeprefix('-')}i"
-        return "{" + ", ".join(parts) + "}"
+        return self.style.braced(parts, depth)
 
     def _text(self, content: bytes, states: bytes) -> str | None:
         """Return a string in quotes, truncated; None if it is not text."""
