@@ -5,11 +5,14 @@ reads its sonars as often as the line lets it, drives, and turns on the spot whi
 near; the function `minute` is called once a minute, of 60 s unless it is shortened, `never` never.
 The same is run by the run build in a plain session, by the debug build under the debugger with a
 breakpoint in `never`, and by the watching build with a watchpoint on a variable that nobody
-touches. Then the user goes back. Then a breakpoint with a condition is passed at each depth of a
-deep recursion, and last the user asks where a value came from that is a minute old; the goals are
-printed with these figures.
+touches. Then the user goes back, to a breakpoint of one robot and to one of all. Then a
+breakpoint with a condition is passed at each depth of a deep recursion, and last the user asks
+where a value came from that is a minute old; the goals are printed with these figures.
 
-    python bench/debug.py [--minutes M] [--minute S] [--depth N] [ROBOTS ...]
+    python bench/debug.py [--minutes M] [--minute S] [--depth N] [ROBOTS[:MINUTES] ...]
+
+`python bench/debug.py 1:60 100:2 1000:1` is the run of `docs/performance.md`: an hour of one robot
+comes first, since the most memory that the process has had counts.
 """
 
 from __future__ import annotations
@@ -235,6 +238,11 @@ def backward(bench: Bench, table: Table, debugger: Debugger, minute_s: float) ->
     table.row("reverse-continue, a minute", seconds, seconds / minute_s, "x a minute forward")
     if bench.robots == MANY:
         goal(f"reverse-continue, {MANY} robots", f"{seconds:.2f} s", "2 s")
+    if bench.robots > 1:
+        debugger.stop_points.add_breakpoint("minute")
+        debugger.goto_timestep(bench.timesteps - 1)
+        seconds = timed(lambda: debugger.resume(backward=True))
+        table.row("the same, stopping all robots", seconds, seconds / minute_s, "x")
     middle = bench.timesteps // 2 + 3
     seconds = timed(lambda: debugger.goto_timestep(middle))
     table.row("goto the middle", seconds, seconds / forward_s, "x the way forward")
@@ -269,7 +277,7 @@ def deep(folder: Path, depth: int) -> None:
     goal("reverse-step there", f"{1e3 * seconds:.0f} ms", "50 ms")
     evaluator = debugger.view.evaluator(0)
     seconds = timed(lambda: [evaluator.holds("n == 0") for _ in range(1000)]) / 1000
-    print(f"{'':7} {'one that the debugger evaluates':32}{1e6 * seconds:9.0f} us", flush=True)
+    goal("a condition, evaluated", f"{1e6 * seconds:.1f} us", "20 us")
 
 
 def asked(folder: Path, minute_s: int) -> None:
@@ -303,15 +311,18 @@ def asked(folder: Path, minute_s: int) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
-    parser.add_argument("robots", nargs="*", type=int, default=[1, 100])
+    parser.add_argument("robots", nargs="*", default=["1", "100"], metavar="ROBOTS[:MINUTES]")
     parser.add_argument("--minutes", type=int, default=10, help="whole ones (default 10)")
     parser.add_argument("--minute", type=int, default=60, help="seconds of one (default 60)")
     parser.add_argument("--depth", type=int, default=10_000, help="of the recursion (10000)")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        for robots in options.robots:
-            table = Table(robots)
-            bench = Bench(Path(folder), robots, options.minutes, options.minute)
+        for wanted in options.robots:
+            robots, _, minutes = wanted.partition(":")
+            table = Table(int(robots))
+            bench = Bench(
+                Path(folder), int(robots), int(minutes or options.minutes), options.minute
+            )
             backward(bench, table, *forward(bench, table))
         deep(Path(folder), options.depth)
         asked(Path(folder), options.minute)
