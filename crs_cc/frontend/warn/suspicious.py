@@ -43,23 +43,33 @@ _VALUES: Final = (
 
 def warn_unit(unit: Unit) -> None:
     """Check every function of a file."""
-    warn_unused_names(unit)
+    nodes = [list(walk(function.body)) for function in unit.functions]
+    warn_unused_names(unit, nodes)
     warn_state(unit)
-    warn_unavailable(unit)
-    for function in unit.functions:
-        for node in walk(function.body):
-            for each in _full_expressions(node):
-                warn_order(unit, each)
-            match node:
-                case tree.ExpressionStatement():
-                    _warn_unused(unit, node.expression)
-                case tree.Loop() if node.step is not None:
-                    _warn_unused(unit, node.step)
-                case tree.Comma():
-                    _warn_unused(unit, node.first)
-                case tree.Dereference():
-                    _warn_index(unit, node)
+    warn_unavailable(unit, nodes)
+    for function, its_nodes in zip(unit.functions, nodes, strict=True):
+        for node in its_nodes:
+            if isinstance(node, tree.Expression):
+                _warn_expression(unit, node)
+            else:
+                _warn_statement(unit, node)
         warn_paths(unit, function)
+
+
+def _warn_expression(unit: Unit, node: tree.Expression) -> None:
+    if isinstance(node, tree.Dereference):
+        _warn_index(unit, node)
+    elif isinstance(node, tree.Comma):
+        _warn_unused(unit, node.first)
+
+
+def _warn_statement(unit: Unit, node: Any) -> None:
+    for each in _full_expressions(node):
+        warn_order(unit, each)
+    if isinstance(node, tree.ExpressionStatement):
+        _warn_unused(unit, node.expression)
+    elif isinstance(node, tree.Loop) and node.step is not None:
+        _warn_unused(unit, node.step)
 
 
 def _full_expressions(node: Any) -> list[tree.Expression]:
@@ -73,8 +83,8 @@ def _full_expressions(node: Any) -> list[tree.Expression]:
             return [each for each in (condition, step) if each is not None]
         case tree.Return(value=value) if value is not None:
             return [value]
-        case tree.InitialValue(value=value):
-            return [value]
+        case tree.Declare(initialiser=tree.Initialiser(values=values)):
+            return [each.value for each in values]
     return []
 
 

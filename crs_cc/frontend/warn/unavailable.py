@@ -6,13 +6,13 @@ far, which its author should know before a run.
 
 from __future__ import annotations
 
+from itertools import chain
 from pathlib import Path
 from typing import Any, Final
 
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.scope import FunctionSymbol
-from crs_cc.frontend.check.tree_parts import walk
 
 _NO_OTHER_PROCESS: Final = "a robot runs one process"
 _NO_OTHER_PROGRAM: Final = "there are no other programs to start"
@@ -32,18 +32,22 @@ _REASONS: Final = {
 """Why a function fails, and what to do instead."""
 
 
-def warn_unavailable(unit: Unit) -> None:
-    """Warn about the first call of each function of the library that always fails."""
+def warn_unavailable(unit: Unit, nodes: list[list[Any]]) -> None:
+    """Warn about the first call of each function of the library that always fails.
+
+    Args:
+        unit: the file.
+        nodes: all nodes of each function.
+    """
     told: set[str] = set()
-    for function in unit.functions:
-        for node in walk(function.body):
-            symbol = _called(node)
-            if symbol is None or symbol.name in told or not _is_library(unit, symbol):
-                continue
-            told.add(symbol.name)
-            reason, hint = _REASONS[symbol.name]
-            text = f"'{symbol.name}' always fails here: {reason}"
-            unit.warning(node.location, text, hint, flag="unavailable-function")
+    for node in chain.from_iterable(nodes):
+        symbol = _called(node)
+        if symbol is None or symbol.name in told or not _is_library(unit, symbol):
+            continue
+        told.add(symbol.name)
+        reason, hint = _REASONS[symbol.name]
+        text = f"'{symbol.name}' always fails here: {reason}"
+        unit.warning(node.location, text, hint, flag="unavailable-function")
 
 
 def _called(node: Any) -> FunctionSymbol | None:

@@ -7,6 +7,8 @@ static int twice(int a, int b)
 int main(void)
 {
     int a[4] = { 0 }, i = 0, j = 0, *p = a;
+    int sum = i++ + i++; // warning: multiple unsequenced modifications to 'i'
+    int pair[] = { i++, i };
 
     i = i++ + 1; // warning: multiple unsequenced modifications to 'i'
     a[i] = i++; // warning: unsequenced modification and access to 'i'
@@ -21,5 +23,6 @@ int main(void)
     for (j = 0; j < 3; a[j] = j, j++)
         ;
     i = twice(i++, 2);
+    i = sum + pair[0];
     return i > j ? i-- : i++;
 }
