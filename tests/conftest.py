@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -19,6 +20,8 @@ collect_ignore = ["without_unix", "debug/gdb_sessions.py"]  # modules for Python
 JUDGED = ["c/valid", "fuzz"]
 """Folders whose `.out` files hold what gcc said."""
 
+NEW_OBJECTS = 50_000
+"""How many objects are made before the collector looks at them: of 700, most are still in use."""
 
 USERS_SETTINGS = executable.settings
 
@@ -80,6 +83,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     # Most programs of tests run once. What users get, commands in processes of their own show.
     executable.settings = fast_settings
+    gc.set_threshold(NEW_OBJECTS)
     config.pluginmanager.register(Examples())
     if config.getoption("--update-times"):
         config.pluginmanager.register(times.Recorder())
@@ -91,6 +95,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         others = [item for item in items if item.nodeid not in taken]
         items[:] = [item for item in items if item.nodeid in taken]
         config.hook.pytest_deselected(items=others)
+
+
+def pytest_collection_finish() -> None:
+    gc.freeze()  # modules and tests stay until the end: collections need not go through them
 
 
 @pytest.fixture(scope="session", autouse=True)
