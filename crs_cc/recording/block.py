@@ -172,8 +172,7 @@ class Block:
 
     def _encode_output(self) -> None:
         for time_ns, robot, stream, content in self._output:
-            data = {"robot": robot, "stream": stream, **as_fields(content)}
-            self._entries.add(topics.OUTPUT, time_ns, data)
+            self._entries.add_text(topics.OUTPUT, time_ns, (robot, stream), as_fields(content))
         self._output = []
 
 

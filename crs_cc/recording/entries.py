@@ -51,6 +51,15 @@ class Entries:
         self.put(channel, time_us, content)
         return len(content) + 1
 
+    def add_text(
+        self, channel: Channel, time_ns: int, stream: tuple[int, int], fields: Mapping[str, str]
+    ) -> None:
+        """Add an entry of what a robot printed on a stream: strings by name, quicker than `add`."""
+        time_us, (robot, number) = round(time_ns / _US), stream
+        strings = ",".join(f'"{name}":{_COMPACT.encode(text)}' for name, text in fields.items())
+        content = f'{{"time_us":{time_us},"robot":{robot},"stream":{number},{strings}}}'
+        self.put(channel, time_us, content.encode())
+
     def put(self, channel: Channel, time_us: int, content: bytes) -> None:
         """Add an entry that is in JSON already."""
         self._found.setdefault(channel, []).append((time_us, content))

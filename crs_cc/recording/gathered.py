@@ -96,23 +96,23 @@ class GatheredFrames:
         column += state.presence.present.tobytes()
 
     def add_passage(
-        self, first: int, step: int, timestep_s: float, poses: FloatArray, state: EnvState
+        self, when: tuple[int, int, int], timestep_s: float, poses: bytes, state: EnvState
     ) -> None:
         """Copy frames of a passage.
 
         Args:
-            first: after how many timesteps the first of the frames is.
-            step: timesteps from one frame to the next.
+            when: after how many timesteps the first of the frames is, how many there are from one
+                to the next, and the number of frames.
             timestep_s: how long a timestep is.
-            poses: where the robots are and believe to be, (k, robots, `PASSAGE_NUMBERS`).
+            poses: where the robots are and believe to be in each frame, `PASSAGE_NUMBERS` each.
             state: one of the passage.
         """
-        parts = [_HEAD.pack(first, step, len(poses), timestep_s)]
+        parts = [_HEAD.pack(*when, timestep_s)]
         if self._shape.objects:
             bodies, robots = state.bodies, self._shape.robots
             parts += [bodies.position_m[robots:].tobytes(), bodies.angle_rad[robots:].tobytes()]
         self.heads.append(b"".join([*parts, state.presence.present.tobytes()]))
-        self.passed.append(poses.tobytes())
+        self.passed.append(poses)
 
     def frames(self) -> Frames:
         """Return all frames; raise ValueError if they are not valid."""

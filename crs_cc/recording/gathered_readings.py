@@ -10,9 +10,9 @@ import numpy as np
 from crs_cc.recording.columns import Columns
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.readings import STATE, Readings
+from crs_cc.sim.kernels import calm
 
 if TYPE_CHECKING:
-    from crs_cc.core.arrays import Records
     from crs_cc.sim.engine.step import Served
 
 ANSWER: Final = np.dtype(
@@ -51,10 +51,10 @@ class GatheredReadings:
                 clocks += each.clock_s.tobytes()
                 vectors += states.tobytes()
 
-    def add_passage(self, answers: Records) -> None:
-        """Add the answers in a passage: records that begin with the fields of `ANSWER`."""
-        rows = answers.view(np.uint8).reshape(len(answers), answers.itemsize)
-        self.count += len(answers)
+    def add_passage(self, answers: bytes) -> None:
+        """Add the answers in a passage: records of calm time, which begin with `ANSWER`."""
+        rows = np.frombuffer(answers, np.uint8).reshape(-1, calm.ANSWER.itemsize)
+        self.count += len(rows)
         self.passed.append(rows[:, : ANSWER.itemsize].tobytes())
 
     def rows(self) -> tuple[int, Readings]:

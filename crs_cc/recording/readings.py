@@ -73,7 +73,8 @@ class Readings:
 
     def of(self, rows: Any) -> Readings:
         """Return some of the rows."""
-        return Readings(self.codes[rows], self.robots[rows], self.clock_s[rows], self.states[rows])
+        states = self.states[rows] if isinstance(rows, slice) else self.states.take(rows, axis=0)
+        return Readings(self.codes[rows], self.robots[rows], self.clock_s[rows], states)
 
 
 class _Memory:

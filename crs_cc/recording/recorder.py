@@ -185,20 +185,24 @@ class Recorder:
             return
         if self._options.sensors != "none":
             readings = self._block.readings
-            readings.add_passage(passage.answers)
+            readings.add(passage.earlier)
+            readings.add_passage(passage.logged)
             if readings.count > MAX_ROWS:
                 self._shorten()
         first, stride = passage.first + 1, self._stride
-        last = passage.first + len(passage.frames)
+        last = passage.first + passage.count
         if self.needs_each:
             self._moved, self._last = True, passage.first
             self._note_frame(last)
             return
         begin = -first % stride
-        poses = passage.frames[begin::stride]
-        if len(poses):
-            state = self._environment.last_state
-            self._block.frames.add_passage(first + begin, stride, self._timestep_s, poses, state)
+        count = len(range(begin, passage.count, stride))
+        if count:
+            moved = passage.moved if stride == 1 else passage.frames[begin::stride].tobytes()
+            when = first + begin, stride, count
+            self._block.frames.add_passage(
+                when, self._timestep_s, moved, self._environment.last_state
+            )
         self._moved, self._last = last % stride != 0, last
 
     def _note_frame(self, timesteps: int) -> None:

@@ -156,7 +156,8 @@ def test_a_frame_at_the_time_of_another_takes_its_place() -> None:
     poses = np.concatenate([true[:, :, :2].swapaxes(1, 2), believed.swapaxes(1, 2)], axis=2)
     state = SimpleNamespace(presence=SimpleNamespace(present=np.ones(2, np.bool_)))
     for first, step, rows in ((0, 1, poses[:6]), (5, 1, poses[6:])):  # 5 is there twice
-        block.frames.add_passage(first, step, 0.05, rows, cast("EnvState", state))
+        when = first, step, len(rows)
+        block.frames.add_passage(when, 0.05, rows.tobytes(), cast("EnvState", state))
     reader = FrameReader(topics.ODOMETRY.topic)
     made = [Message(channel.topic, at, data) for channel, at, data in block.messages(ENCODER)]
     found = [values for message in made for _, values in reader.frames(message)]

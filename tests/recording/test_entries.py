@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.recording.entries import entries_of
+from crs_cc.recording.entries import Entries, entries_of
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.recording import Recording
+from crs_cc.recording.topics import OUTPUT
 
 
 def test_a_chunk_has_one_message_of_a_topic_in_json(recorded: Path) -> None:
@@ -50,3 +51,14 @@ def test_entries_of_a_span_of_time_are_found_wherever_their_message_ends(recorde
 def test_a_message_that_has_none_is_refused(message: bytes) -> None:
     with pytest.raises(ValueError, match=r"entr|Expecting|decode"):
         entries_of(message)
+
+
+@pytest.mark.parametrize(
+    "text", ["plain\n", 'a "quote" \\ \t', "\u00e4\u20ac\U0001f916\x00\x7f", ""]
+)
+def test_what_was_printed_is_written_as_any_entry(text: str) -> None:
+    for fields in ({"text": text}, {"base64": "aGk="}):
+        one, other = Entries(), Entries()
+        one.add(OUTPUT, 1_234_567_890, {"robot": 3, "stream": 2, **fields})
+        other.add_text(OUTPUT, 1_234_567_890, (3, 2), fields)
+        assert [*one.messages()] == [*other.messages()]

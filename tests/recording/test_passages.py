@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -14,13 +14,14 @@ from crs_cc.core.arrays import FloatArray, Records
 from crs_cc.core.source import Diagnostics
 from crs_cc.recording.description import RunDescription
 from crs_cc.recording.gathered import PASSAGE_NUMBERS
-from crs_cc.recording.gathered_readings import ANSWER
 from crs_cc.recording.recorder import Recorder, RecorderOptions
 from crs_cc.recording.recording import Recording
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
-from crs_cc.sim.engine.step import Step
+from crs_cc.sim.engine.passage import Passage
+from crs_cc.sim.engine.step import Served, Step
 from crs_cc.sim.files.world_xml import load_world
+from crs_cc.sim.kernels.calm import ANSWER
 from crs_cc.sim.model.world import Pose
 
 PROGRAM = """\
@@ -48,14 +49,6 @@ WORLD = """<world version="1" timestep="50ms">
 """
 
 
-class Passed(NamedTuple):
-    """Some timesteps."""
-
-    first: int
-    frames: FloatArray
-    answers: Records
-
-
 class Passages:
     """Tells a recorder of timesteps some at a time, but of every seventh alone.
 
@@ -66,7 +59,7 @@ class Passages:
         self.recorder = recorder
         self.passages = 0
         self._last = 0
-        self._waiting: list[tuple[FloatArray, Records]] = []
+        self._waiting: list[tuple[FloatArray, list[Served]]] = []
 
     def run(self, session: Session) -> None:
         """Run a session to its end."""
@@ -93,28 +86,30 @@ class Passages:
         pose[:, 2] = state.heading_rad
         odometry = state.odometry
         pose[:, 4], pose[:, 5], pose[:, 6] = odometry.x_m, odometry.y_m, odometry.heading_rad
-        self._waiting.append((pose, answers(step)))
+        self._waiting.append((pose, [each for each in step.served if each.states is not None]))
 
     def tell(self) -> None:
         """Tell of what is waiting."""
         if self._waiting:
-            frames, found = zip(*self._waiting, strict=True)
-            first = self._last - len(frames)
-            self.recorder.passed(Passed(first, np.array(frames), np.concatenate(found)))
+            frames, served = zip(*self._waiting, strict=True)
+            moved = np.array(frames).tobytes()
+            logged = b"".join(answers(each).tobytes() for each in served[1:])
+            first, step_s = self._last - len(frames), self._session.environment.timestep_s
+            # What was answered in the first timestep, as if by other means.
+            self.recorder.passed(Passage(first, len(frames), step_s, moved, logged, served[0]))
             self.passages += 1
         self._waiting = []
 
 
-def answers(step: Step) -> Records:
-    """Return the answers of a timestep that have a vector."""
-    found = []
-    for served in step.served:
-        if served.states is not None:
-            rows = np.zeros(len(served.robots), ANSWER)
-            rows["code"], rows["robot"] = served.code, served.robots
-            rows["clock_s"], rows["state"] = served.clock_s, served.states
-            found.append(rows)
-    return np.concatenate(found) if found else np.zeros(0, ANSWER)
+def answers(served: Sequence[Served]) -> Records:
+    """Return answers as the kernel of calm time logs them, as far as they are recorded."""
+    found = [np.zeros(0, ANSWER)]
+    for each in served:
+        rows = np.zeros(len(each.robots), ANSWER)
+        rows["code"], rows["robot"] = each.code, each.robots
+        rows["clock_s"], rows["state"] = each.clock_s, each.states
+        found.append(rows)
+    return np.concatenate(found)
 
 
 def test_a_robot_that_is_added_while_nothing_moves_is_recorded(

@@ -25,9 +25,9 @@ from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.devices.waits import when
 from crs_cc.sim.engine.calm_instruments import CalmInstruments
 from crs_cc.sim.engine.handlers import calm_commands
-from crs_cc.sim.engine.passage import Passage, answers_of, served_of
+from crs_cc.sim.engine.passage import Passage, served_of
 from crs_cc.sim.engine.quiet_time import MARGIN, NEVER
-from crs_cc.sim.kernels.calm import ANSWER, CODES, FRAME, MOST, CalmKernel, frames_of
+from crs_cc.sim.kernels.calm import ANSWER, CODES, FRAME, MOST, CalmKernel
 from crs_cc.sim.kernels.draws import Draws
 from crs_cc.sim.physics.contacts import SLOP_M
 
@@ -41,7 +41,6 @@ _CYCLES: Final = 512  # whose frames are logged at most
 _ANSWERS: Final = 40_000 // 31  # that are logged at most for observers, and
 _FEW_ANSWERS: Final = 64  # for each robot if only those of a cycle are kept
 _ANSWER: Final = ANSWER.itemsize // 8
-_ROW: Final = np.dtype(("V", ANSWER.itemsize))  # numpy copies fields one by one
 _FACE, _ROUND, _BACKUP, _RECORD = 6, 4, 114, 56  # numbers for each in the kernel's tables
 _DEVIATES: Final = 3  # of a firing
 
@@ -277,29 +276,26 @@ class CalmTime:
             table[:] = np.ndarray(table.shape, table.dtype, memory)
         self._instruments.leave(kernel)
         passage, earlier = None, len(self._dispatcher.served)
-        answers = kernel.table("answers", answered, ANSWER)
-        now = answers[answered - served :]
         if ended:
             data.physics.pass_over(ended, room_m)
             data.is_weary = bool(is_weary)
             if self._keeps:
-                passage = self._passage(ended, answers[: answered - served])
+                passage = self._passage(ended, answered - served)
             state.cycle = cycle
             self._dispatcher.served = []
         if served:
-            self._dispatcher.served += served_of(now)
+            answers = kernel.table("answers", answered, ANSWER)
+            self._dispatcher.served += served_of(answers[answered - served :])
         was_served |= ended == 1 and earlier
         is_untouched = bool(ended) and not (served or was_served)
         return verdict, ended, rounds, passage, is_untouched
 
-    def _passage(self, ended: int, answers: Any) -> Passage:
-        data = self._data
-        frames = frames_of(self.kernel, ended, len(data.state.connected))
-        cycle, served = data.state.cycle, self._dispatcher.served
-        rows = [answers.view(_ROW)]
-        if served:
-            rows.insert(0, answers_of(served, cycle).view(_ROW))
-        return Passage(cycle, data.timestep_s, frames, np.concatenate(rows).view(ANSWER))
+    def _passage(self, ended: int, answered: int) -> Passage:
+        data, kernel = self._data, self.kernel
+        moved = kernel.content("frames", ended * len(data.state.connected) * FRAME)
+        logged = kernel.content("answers", answered * _ANSWER)
+        earlier = self._dispatcher.served
+        return Passage(data.state.cycle, ended, data.timestep_s, moved, logged, earlier)
 
 
 def _is_like_ours(served: Served) -> bool:

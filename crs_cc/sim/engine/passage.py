@@ -8,39 +8,58 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from typing import NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, Records
 from crs_cc.sim.engine.step import Served
-from crs_cc.sim.kernels.calm import ANSWER
+from crs_cc.sim.kernels.calm import ANSWER, FRAME
 
 
-class Passage(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Passage:
     """Calm timesteps, one after the other.
 
     Attributes:
         first: the number of the first one.
+        count: how many.
         timestep_s: the length of each [s].
-        frames: where each robot is at the end of each timestep: x, y [m], heading, turret [rad],
-            and x, y [m], heading [rad] as its odometry has it; (timesteps, robots, 7).
-        answers: what was answered in them, in order, of dtype `kernels.calm.ANSWER`.
+        moved: the bytes of `frames`.
+        logged: the bytes of the answers that the kernel has logged, of dtype `kernels.calm.ANSWER`.
+        earlier: what was answered in the first timestep before that, by other means.
     """
 
     first: int
+    count: int
     timestep_s: float
-    frames: FloatArray
-    answers: Records
+    moved: bytes
+    logged: bytes
+    earlier: Sequence[Served]
 
     @property
     def cycles(self) -> range:
         """The numbers of the timesteps."""
-        return range(self.first, self.first + len(self.frames))
+        return range(self.first, self.first + self.count)
+
+    @property
+    def frames(self) -> FloatArray:
+        """Where each robot is at the end of each timestep, (timesteps, robots, 7).
+
+        x, y [m], heading, turret [rad]; then x, y [m], heading [rad] as its odometry has it.
+        """
+        return np.frombuffer(self.moved).reshape(self.count, -1, FRAME)
+
+    @property
+    def answers(self) -> Records:
+        """What was answered in them, in order, of dtype `kernels.calm.ANSWER`."""
+        logged = np.frombuffer(self.logged, ANSWER)
+        return np.concatenate([_answers_of(self.earlier, self.first), logged])
 
     def served(self, cycle: int) -> tuple[Served, ...]:
         """Return what was answered in a timestep, as `Step.served` has it."""
-        return tuple(served_of(self.answers[self.answers["cycle"] == cycle]))
+        answers = self.answers
+        return tuple(served_of(answers[answers["cycle"] == cycle]))
 
 
 def served_of(answers: Records) -> list[Served]:
@@ -51,7 +70,7 @@ def served_of(answers: Records) -> list[Served]:
     return [_served(answers[begin:end]) for begin, end in bounds if end]
 
 
-def answers_of(served: Sequence[Served], cycle: int) -> Records:
+def _answers_of(served: Sequence[Served], cycle: int) -> Records:
     """Return what was answered in a timestep by other means, each time with `State`."""
     answers = np.zeros(sum(len(each.robots) for each in served), ANSWER)
     answers["cycle"], begin = cycle, 0

@@ -5,14 +5,13 @@ It has copies of the rows of a world's robots, and tables, one after the other.
 
 from __future__ import annotations
 
-import math
 import struct
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import ByteArray, FloatArray
+from crs_cc.core.arrays import ByteArray
 from crs_cc.requests import NUM_STATE
 from crs_cc.sim.kernels.tables import (
     BATTERY_SIZE,
@@ -145,13 +144,11 @@ class CalmKernel:
         place = int(self._head[name][0]) * _NUMBER
         return np.ndarray(count, dtype, self._bytes, place)
 
+    def content(self, name: str, count: int) -> bytes:
+        """Return the first numbers of a table as bytes."""
+        place = int(self._head[name][0]) * _NUMBER
+        return bytes(self._bytes[place : place + count * _NUMBER])
+
     def address(self, name: str) -> int:
         """Return the address of a table in the kernel's memory."""
         return int(self.turn + self._head[name][0].item() * _NUMBER)
-
-
-def frames_of(kernel: CalmKernel, cycles: int, robots: int) -> FloatArray:
-    """Return a copy of the frames of the last cycles, (cycles, robots, `FRAME`)."""
-    shape = cycles, robots, FRAME
-    found: FloatArray = kernel.table("frames", math.prod(shape)).reshape(shape).copy()
-    return found
