@@ -29,7 +29,7 @@ const Module = require("node:module");
 const [extension, command, cwd] = process.argv.slice(1);
 const said = [], asked = [];
 const commands = {};
-let tracker, disposed;
+let tracker, disposed, factory, setting = command;
 const session = {
   type: "crs",
   configuration: { type: "crs", program: ["go.c"], cwd, seed: 3 },
@@ -48,13 +48,20 @@ const registerDebugAdapterTrackerFactory = (_, made) => {
 };
 const vscode = {
   commands: { registerCommand: (name, does) => (commands[name] = does) },
-  debug: { activeDebugSession: session, registerDebugAdapterTrackerFactory },
+  debug: {
+    activeDebugSession: session,
+    registerDebugAdapterTrackerFactory,
+    registerDebugAdapterDescriptorFactory: (_, made) => (factory = made),
+  },
+  DebugAdapterExecutable: class {
+    constructor(command, args) { Object.assign(this, { command, args }); }
+  },
   window: {
     withProgress: (_, does) => does(),
     createWebviewPanel: () => panel,
     showErrorMessage: (text) => { throw new Error(text); },
   },
-  workspace: { getConfiguration: () => ({ get: () => command }) },
+  workspace: { getConfiguration: () => ({ get: () => setting }) },
   ProgressLocation: {}, ViewColumn: {},
 };
 const load = Module._load;
@@ -70,7 +77,15 @@ activate({ subscriptions: [] });
   await commands["crs.stepBackInto"]();
   await commands["crs.stepBackOut"]();
   const names = Object.keys(commands);
-  console.log(JSON.stringify({ html: panel.webview.html, said, asked, names }));
+  const adapter = factory.createDebugAdapterDescriptor(session, { args: ["debug"] });
+  setting = "/nowhere/crs";
+  let wrong = "";
+  try {
+    factory.createDebugAdapterDescriptor(session, { args: ["debug"] });
+  } catch (error) {
+    wrong = error.message;
+  }
+  console.log(JSON.stringify({ html: panel.webview.html, said, asked, names, adapter, wrong }));
   process.stdin.once("data", () => { panel.dispose(); process.stdin.pause(); });
 })();
 """
@@ -101,7 +116,13 @@ def test_the_window_shows_the_run_of_the_debug_session_and_follows_it(tmp_path: 
     assert '<iframe src="http://127.0.0.1:7777/#token=abc"' in found["html"]
     assert "default-src 'none'; frame-src http://127.0.0.1:7777;" in found["html"]
     assert (tmp_path / "words").read_text() == "view --no-open go.c --seed 3"
+    assert found["adapter"] == {"command": str(crs), "args": ["debug"]}
+    assert found["wrong"].startswith(
+        "'/nowhere/crs' was not found. Set \"crs.command\" to its path"
+    )
 
 
-def test_only_windows_of_the_editor_may_frame_the_page() -> None:
-    assert POLICY.endswith("frame-ancestors vscode-webview: vscode-file:")
+def test_only_windows_of_this_machine_may_frame_the_page() -> None:
+    ancestors = POLICY.rpartition("frame-ancestors ")[2].split()
+    local = ["http://127.0.0.1:*", "http://localhost:*"]
+    assert ancestors == ["vscode-webview:", "vscode-file:", *local]

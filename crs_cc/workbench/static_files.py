@@ -34,9 +34,11 @@ _HASH: Final = b64encode(sha256(_IMPORTS.encode()).digest()).decode()
 POLICY: Final = (
     f"default-src 'none'; script-src 'self' 'sha256-{_HASH}'; style-src 'self'; "
     "connect-src 'self'; img-src 'self' data: blob:; media-src blob:; base-uri 'none'; "
-    "form-action 'none'; frame-ancestors vscode-webview: vscode-file:"
+    "form-action 'none'; "
+    "frame-ancestors vscode-webview: vscode-file: http://127.0.0.1:* http://localhost:*"
 )
-"""What the page may load: nothing but itself. Windows of VS Code may frame it, pages may not."""
+"""What the page may load: nothing but itself. Windows of VS Code may frame it, in a browser of this
+machine, too; they must know the token. Pages of other machines may not."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,13 +28,13 @@ COMMANDS: Final = (
     {
         "command": "crs.stepBackInto",
         "title": "Step back, into calls",
-        "icon": "$(debug-step-into)",
+        "icon": "$(arrow-circle-left)",
         **_BACK,
     },
     {
         "command": "crs.stepBackOut",
         "title": "Step back to the call of this function",
-        "icon": "$(debug-step-out)",
+        "icon": "$(arrow-circle-up)",
         **_BACK,
     },
 )
@@ -104,13 +104,18 @@ def extension() -> dict[str, Any]:
         "license": "MIT",
         "icon": "icon.png",
         "main": "./extension.js",
+        "activationEvents": ["onDebugResolve:crs"],
         "files": ["extension.js", "icon.png", "LICENSE", "README.md"],
         "contributes": {
             "commands": list(COMMANDS),
             "menus": {
                 "debug/toolBar": [
-                    {"command": each["command"], "when": "debugType == 'crs'"}
-                    for each in COMMANDS
+                    {
+                        "command": each["command"],
+                        "when": "debugType == 'crs'",
+                        "group": f"crs@{place}",
+                    }
+                    for place, each in enumerate(COMMANDS)
                     if "enablement" in each
                 ]
             },

@@ -4,6 +4,7 @@
 "use strict";
 
 const { spawn } = require("node:child_process");
+const fs = require("node:fs");
 const path = require("node:path");
 const vscode = require("vscode");
 
@@ -40,9 +41,19 @@ function fromConfiguration(configuration) {
   return { words, cwd: configuration.cwd };
 }
 
+/** The command `crs`, as the user has set it; an error that says what to do if there is none. */
+function crs() {
+  const command = vscode.workspace.getConfiguration("crs").get("command") || "crs";
+  const folders = command.includes(path.sep) ? [""] : (process.env.PATH ?? "").split(path.delimiter);
+  const ends = process.platform === "win32" ? ["", ...(process.env.PATHEXT ?? ".EXE;.BAT;.CMD").split(";")] : [""];
+  const isThere = folders.some((folder) => ends.some((end) => fs.existsSync(path.join(folder, command + end))));
+  if (!isThere) throw new Error(`'${command}' was not found. Set "crs.command" to its path (in a remote window, in the settings of the remote machine), or start VS Code where the command is found.`);
+  return command;
+}
+
 /** Start `crs view`. @returns {Promise<{process: import("node:child_process").ChildProcess, address: string}>} */
 function started({ words, cwd }) {
-  const command = vscode.workspace.getConfiguration("crs").get("command") || "crs";
+  const command = crs();
   return new Promise((resolve, reject) => {
     const run = spawn(command, ["view", "--no-open", ...words], { cwd, stdio: ["ignore", "ignore", "pipe"] });
     let said = "";
@@ -140,6 +151,10 @@ function activate(context) {
   context.subscriptions.push(
     vscode.commands.registerCommand("crs.showWorkbench", showWorkbench),
     ...steps.map(([name, command]) => vscode.commands.registerCommand(name, () => execute(command))),
+    vscode.debug.registerDebugAdapterDescriptorFactory("crs", {
+      // that of the manifest has the arguments, and knows no setting
+      createDebugAdapterDescriptor: (_, executable) => new vscode.DebugAdapterExecutable(crs(), executable.args, executable.options),
+    }),
     vscode.debug.registerDebugAdapterTrackerFactory("crs", {
       createDebugAdapterTracker: (session) => ({
         onDidSendMessage: (message) => {
