@@ -7,9 +7,11 @@ at home, by the median of the timesteps. The latter needs as many idle processor
 more. As its limit, the same number of bytes goes to as many processes that do nothing but answer,
 and back, over plain sockets. With `--real-time`, which needs Linux and root, whatever else the
 machine does waits while timesteps are measured. With `--dask`, hosts are on the cluster of a
-scheduler, such as `tcp://127.0.0.1:8786`.
+scheduler, such as `tcp://127.0.0.1:8786`. With `--table`, the table of `docs/performance.md`
+follows.
 
-    python bench/hosts.py [--steps N] [--hosts N ...] [--real-time] [--dask ADDRESS] [ROBOTS ...]
+    python bench/hosts.py [--steps N] [--hosts N ...] [--real-time] [--dask ADDRESS] [--table]
+                          [ROBOTS ...]
 """
 
 from __future__ import annotations
@@ -22,9 +24,11 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, closing, contextmanager
+from itertools import groupby
 from pathlib import Path
+from typing import NamedTuple
 from unittest import mock
 
 import numpy as np
@@ -96,6 +100,28 @@ WARM_STEPS = 5
 ECHO_ROUNDS = 300
 HEAD_BYTES = 20
 MILLISECONDS = 1e3
+MOST_STEPS, LEAST_STEPS, ROBOT_STEPS = 60, 5, 6000
+
+
+class Row(NamedTuple):
+    """What has been measured of a program with some robots on some hosts."""
+
+    program: str
+    robots: int
+    hosts: int
+    step_s: float
+    cpu_s: float
+    rounds: float
+    more_s: float = math.nan
+    echo_s: float = math.nan
+
+    def __str__(self) -> str:
+        text = f"{self.program:10} {self.robots:7} {self.hosts or 'none':>6}"
+        text += f" {self.step_s * MILLISECONDS:12.2f} {self.cpu_s * MILLISECONDS:8.2f}"
+        text += f" {self.rounds:7.1f}"
+        if self.hosts:
+            text += f" {self.more_s * MILLISECONDS:14.3f} {self.echo_s * MILLISECONDS:10.3f}"
+        return text
 
 
 def world_of(robots: int) -> WorldModel:
@@ -185,8 +211,10 @@ def step_s(
     world: WorldModel,
     executable: Executable,
     fleet: Fleet,
-    asked: argparse.Namespace,
+    steps: int,
     sizes: dict[Kind, list[int]],
+    *,
+    first: bool,
 ) -> tuple[float, float, float, str]:
     """Return real and processor time of a timestep here [s], its rounds, and the state hash.
 
@@ -207,13 +235,13 @@ def step_s(
         while session.timesteps < WARM_STEPS:
             session.advance(1)
     rounds, times_s = 0, []
-    with real_time(wanted=asked.real_time):
-        while session.timesteps < WARM_STEPS + asked.steps:
+    with real_time(wanted=first):
+        while session.timesteps < WARM_STEPS + steps:
             begin_s, begin_cpu_s = time.perf_counter(), time.thread_time()
             session.advance(1)
             times_s.append((time.perf_counter() - begin_s, time.thread_time() - begin_cpu_s))
     took_s, cpu_s = np.median(times_s, axis=0)
-    return float(took_s), float(cpu_s), rounds / asked.steps, session.state_hash()
+    return float(took_s), float(cpu_s), rounds / steps, session.state_hash()
 
 
 @contextmanager
@@ -265,48 +293,80 @@ def noting(sizes: dict[Kind, list[int]]) -> Iterator[None]:
         yield
 
 
-def measure(name: str, source: Path, robots: int, asked: argparse.Namespace) -> None:
-    """Print a row for each number of hosts."""
+def measure(name: str, source: Path, robots: int, asked: argparse.Namespace) -> Iterator[Row]:
+    """Yield a row for each number of hosts."""
     world = world_of(robots)
     executable = build_executable([source], Diagnostics())
+    steps = asked.steps or max(LEAST_STEPS, min(MOST_STEPS, ROBOT_STEPS // robots))
     known = home_s = None
     for count in (0, *asked.hosts):
         if count > robots:
             continue
         sizes: dict[Kind, list[int]] = {Kind.GRANT: [], Kind.RAN: []}
         with hosts(world, executable, source, count, asked.dask) as fleet:
-            found = step_s(world, executable, fleet, asked, sizes)
-        took_s, cpu_s, rounds, state = found
+            found = step_s(world, executable, fleet, steps, sizes, first=asked.real_time)
+        *measured, state = found
+        row = Row(name, robots, count, *measured)
         if home_s is None:
-            known, home_s = state, took_s
+            known, home_s = state, row.step_s
         assert state == known, "another state than at home"
-        row = f"{robots:7} {count or 'none':>6} {took_s * MILLISECONDS:12.2f}"
-        row += f" {cpu_s * MILLISECONDS:8.2f} {rounds:7.1f}"
         if count:
-            more_ms = (took_s - home_s) / max(rounds, 1e-9) * MILLISECONDS
             sent, received = (int(np.median(each)) for each in sizes.values())
             least_s = echo_s(count, (sent, received), first=asked.real_time)
-            row += f" {more_ms:14.3f} {least_s * MILLISECONDS:10.3f}"
-        print(f"{name:10} {row}", flush=True)
+            more_s = (row.step_s - home_s) / max(row.rounds, 1e-9)
+            row = row._replace(more_s=more_s, echo_s=least_s)
+        yield row
+
+
+def table(rows: Sequence[Row]) -> Iterator[str]:
+    """Yield the lines of the table of `docs/performance.md`."""
+    counts = ", ".join(map(str, sorted({row.hosts for row in rows} - {0})))
+    yield (
+        "| program | robots | rounds a timestep | ms a timestep at home |"
+        f" on {counts} hosts | processor time in the environment [ms] | ms a round more |"
+    )
+    yield "|" + " --- |" * 7
+    for (name, robots), group in groupby(rows, lambda row: (row.program, row.robots)):
+        home, *away = group
+        cells = [name, f"{robots:,}", f"{home.rounds:.1f}", _ms(home.step_s)]
+        cells += [", ".join(_ms(each.step_s) for each in away)]
+        cells += [", ".join(_ms(each.cpu_s) for each in away)]
+        cells += [", ".join(f"{each.more_s * MILLISECONDS:.2f}" for each in away)]
+        yield f"| {' | '.join(cells)} |"
+
+
+def _ms(time_s: float) -> str:
+    """Return a time with two digits [ms].
+
+    >>> _ms(0.004249), _ms(0.0323)
+    ('4.2', '32')
+    """
+    return f"{time_s * MILLISECONDS:.{0 if time_s > 0.00995 else 1}f}"
 
 
 def main() -> None:
     """Measure all that is asked for."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("robots", nargs="*", type=int, default=[10, 100, 1000])
-    parser.add_argument("--steps", type=int, default=100)
+    parser.add_argument("--steps", type=int, help="timesteps; by default fewer for more robots")
     parser.add_argument("--hosts", nargs="*", type=int, default=[1, 2, 4])
     parser.add_argument("--real-time", action="store_true")
     parser.add_argument("--dask", default="", help="address of a scheduler, for hosts there")
+    parser.add_argument("--table", action="store_true", help="print a table in Markdown, too")
     asked = parser.parse_args()
     head = f"{'program':10} {'robots':>7} {'hosts':>6} {'ms/timestep':>12}"
     print(f"{head} {'cpu here':>8} {'rounds':>7}  ms/round more  echo only")
+    rows: list[Row] = []
     with tempfile.TemporaryDirectory() as folder:
         for name, text in PROGRAMS.items():
             source = Path(folder, f"{name}.c")
             source.write_text(text)
             for robots in asked.robots:
-                measure(name, source, robots, asked)
+                for row in measure(name, source, robots, asked):
+                    print(row, flush=True)
+                    rows.append(row)
+    if asked.table:
+        print("", *table(rows), sep="\n")
 
 
 if __name__ == "__main__":
