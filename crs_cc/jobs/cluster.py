@@ -15,6 +15,7 @@ import threading
 import uuid
 from collections.abc import Generator, Iterable
 from functools import cache
+from ipaddress import ip_address
 from itertools import islice
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Final, Self, TypeAlias
@@ -111,11 +112,20 @@ class Cluster:
 
     @property
     def own_host(self) -> str:
-        """The address of this machine by which the scheduler's machine reaches it."""
+        """The address of this machine by which the scheduler's or a worker's machine reaches it.
+
+        Where the scheduler is on this machine and called by a name that only stands for it here,
+        such as 127.0.1.1, workers on other machines still reach this one.
+        """
         from distributed.comm.addressing import get_address_host
         from distributed.utils import get_ip
 
-        found: str = get_ip(get_address_host(self.address))  # type: ignore[no-untyped-call]
+        others = [self.address, *sorted(self._client.scheduler_info(n_workers=-1)["workers"])]
+        found = ""
+        for other in others:
+            found = get_ip(get_address_host(other))  # type: ignore[no-untyped-call]
+            if not ip_address(found).is_loopback:
+                break
         return found
 
     @property

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -21,7 +22,7 @@ from crs_cc.api.programs import compile_c
 from crs_cc.api.session import Session
 from crs_cc.cli.main import main
 from crs_cc.jobs import cluster
-from crs_cc.jobs.cluster import ClusterError
+from crs_cc.jobs.cluster import Cluster, ClusterError
 from crs_cc.jobs.pool import Outcome, Task
 from crs_cc.net.cluster_hosts import MAX_FAILURES, ClusterHosts, Entrance
 from crs_cc.net.placed_host import Placement, packed
@@ -222,3 +223,19 @@ def test_options_that_do_not_go_together_are_refused(
     Path("world.xml").write_bytes(WORLD)
     assert main(["serve", *words]) == 2
     assert text in capfd.readouterr().err
+
+
+def test_workers_elsewhere_are_told_an_address_that_they_reach(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    utils = pytest.importorskip("distributed.utils")
+    ways = {"127.0.1.1": "127.0.0.1", "127.0.0.1": "127.0.0.1", "10.77.1.2": "10.77.1.1"}
+    monkeypatch.setattr(utils, "get_ip", ways.__getitem__)
+    workers = {"tcp://127.0.0.1:40001": {}, "tcp://10.77.1.2:40001": {}}
+    for there, told in ((workers, "10.77.1.1"), ({"tcp://127.0.0.1:40001": {}}, "127.0.0.1")):
+        client = SimpleNamespace(
+            scheduler=SimpleNamespace(address="tcp://127.0.1.1:8786"),
+            scheduler_info=lambda n_workers, there=there: {"workers": there},
+            wait_for_workers=lambda count, timeout: None,
+        )
+        assert Cluster("crs_cc.net.placed_host", client).own_host == told  # type: ignore[arg-type]
