@@ -39,7 +39,7 @@ class KnownRows:
             kernel: has them all, if it is given.
         """
         counts = [min(ROWS, rows - first) for first in range(0, rows, ROWS)]
-        self.kernels = [WordKernel() for _ in counts] if kernel is None else [kernel]
+        self.kernels = [WordKernel(count) for count in counts] if kernel is None else [kernel]
         self._parts = list(zip(self.kernels, counts, strict=True))
 
     def table(self) -> Table:

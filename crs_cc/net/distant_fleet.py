@@ -10,16 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
-import numpy as np
-
-from crs_cc.core.arrays import any_of
 from crs_cc.core.source import Location
+from crs_cc.net.changed_words import Table
 from crs_cc.net.host_link import HostGoneError, HostLink
+from crs_cc.net.shared_rows import SharedRows
 from crs_cc.requests import FAILED
-from crs_cc.runtime.driver import SLOTS
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import WISHES, Fleet
-from crs_cc.runtime.shard import Mailbox
 from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.runtime.turns import RECORD
 
@@ -51,18 +48,20 @@ class DistantFleet(Fleet):
             executables: each robot's program, of which its names are used.
             links: the hosts, which have each robot once at most; others must not join before
                 they have one.
+
+        Raises:
+            ValueError: there are too many robots.
         """
         self._programs = list(executables)
-        self._mailbox = Mailbox.of_size(SLOTS + len(executables) * RECORD.itemsize)
+        self._rows = SharedRows(len(executables))
         self._shards = []
         self.has_marks = False
         self.links = list(links)
         self.outcome: Callable[[int], object] = lambda _robot: None
         self._lost: dict[int, str] = {}
-        self._resize_slots(0, len(executables))
-        self._table = self.table()
-        self._alive, self._clock_s = self.timing["alive"], self.timing["clock_s"]
-        self._due_s = self.timing["due_s"]
+        self._use(self._rows.table.reshape(-1).view(RECORD))
+        for link in links:
+            link.take_part(self._rows)
         self._end_s = _NOT_YET
         self._round = 0
 
@@ -76,7 +75,12 @@ class DistantFleet(Fleet):
 
     def add_link(self, link: HostLink) -> None:
         """Take a host that has come for robots that have had none, and have not joined."""
+        link.take_part(self._rows)
         self.links.append(link)
+
+    def table(self) -> Table:
+        """Return slots and clocks, see `Fleet.table`."""
+        return self._rows.table
 
     # -- rounds ----------------------------------------------------------------------------------
 
@@ -87,36 +91,36 @@ class DistantFleet(Fleet):
 
     def run_rounds(self, end_s: float) -> int:
         """Run rounds of all hosts, see `Fleet.run_rounds`."""
-        if end_s != self._end_s:
+        is_new = end_s != self._end_s
+        if is_new:
             self._end_s, self._round = end_s, 0
-            for link in self.links:
-                link.round = 0
             self.dismiss()
-        self._run_hosts(end_s)
-        ahead = [link for link in self.links if link.is_ahead]
-        asking = [link for link in ahead if link.asks]
-        reached = min((link.round for link in asking), default=None)
-        if reached is None:
-            reached = max((link.round for link in ahead), default=self._round)
-        for link in ahead:
-            if not link.asks or link.round == reached:
-                link.enter(self._table)
+            for link in self.links:
+                if not link.ended:
+                    self._try(link, link.shorten_log)
+        reached, is_any = self._run_hosts(end_s, is_new=is_new)
         rounds, self._round = reached - self._round, reached
-        return max(rounds, int(bool(ahead) or bool(self._asks.any())))
+        return max(rounds, int(is_any or bool(self._asks.any())))
 
-    def _run_hosts(self, end_s: float) -> None:
-        """Let all hosts that have something to run, and whose requests are answered, run."""
-        runs = self._alive & (self._clock_s < end_s) & (self._due_s == np.inf)
-        granted = [
-            link
-            for link in self.links
-            if not link.ended and not link.is_ahead and any_of(runs[link.selection])
-        ]
-        for link in granted:  # a host begins while the next grant is made
-            self._try(link, link.grant, end_s, self._table)
-        for link in granted:
-            if not link.ended:
-                self._try(link, link.collect)
+    def _run_hosts(self, end_s: float, *, is_new: bool) -> tuple[int, bool]:
+        """Let all hosts that have something to run, and whose requests are answered, run.
+
+        Return the round up to which all is shown, and whether anything new is.
+        """
+        rows, granted = self._rows, list[HostLink]()
+        if rows.grant(end_s, is_new=is_new):
+            running = [link for link in self.links if not link.ended]
+            granted = [link for link in running if rows.is_granted(link.number)]
+            for link in granted:
+                self._try(link, link.grant, end_s)
+            for link in granted:
+                if not link.ended:
+                    self._try(link, link.collect)
+        while (taken := rows.take(self._round)) is None:
+            for link in granted:
+                if reason := rows.error(link.number):
+                    self._try(link, link.collect_again, reason)
+        return taken
 
     def _try(self, link: HostLink, action: Callable[..., object], *arguments: object) -> None:
         """Do something with a host; stop its programs if it is lost for good."""

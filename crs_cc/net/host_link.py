@@ -18,11 +18,11 @@ import numpy as np
 
 from crs_cc.core.arrays import IndexArray
 from crs_cc.net import memories
-from crs_cc.net.changed_words import KnownRows, Table
+from crs_cc.net.changed_words import WORDS, Table
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import report_of
 from crs_cc.net.memories import Memory
-from crs_cc.net.slot_rules import QUIET, RULES
+from crs_cc.net.shared_rows import SharedRows
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
@@ -41,7 +41,8 @@ LEAST_LOG_BYTES: Final = 512 * 2**10
 """What is kept of grants before memories are fetched again: so many grants at most, and as many
 bytes as the memories have, at least so many; chosen by us. So fetching costs less than granting."""
 
-MAX_ROUNDS: Final = 2**31
+MAX_ROUNDS: Final = 2**24
+_NOT_VALID: Final = "it says what is not valid: "
 
 Replace: TypeAlias = Callable[["HostLink", str], Channel]
 """Returns a connection to a host in place of one that is lost for a reason; raises HostGoneError if
@@ -60,10 +61,8 @@ class HostLink:
     Attributes:
         names: its robots.
         robots: their numbers.
-        selection: the same, as an index of their rows.
-        is_ahead: whether what they ask for has not been looked at.
-        asks: whether they ask for anything.
-        round: how many rounds of this cycle they have run.
+        selection: the same, as an index of what all robots have.
+        number: its number among the hosts of a run.
         reports: by position in `robots`, what a program has done wrong.
         ended: whether the host has been dismissed.
     """
@@ -81,39 +80,45 @@ class HostLink:
         """
         self.names, self.robots = names, robots
         self.selection = _selection(robots)
-        self.is_ahead = self.asks = self.ended = False
-        self.round = 0
+        self.number, self.ended = 0, False
         self.reports: dict[int, ErrorReport] = {}
         self._channel = channel
         self._replace = replace
-        self._known = KnownRows(len(robots))
+        self._rows: SharedRows | None = None
         self._log: list[bytes] = []
         self._log_bytes = 0
         self._number = 0
         self._waits = False
         self._saved: list[Memory] | None = None
         self._kept = [_NO_MEMORY] * len(robots)  # those that were fetched last
-        self._start = self._restoring()
+        self._begin_log()
         self._recover(lambda: self._channel.send(Kind.RESTORE, self._start))
+
+    def take_part(self, rows: SharedRows) -> None:
+        """Take part in a run; this is to be done before anything else."""
+        self._rows, self.number = rows, rows.add(self.robots)
 
     # -- rounds ----------------------------------------------------------------------------------
 
-    def _shorten_log(self) -> None:
-        """Fetch the programs' memories if much has been granted since the last time."""
-        most_bytes = max(LEAST_LOG_BYTES, len(self._start))
-        if len(self._log) >= MAX_LOG_GRANTS or self._log_bytes >= most_bytes:
-            self.memories()
-
-    def grant(self, end_s: float, table: Table) -> None:
-        """Let the programs run until a time, with what has been changed in their rows of a table.
+    def shorten_log(self) -> None:
+        """Fetch the programs' memories if much has been granted since the last time.
 
         Raises:
             HostGoneError: the host is lost, and its programs are not to go on.
         """
-        self._shorten_log()
+        if self._log_bytes >= self._most_log_bytes or len(self._log) >= MAX_LOG_GRANTS:
+            self.memories()
+
+    def grant(self, end_s: float) -> None:
+        """Let the programs run until a time, with what has been packed for them.
+
+        Raises:
+            HostGoneError: the host is lost, and its programs are not to go on.
+        """
+        assert self._rows is not None
         self._saved = None
         self._number += 1
-        grant = GRANT.pack(self._number, end_s, True) + self._known.pack(table[self.selection])
+        grant = GRANT.pack(self._number, end_s, True) + self._rows.packed(self.number)
         self._log.append(grant)
         self._log_bytes += len(grant)
         self._waits = True
@@ -123,9 +128,15 @@ class HostLink:
             self._renew(str(error))  # which sends this grant, too
 
     def collect(self) -> None:
-        """Wait until the programs have run."""
+        """Wait until the programs have run, and put what they have changed among the rows."""
         self._recover(self._collect)
-        self._waits, self.is_ahead = False, True
+        self._waits = False
+
+    def collect_again(self, reason: str) -> None:
+        """Give the host up, as what it has said is not valid, and wait for the next one."""
+        self._waits = True
+        self._renew(_NOT_VALID + reason)
+        self.collect()
 
     def _collect(self) -> None:
         while True:
@@ -136,26 +147,20 @@ class HostLink:
                     return
                 self._note_failure(json.loads(content))
             except (ValueError, RecursionError, struct.error) as error:
-                raise ConnectionLostError(f"it says what is not valid: {error}") from None
+                raise ConnectionLostError(f"{_NOT_VALID}{error}") from None
 
     def _note(self, content: bytes) -> None:
         number, rounds = RAN.unpack_from(content)
         if number != self._number or rounds > MAX_ROUNDS:
             raise ValueError("answer to another grant")
-        rules = RULES if rounds else QUIET
-        self.asks = self._known.enter(memoryview(content)[RAN.size :], rules)
-        self.round += rounds
+        assert self._rows is not None
+        self._rows.put(self.number, memoryview(content)[RAN.size :], rounds)
 
     def _note_failure(self, data: Any) -> None:
         robot = data.get("robot") if isinstance(data, dict) else None
         if not isinstance(robot, int) or not 0 <= robot < len(self.robots):
             raise ValueError("the failure of a robot that is not there")
         self.reports[robot] = report_of(data)
-
-    def enter(self, table: Table) -> None:
-        """Enter what the programs have done into the table."""
-        self.is_ahead = False
-        table[self.selection] = self._known.table()
 
     # -- memories and input ----------------------------------------------------------------------
 
@@ -184,7 +189,7 @@ class HostLink:
         if self._saved is None:
             self._saved = self._recover(self._receive_memories, again=self.ask_memories)
             self._kept = self._saved
-            self._start = self._restoring()
+            self._begin_log()
             self._log.clear()
             self._log_bytes = 0
         return self._saved
@@ -227,7 +232,7 @@ class HostLink:
         if self.ended:
             return
         self.memories()
-        self.ended = True
+        self._leave()
         try:
             self._channel.send(Kind.END, json.dumps(outcome).encode())
         except ConnectionLostError:
@@ -237,9 +242,14 @@ class HostLink:
 
     def give_up(self) -> None:
         """Let the programs stay where they stood when their memories were last fetched."""
-        self.ended = True
+        self._leave()
         self._channel.close()
         self._saved = self._saved or self._kept
+
+    def _leave(self) -> None:
+        self.ended = True
+        if self._rows is not None:
+            self._rows.remove(self.number)
 
     def close(self) -> None:
         """Close the connection."""
@@ -281,10 +291,18 @@ class HostLink:
             else:
                 return
 
+    def _begin_log(self) -> None:
+        """Keep what is granted from now on."""
+        self._start = self._restoring()
+        self._most_log_bytes = max(LEAST_LOG_BYTES, len(self._start))
+
     def _restoring(self) -> bytes:
         """Return the message that brings a host to where the programs are now."""
         is_kept = self._number > 0
-        rows = RESTORE.pack(self._number, is_kept) + self._known.table().tobytes()
+        known: Table = np.zeros((len(self.robots), WORDS), np.uint64)
+        if self._rows is not None:
+            known = self._rows.known(self.number)
+        rows = RESTORE.pack(self._number, is_kept) + known.tobytes()
         return rows + (memories.pack(self._kept) if is_kept else b"")
 
 

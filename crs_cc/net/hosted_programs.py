@@ -56,7 +56,7 @@ class HostedPrograms:
         self.fleet = fleet
         self._table: Table = fleet.table()
         self._partner = partner_of(fleet)
-        kernel = None if self._partner is None else WordKernel(self._partner.instance)
+        kernel = None if self._partner is None else WordKernel(len(fleet), self._partner.instance)
         self.known = KnownRows(len(fleet), kernel)
 
     def set(self, rows: Table) -> None:
@@ -64,7 +64,7 @@ class HostedPrograms:
         self._table[:] = rows
         self.known.set(rows)
 
-    def run(self, content: memoryview, end_s: float) -> tuple[int, bytes]:
+    def run(self, content: memoryview, end_s: float) -> tuple[int, bytes, bool]:
         """Run rounds with what has been changed in rows.
 
         Args:
@@ -72,7 +72,8 @@ class HostedPrograms:
             end_s: the end of the cycle [s].
 
         Returns:
-            how many rounds have been run, and what has changed since.
+            how many rounds have been run, what has changed since, and whether any program may have
+            failed, or asks to write.
 
         Raises:
             ValueError: the content is not valid.
@@ -81,20 +82,20 @@ class HostedPrograms:
             if self._round_s > SPREAD_S:
                 self._spread()
             began_s = time.thread_time()
-            rounds, changes = self._run(content, end_s)
-            took_s = (time.thread_time() - began_s) / max(rounds, 1)
+            ran = self._run(content, end_s)
+            took_s = (time.thread_time() - began_s) / max(ran[0], 1)
             self._round_s += (took_s - self._round_s) * _SHARE
-            return rounds, changes
+            return ran
         return self._run(content, end_s)
 
-    def _run(self, content: memoryview, end_s: float) -> tuple[int, bytes]:
+    def _run(self, content: memoryview, end_s: float) -> tuple[int, bytes, bool]:
         if self._partner is not None:
             [kernel] = self.known.kernels
-            rounds, changes = kernel.take_turn(self.fleet, self._partner, content, end_s)
-            return rounds, self.known.pack(self._table) if changes is None else changes
+            rounds, changes, is_told = kernel.take_turn(self.fleet, self._partner, content, end_s)
+            return rounds, self.known.pack(self._table) if changes is None else changes, is_told
         self.known.enter(content)
         self._table[...] = self.known.table()
-        return self._run_rounds(end_s), self.known.pack(self._table)
+        return self._run_rounds(end_s), self.known.pack(self._table), True
 
     def _run_rounds(self, end_s: float) -> int:
         """Run rounds until a program asks for something; return how many."""

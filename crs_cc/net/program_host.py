@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from crs_cc.session.host import Input, Output, Waiting
 
 _WRITE: Final = CODES["WRITE"]
+_NOBODY: Final = np.empty(0, np.intp)
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,12 +120,13 @@ class ProgramHost:
             self.shown = number
             for robot, stream, text in self._writes:
                 self._streams.write(robot, stream, text)
-        rounds, changes = self._programs.run(memoryview(content)[GRANT.size :], end_s)
-        asking = self._asking()
+        changed = memoryview(content)[GRANT.size :]
+        rounds, changes, is_told = self._programs.run(changed, end_s)
+        asking = self._asking() if is_told else _NOBODY
         self._writes = self._written(asking)
         if not is_wanted:
             return None
-        if FAILED in self.fleet.slots["status"][asking].tolist():
+        if is_told:
             self._tell_failures(asking, channel)
         return Kind.RAN, RAN.pack(number, rounds) + changes
 
@@ -134,6 +136,8 @@ class ProgramHost:
 
     def _written(self, asking: IndexArray) -> list[tuple[int, int, bytes]]:
         """Return what programs that ask want to be written: robot, stream and content."""
+        if not len(asking):
+            return []
         codes = self.fleet.codes[asking].tolist()
         if _WRITE not in codes:
             return []

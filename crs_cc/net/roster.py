@@ -11,9 +11,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.core.errors import WorldError
+from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
 from crs_cc.net.channel import SILENCE_S
 from crs_cc.net.handshake import Hello, RefusedError, definition_of, devices_digest, require_same
+from crs_cc.net.word_kernel import ROWS
 
 if TYPE_CHECKING:
     from crs_cc.net.channel import Channel
@@ -67,7 +70,13 @@ class Roster:
         Args:
             robots: the robots.
             awaited: those without whose hosts the run does not begin.
+
+        Raises:
+            WorldError: there are more robots than can have programs on hosts.
         """
+        if len(robots) > ROWS:
+            text = f"{len(robots)} robots, but {ROWS} at most can have programs on hosts"
+            raise WorldError.at(Location("<world>"), text)
         self.has_begun = self.has_ended = False
         self._awaited = tuple(awaited)
         self._definitions = {robot.id: definition_of(robot.model) for robot in robots}

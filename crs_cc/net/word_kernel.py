@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.requests import CODES, FAILED
 from crs_cc.runtime.turns import RECORD
 
 if TYPE_CHECKING:
@@ -22,30 +23,31 @@ if TYPE_CHECKING:
 WORDS: Final = RECORD.itemsize // 8
 """Words of a row of a table."""
 
-ROWS: Final = 1024
+ROWS: Final = 10240
 """Rows that the kernel takes at most, as in `kernels/main.c`."""
 
 WORD_BYTES: Final = 8
+_WRITE: Final = CODES["WRITE"]
 
 Words: TypeAlias = npt.NDArray[np.uint64]
 
 Table: TypeAlias = npt.NDArray[np.uint64]
 """A row of `WORDS` words for each program."""
 
-_ADDRESSES, _PACK, _CHECK, _ENTER, _ENTER_ALL, _TURN = range(6)
-_ARGUMENTS: Final = tuple(struct.Struct(f"<{1 + count}i") for count in range(4))
+_ADDRESSES, _PACK, _CHECK, _ENTER, _ENTER_ALL, _TURN, GRANT, TAKE = range(8)
+_ARGUMENTS: Final = tuple(struct.Struct(f"<{1 + count}i") for count in range(5))
 _RESULTS: Final = struct.Struct("<8i")
 _BEGIN: Final = struct.Struct("<iid")
 """The head of a turn that begins, see `partner.TURN`."""
 _MOST: Final = ROWS * (1 + WORDS) * WORD_BYTES
 """Of a content [bytes]."""
-_TOO_LONG: Final = "changes of another size than announced"
-_ERRORS: Final = (
+TOO_LONG: Final = "changes of another size than announced"
+ERRORS: Final = (
     "",
     "changes end early",
     "changes of words that are not there",
     "it has changed what is not its own, or a clock goes back",
-    _TOO_LONG,
+    TOO_LONG,
 )
 
 
@@ -66,36 +68,46 @@ class Rules(NamedTuple):
 
 
 class WordKernel:
-    """An instance of the kernel, which has `ROWS` rows at most.
+    """An instance of the kernel.
 
     Attributes:
+        memory: all that it has.
         known: the rows that both sides know.
         now: the same rows, where changes are to be packed.
+        rules: the table of two rules: if programs have run, and if not.
+        places: the addresses of changes, of a turn, of the list of members, and of hosts.
     """
 
-    def __init__(self, instance: KernelInstance | None = None) -> None:
-        """Take an instance of the kernel that has just been started, by default a new one."""
+    def __init__(self, rows: int, instance: KernelInstance | None = None) -> None:
+        """Begin with rows of zeros.
+
+        Args:
+            rows: how many there are, `ROWS` at most.
+            instance: an instance of the kernel that has just been started, by default a new one.
+        """
         if instance is None:
             # Not needed by a run whose programs are all in its process.
             from crs_cc.runtime.kernel_instance import KernelInstance
 
             instance = KernelInstance(_executable())
-        self._memory, self._resume = instance.memory.data, instance.resume
+        self.memory, self._resume = instance.memory.data, instance.resume
         self._place = int(instance.message[0])
-        rules, known, now, content, packed, turn, *_ = self._call(_ADDRESSES)
+        rules, known, now, *places, _ = self.call(_ADDRESSES, rows)
 
         def table(begin: int, rows: int) -> Table:
             end = begin + rows * WORDS * WORD_BYTES
             return instance.memory[begin:end].view(np.uint64).reshape(rows, WORDS)
 
-        self.known, self.now = table(known, ROWS), table(now, ROWS)
-        self._table = table(rules, len(Rules._fields))
-        self._content, self._packed, self._turn, self._now = content, packed, turn, now
+        self.known, self.now = table(known, rows), table(now, rows)
+        self.rules = table(rules, 2 * len(Rules._fields))
+        self.places = tuple(places)
+        self._traffic, self._turn, *_ = places
+        self._now = now
         self._rules: Rules | None = None  # in the table
 
     def pack(self, rows: int) -> bytes:
         """Return what differs in rows from those that are known, and make it known."""
-        return self._changes(rows, self._call(_PACK, rows)[1])
+        return self._changes(rows, self.call(_PACK, rows)[1])
 
     def check(self, content: memoryview, rows: int, rules: Rules | None) -> tuple[int, bool]:
         """Check changes of known rows, which `enter` then enters.
@@ -117,7 +129,7 @@ class WordKernel:
 
     def enter(self, rows: int) -> None:
         """Enter changes that have just been checked."""
-        self._call(_ENTER, rows)
+        self.call(_ENTER, rows)
 
     def enter_all(self, content: memoryview, rows: int, rules: Rules | None) -> bool:
         """Check and enter changes, all of which are about known rows.
@@ -129,22 +141,22 @@ class WordKernel:
             ValueError: the content is not valid, or not allowed.
         """
         if len(content) > _MOST:
-            raise ValueError(_TOO_LONG)
+            raise ValueError(TOO_LONG)
         return bool(self._read(_ENTER_ALL, content, rows, rules)[4])
 
     def _read(
         self, kind: int, content: memoryview, rows: int, rules: Rules | None
     ) -> tuple[int, ...]:
         if rules is not None and rules is not self._rules:
-            self._table[...] = self._rules = rules
-        results = self._call(kind, rows, self._take(content), rules is not None)
+            self.rules[: len(Rules._fields)] = self._rules = rules
+        results = self.call(kind, rows, self._take(content), rules is not None)
         if results[0]:
-            raise ValueError(_ERRORS[results[0]])
+            raise ValueError(ERRORS[results[0]])
         return results
 
     def take_turn(
         self, fleet: Fleet, partner: Partner, content: memoryview, end_s: float
-    ) -> tuple[int, bytes | None]:
+    ) -> tuple[int, bytes | None, bool]:
         """Have the programs of a fleet run rounds with changes of their rows.
 
         Args:
@@ -154,42 +166,43 @@ class WordKernel:
             end_s: the end of the cycle [s].
 
         Returns:
-            the rounds, and what the programs have changed; None if one has trapped, so that it has
-            not been packed.
+            the rounds; what the programs have changed, None if one has trapped, so that it has not
+            been packed; and whether any program may have failed, or asks to write.
 
         Raises:
             ValueError: the content is not valid.
         """
         if len(content) % WORD_BYTES or len(content) > _MOST:
-            raise ValueError(_TOO_LONG if len(content) > _MOST else _ERRORS[1])
+            raise ValueError(TOO_LONG if len(content) > _MOST else ERRORS[1])
         rows, size = len(fleet), self._take(content)
-        _ARGUMENTS[2].pack_into(self._memory, self._place, _TURN, rows, size)
-        _BEGIN.pack_into(self._memory, self._turn, 0, -1, end_s)
+        _ARGUMENTS[4].pack_into(self.memory, self._place, _TURN, rows, size, _WRITE, FAILED)
+        _BEGIN.pack_into(self.memory, self._turn, 0, -1, end_s)
         trapped = fleet.take_turns(partner, self._turn, self._now)
-        *_, error, words = _RESULTS.unpack_from(self._memory, self._place)
+        *_, is_told, error, words = _RESULTS.unpack_from(self.memory, self._place)
         if error:
-            raise ValueError(_ERRORS[error])
+            raise ValueError(ERRORS[error])
         if trapped:
-            return trapped, None
-        return _BEGIN.unpack_from(self._memory, self._turn)[1], self._changes(rows, words)
+            return trapped, None, True
+        rounds = _BEGIN.unpack_from(self.memory, self._turn)[1]
+        return rounds, self._changes(rows, words), bool(is_told)
 
     def _take(self, content: memoryview) -> int:
         """Take what may be entered; return its size [words]."""
         size = min(len(content), _MOST)
-        self._memory[self._content : self._content + size] = content[:size]
+        self.memory[self._traffic : self._traffic + size] = content[:size]
         return size // WORD_BYTES
 
     def _changes(self, rows: int, words: int) -> bytes:
         """Return what has been packed: nothing if it is masks only."""
         if words == rows:
             return b""
-        return bytes(self._memory[self._packed : self._packed + words * WORD_BYTES])
+        return bytes(self.memory[self._traffic : self._traffic + words * WORD_BYTES])
 
-    def _call(self, kind: int, *arguments: int) -> tuple[int, ...]:
+    def call(self, kind: int, *arguments: int) -> tuple[int, ...]:
         """Run the kernel; return what it says."""
-        _ARGUMENTS[len(arguments)].pack_into(self._memory, self._place, kind, *arguments)
+        _ARGUMENTS[len(arguments)].pack_into(self.memory, self._place, kind, *arguments)
         self._resume()
-        return _RESULTS.unpack_from(self._memory, self._place)
+        return _RESULTS.unpack_from(self.memory, self._place)
 
 
 def partner_of(fleet: Fleet) -> Partner | None:

@@ -142,6 +142,10 @@ class Fleet:
         mailbox = self._mailbox.view()
         records = mailbox[SLOTS : SLOTS + count * RECORD.itemsize].view(RECORD)
         records[first:] = np.zeros((), RECORD)
+        self._use(records)
+
+    def _use(self, records: Records) -> None:
+        """Set slots and clocks."""
         self.slots, self.timing = records["slot"], records["timing"]
         self.codes, self._asks = self.slots["code"], self.timing["asks"]
         self._messages = self.slots["message"].view(_BYTES)

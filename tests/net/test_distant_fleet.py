@@ -14,9 +14,11 @@ import pytest
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.net import hosted_programs
-from crs_cc.net.changed_words import WORDS, KnownRows
+from crs_cc.net.changed_words import KnownRows
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
+from crs_cc.net.distant_fleet import DistantFleet
 from crs_cc.net.host_link import RAN, HostGoneError, HostLink
+from crs_cc.net.shared_rows import SharedRows
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.turns import RECORD
@@ -219,21 +221,27 @@ def test_programs_of_a_host_that_is_lost_for_good_stop_alone(programs: list[Exec
         *(("due_s", 1.0), ("speed_hz", 1.0), ("status", 3), ("status", -1), ("error_kind", 999)),
     ],
 )
-def test_what_a_host_says_is_believed_of_its_own_programs_only(field: str, value: float) -> None:
+def test_what_a_host_says_is_believed_of_its_own_programs_only(
+    programs: list[Executable], field: str, value: float
+) -> None:
     here, there = socket.socketpair()
     with here, there:
         link = HostLink(("robot0",), np.arange(1), Channel(here), refuse)
-        table = np.zeros((1, WORDS), np.uint64)
-        rows = table.view(RECORD)[:, 0]
-        rows["timing"]["clock_s"], rows["timing"]["fuel"], rows["timing"]["alive"] = 1.0, 7, True
-        link.grant(2.0, table)
+        fleet = DistantFleet(programs[:1], [link])
+        table = fleet.table()
+        timing = fleet.timing
+        timing["clock_s"], timing["fuel"], timing["alive"] = 1.0, 7, True
+        timing["due_s"] = math.inf
         known, said = KnownRows(1), table.copy()
         known.set(table)
         part = "timing" if field in RECORD["timing"].names else "slot"
         said.view(RECORD)[:, 0][part][field] = value
         Channel(there).send(Kind.RAN, RAN.pack(1, 1) + known.pack(said))
-        with pytest.raises(HostGoneError, match="not its own, or a clock goes back"):
-            link.collect()
+        before = fleet.timing.copy()
+        fleet.run_rounds(2.0)
+        assert "not its own, or a clock goes back" in fleet.report(0).text
+        before["asks"] = 1  # as its host is lost
+        assert (fleet.timing == before).all()
 
 
 def test_a_grant_is_not_sent_twice_to_the_host_that_replaces_a_lost_one() -> None:
@@ -241,7 +249,12 @@ def test_a_grant_is_not_sent_twice_to_the_host_that_replaces_a_lost_one() -> Non
     link = HostLink(("robot0",), np.arange(1), Channel(lost[0]), lambda *_: Channel(here[0]))
     for each in lost:
         each.close()
-    link.grant(2.0, np.zeros((1, WORDS), np.uint64))
+    rows = SharedRows(1)
+    link.take_part(rows)
+    timing = rows.table.view(RECORD)["timing"]
+    timing["alive"], timing["due_s"] = True, math.inf
+    assert rows.grant(2.0, is_new=True) == 1
+    link.grant(2.0)
     link.close()
     other = Channel(here[1])
     received = [other.receive(Kind.RESTORE, Kind.GRANT).kind for _ in range(2)]

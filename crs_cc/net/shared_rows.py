@@ -1,0 +1,154 @@
+"""The rows of all robots of a run, of which each host knows those of its own robots.
+
+The session reads and writes one table, which is in the memory of a kernel, just where that looks
+for changes: nothing is copied before changes are packed, nor after those of hosts have been
+entered. The kernel does in one call what a round needs for all hosts.
+
+>>> import numpy as np
+>>> from crs_cc.net.changed_words import KnownRows
+>>> from crs_cc.requests import timing_offset
+>>> shared = SharedRows(3)
+>>> some, other = shared.add(np.array([0, 2])), shared.add(np.array([1]))
+>>> shared.table[2, timing_offset("due_s") // 8] = 0x7FF << 52      # nothing is due
+>>> shared.table[2, timing_offset("alive") // 8] = 1
+>>> shared.grant(0.05, is_new=True), shared.is_granted(some), shared.is_granted(other)
+(1, True, False)
+>>> there = KnownRows(2)
+>>> there.enter(shared.packed(some)), there.table()[1].any().item()
+(False, True)
+"""
+
+from __future__ import annotations
+
+import struct
+from typing import Final
+
+from crs_cc.core.arrays import IndexArray
+from crs_cc.net.slot_rules import QUIET, RULES
+from crs_cc.net.word_kernel import (
+    ERRORS,
+    GRANT,
+    ROWS,
+    TAKE,
+    TOO_LONG,
+    WORD_BYTES,
+    WORDS,
+    Table,
+    WordKernel,
+)
+
+_INTS: Final = ("first", "count", "words", "ran", "error", "round", "is_ahead", "asks")
+"""What the kernel has of each host, as in `kernels/main.c`."""
+
+_BEGIN: Final = struct.Struct("<iid")
+_NOTHING: Final = -1
+
+
+class SharedRows:
+    """The table of a session, and the hosts that know rows of it.
+
+    Attributes:
+        table: a row of `WORDS` words for each robot.
+    """
+
+    def __init__(self, robots: int) -> None:
+        """Begin with rows of zeros.
+
+        Raises:
+            ValueError: there are more robots than the kernel has room for.
+        """
+        if robots > ROWS:
+            raise ValueError(f"{robots} robots, but {ROWS} at most can have programs on hosts")
+        self._kernel = kernel = WordKernel(robots)
+        self.table = kernel.now
+        kernel.rules[:] = *RULES, *QUIET
+        self._traffic, self._turn, members, hosts = kernel.places
+        parts = [
+            kernel.memory[begin : begin + 4 * ROWS].cast("i")
+            for begin in range(hosts, hosts + 4 * ROWS * len(_INTS), 4 * ROWS)
+        ]
+        self._first, self._count, self._words, self._ran, self._error, *_ = parts
+        self._members = kernel.memory[members : members + 4 * ROWS].cast("i")
+        self._hosts: list[IndexArray] = []
+        self._places: list[tuple[int, int, int]] = []  # in the memory, and the rows of a host
+        self._used = 0
+
+    def add(self, robots: IndexArray) -> int:
+        """Add a host with some robots, of which no other has any; return its number."""
+        number, first, rows = len(self._hosts), self._used, len(robots)
+        self._used += rows
+        for member, robot in enumerate(robots.tolist(), first):
+            self._members[member] = robot
+        self._first[number], self._count[number] = first, rows
+        self._words[number] = _NOTHING
+        self._hosts.append(robots)
+        begin = self._traffic + first * (1 + WORDS) * WORD_BYTES
+        self._places.append((begin, rows * (1 + WORDS) * WORD_BYTES, rows))
+        return number
+
+    def remove(self, host: int) -> None:
+        """Let a host take no part any more."""
+        self._count[host], self._words[host] = 0, _NOTHING
+
+    def known(self, host: int) -> Table:
+        """Return a copy of what a host knows."""
+        return self._kernel.known[self._hosts[host]]
+
+    # -- a round ---------------------------------------------------------------------------------
+
+    def grant(self, end_s: float, *, is_new: bool) -> int:
+        """Pack what has changed, for all hosts that have something to run up to a time.
+
+        Args:
+            end_s: the end of the cycle [s].
+            is_new: whether a cycle begins.
+
+        Returns:
+            how many hosts have.
+        """
+        _BEGIN.pack_into(self._kernel.memory, self._turn, 0, 0, end_s)
+        return self._kernel.call(GRANT, len(self._hosts), is_new)[0]
+
+    def is_granted(self, host: int) -> bool:
+        """Return whether changes have been packed for a host."""
+        return self._words[host] != _NOTHING
+
+    def packed(self, host: int) -> bytes:
+        """Return what has been packed for a host."""
+        begin, _, rows = self._places[host]
+        words = self._words[host]
+        self._words[host] = _NOTHING
+        if words == rows:
+            return b""  # masks only
+        return bytes(self._kernel.memory[begin : begin + words * WORD_BYTES])
+
+    def put(self, host: int, content: memoryview, rounds: int) -> None:
+        """Put what a host has changed in some rounds where `take` finds it.
+
+        Raises:
+            ValueError: it has a size that is not valid.
+        """
+        begin, most, _ = self._places[host]
+        size = len(content)
+        if size % WORD_BYTES or size > most:
+            raise ValueError(ERRORS[1] if size % WORD_BYTES else TOO_LONG)
+        self._kernel.memory[begin : begin + size] = content
+        self._words[host], self._ran[host] = size // WORD_BYTES, rounds
+
+    def take(self, before: int) -> tuple[int, bool] | None:
+        """Enter what hosts have put, and show it up to the first round in which a program asks.
+
+        Args:
+            before: the round up to which all is shown.
+
+        Returns:
+            the round up to which all is shown now, and whether there was anything to show; None if
+            what a host has put is not valid, see `error`: then nothing of that is entered, and
+            nothing is shown.
+        """
+        bad, reached, is_any, *_ = self._kernel.call(TAKE, len(self._hosts), before)
+        return None if bad else (reached, bool(is_any))
+
+    def error(self, host: int) -> str:
+        """Return what is wrong with what a host has put; empty if nothing is."""
+        return ERRORS[self._error[host]]

@@ -1,0 +1,111 @@
+"""One table of all robots, of which each host knows and changes its own rows."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from crs_cc.core.errors import WorldError
+from crs_cc.net.changed_words import KnownRows
+from crs_cc.net.roster import Roster
+from crs_cc.net.shared_rows import SharedRows
+from crs_cc.net.word_kernel import ROWS
+from crs_cc.runtime.turns import RECORD
+from crs_cc.sim.files.world_xml import parse_world
+
+END_S = 0.05
+
+
+class Both:
+    """The rows of the environment and of two hosts, all of whose programs can run."""
+
+    def __init__(self) -> None:
+        self.rows = SharedRows(4)
+        self.parts = np.array([0, 3]), np.array([1, 2])
+        self.numbers = [self.rows.add(part) for part in self.parts]
+        self.there = [KnownRows(2), KnownRows(2)]
+        self.records = self.rows.table.reshape(-1).view(RECORD)
+        self.records["timing"]["alive"], self.records["timing"]["due_s"] = True, math.inf
+
+    def grant(self, *, is_new: bool = True) -> list[int]:
+        """Grant a round; return which hosts have something to run."""
+        self.rows.grant(END_S, is_new=is_new)
+        granted = [host for host in self.numbers if self.rows.is_granted(host)]
+        for host in granted:
+            self.there[host].enter(self.rows.packed(host))
+        return granted
+
+    def say(self, host: int, rounds: int, **fields: float) -> None:
+        """Let a host change fields of its first program in some rounds."""
+        table = self.there[host].table().copy()
+        for name, value in fields.items():
+            table.reshape(-1).view(RECORD)[:1]["timing"][name] = value
+        self.rows.put(host, memoryview(self.there[host].pack(table)), rounds)
+
+
+def test_a_host_that_asks_later_is_shown_when_the_others_have_come_so_far() -> None:
+    both = Both()
+    assert both.grant() == [0, 1]
+    both.say(0, 3, clock_s=0.03, asks=1)
+    both.say(1, 1, clock_s=0.01, asks=1)
+    assert both.rows.take(0) == (1, True)
+    assert both.records["timing"]["clock_s"].tolist() == [0.0, 0.01, 0.0, 0.0]
+    both.records["timing"]["asks"] = 0  # it is answered
+    assert both.grant(is_new=False) == [1]
+    both.say(1, 9, clock_s=END_S)
+    assert both.rows.take(1) == (3, True)
+    assert both.records["timing"]["clock_s"].tolist() == [0.03, END_S, 0.0, 0.0]
+    assert both.records["timing"]["asks"].tolist() == [1, 0, 0, 0]
+
+
+def test_what_one_host_says_wrongly_is_asked_again_and_the_other_is_shown() -> None:
+    both = Both()
+    both.grant()
+    both.say(0, 1, clock_s=0.02, speed_hz=1.0)  # which is not its own
+    both.say(1, 1, clock_s=0.01)
+    assert both.rows.take(0) is None
+    assert "not its own" in both.rows.error(0)
+    assert not both.rows.error(1)
+    assert not both.records["timing"]["clock_s"].any()
+    both.there[0].set(both.rows.known(0))
+    both.say(0, 1, clock_s=0.02)
+    assert both.rows.take(0) == (1, True)
+    assert both.records["timing"]["clock_s"].tolist() == [0.02, 0.01, 0.0, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("fields", "runs"), [({"alive": False}, []), ({"clock_s": END_S}, []), ({"due_s": 0.01}, [])]
+)
+def test_hosts_with_nothing_to_run_are_granted_nothing(
+    fields: dict[str, float], runs: list[int]
+) -> None:
+    both = Both()
+    for name, value in fields.items():
+        both.records["timing"][name] = value
+    assert both.grant() == runs
+    assert both.rows.take(7) == (7, False)
+
+
+def test_a_host_that_has_left_is_granted_nothing() -> None:
+    both = Both()
+    both.rows.remove(0)
+    assert both.grant() == [1]
+
+
+@pytest.mark.parametrize("size", [7, 8 * 2 * 57 + 8])
+def test_changes_of_a_wrong_size_are_refused(size: int) -> None:
+    both = Both()
+    both.grant()
+    with pytest.raises(ValueError, match="changes"):
+        both.rows.put(0, memoryview(bytes(size)), 1)
+
+
+def test_a_world_with_too_many_robots_is_refused_before_any_host_has_come() -> None:
+    text = '<world version="1"><area length="2m" width="2m"/><robot id="r" x="1m" y="1m"/></world>'
+    [robot] = parse_world(text.encode(), "one.xml").robots
+    with pytest.raises(WorldError, match=f"{ROWS} at most can have programs on hosts"):
+        Roster([robot] * (ROWS + 1))
+    with pytest.raises(ValueError, match="at most"):
+        SharedRows(ROWS + 1)
