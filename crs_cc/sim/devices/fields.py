@@ -33,9 +33,10 @@ from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.name_lookup import look_up, numbers_of
 from crs_cc.sim.geometry.field_grid import NOWHERE, SIDE, FieldGrid
 from crs_cc.sim.kernels import exact
-from crs_cc.sim.kernels.field_cells import Trails, antenna_cells, trail_cells
+from crs_cc.sim.kernels.field_cells import Robots, Trails, antenna_cells, trail_cells
 from crs_cc.sim.kernels.program import kernels
 from crs_cc.sim.state.fields import UNIT
+from crs_cc.sim.state.rows import simplest
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -132,7 +133,11 @@ class Fields:
         if not self.names:
             return
         home = state.rows.at_home(constants.kinds)
-        robots = mount_poses(state, constants, rows) if home is None else rows
+        robots: Robots = rows
+        if home is None:
+            robots = mount_poses(state, constants, rows)
+        elif isinstance(simplest(rows, len(state.connected)), slice):
+            robots = len(rows)
         tiles, places = antenna_cells(home or kernels(), self._grid.table, ends_m, robots)
         found = field_tiles.read(state.fields, self._grid, tiles, places)
         np.multiply(found, self._units(state.fields, state.cycle)[:, None, None], out=amounts)

@@ -228,7 +228,11 @@ class Sensor:
         lost = np.isnan(value)
         if lost.any():
             value = np.where(lost, self._missing, value)
-        readings.value[which, : self._width] = value
+        if isinstance(which, slice) and len(rows) > self._width:
+            for column in range(self._width):  # numpy goes along rows, which are short
+                readings.value[:, column] = value[:, column]
+        else:
+            readings.value[which, : self._width] = value
         if extra.size:
             readings.value[which, self._width :] = extra
         readings.at_s[which] = at_s

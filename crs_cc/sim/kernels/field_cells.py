@@ -16,9 +16,9 @@ from crs_cc.sim.kernels.program import Kernels, kernels
 PIECES: Final = 64
 """Pieces at most that a trail in a timestep has, as in `fields.c`."""
 
-Robots: TypeAlias = "IndexArray | FloatArray"
-"""Robots by their rows in kernels that hold a world, (k,), or by the poses of their mounts, x, y
-[m] and heading [rad], (k, 3)."""
+Robots: TypeAlias = "int | IndexArray | FloatArray"
+"""Robots by their rows in kernels that hold a world, (k,), or how many of the first ones, or by the
+poses of their mounts, x, y [m] and heading [rad], (k, 3)."""
 
 _TRAILS: Final = 120
 _TRAIL: Final = 7  # numbers of one
@@ -37,23 +37,37 @@ def antenna_cells(
         robots: the robots, k of them.
 
     Returns:
-        the tiles, and the places in them, (fields, antennae, k) each.
+        the tiles, and the places in them, until the next call of the kernels, (fields, antennae, k)
+        each.
     """
     antennae, _, kinds = ends_m.shape
-    count, are_poses = len(robots), robots.dtype == np.float64
+    count = robots if isinstance(robots, int) else len(robots)
     most = (own.room - grids.size - 2 * antennae) // (4 + 2 * antennae * (1 + len(grids)))
+    if count <= most:
+        tiles, places = _few_cells(own, grids, ends_m, robots, count)
+        return tiles, places
+    each = np.arange(robots) if isinstance(robots, int) else robots
     found = np.empty((2, len(grids), antennae, count), np.int64)
     for begin in range(0, count, most):
         part = slice(begin, begin + most)
-        some, some_m = robots[part], ends_m if kinds == 1 else ends_m[:, :, part]
-        numbers = grids.tobytes() + some_m.tobytes()
-        sizes = len(grids), antennae, kinds == 1, are_poses
-        if are_poses:
-            told = own.antennae(None, len(some), numbers + some.tobytes(), sizes)
-        else:
-            told = own.antennae(some.astype(np.intp, copy=False), len(some), numbers, sizes)
-        found[:, :, :, part] = told
+        some, some_m = each[part], ends_m if kinds == 1 else ends_m[:, :, part]
+        found[:, :, :, part] = _few_cells(own, grids, some_m, some, len(some))
     return found[0], found[1]
+
+
+def _few_cells(
+    own: Kernels, grids: FloatArray, ends_m: FloatArray, robots: Robots, count: int
+) -> Int64Array:
+    """Return the same of robots for which there is room, (2, fields, antennae, k)."""
+    rows, numbers = None, grids.tobytes() + ends_m.tobytes()
+    are_poses = not isinstance(robots, int) and robots.dtype == np.float64
+    if not isinstance(robots, int):
+        if are_poses:
+            numbers += robots.tobytes()
+        else:
+            rows = robots.astype(np.intp, copy=False)
+    sizes = len(grids), len(ends_m), ends_m.shape[2] == 1, are_poses
+    return own.antennae(rows, count, numbers, sizes)
 
 
 class Trails(NamedTuple):
