@@ -150,5 +150,7 @@ def _made(
         end_at(debugger, options.max_time_s or loaded.world.duration_s)
     else:  # it may have run longer than its world says
         recorded.begin(debugger)
+    is_given = options.stdin is not None or options.input is not None
+    debugger.run.console.is_typed = recorded is None and not is_given
     debugger.save = functools.partial(record, debugger, loaded, options, waiting)
     return debugger

@@ -24,7 +24,8 @@ Read `engine` first: the operations of the debugger, without a user interface. I
   first of these in which two runs differ.
 - `data/`: C expressions, and values by their types.
 - `world/`: displays of the world, its events, and changes to it and to the run; `uploads`: programs
-  that a user brings to a run, for robots that join.
+  that a user brings to a run, for robots that join; `interventions`: all that a user has done, and
+  how it is taken back.
 
 User interfaces use the engine, not vice versa: `commands/` has the table of commands, `repl/`
 is a prompt, `tui/` the full screen, `dap/` serves editors.

@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import math
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -398,8 +398,12 @@ class Debugger:
         changes = self.run.history.changes
         if not 0 <= number < len(changes):
             raise DebugError(f"no change {number}")
-        place = changes[number].position
-        same = [each for each in changes[:number] if each.position == place]
+        return self.go_back_to(changes[number].position, range(number))
+
+    def go_back_to(self, place: Position, kept: Iterable[int]) -> Stop:
+        """Go to a recorded position, and forget the changes there and later, but for some."""
+        changes = self.run.history.changes
+        same = [changes[number] for number in kept if changes[number].position == place]
         if self.branches.keeps_past:
             self.run.seek(place)
             self.branches.leave_past()

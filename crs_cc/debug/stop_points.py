@@ -9,6 +9,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, Final
 
+from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.breakpoints import Breakpoint, BreakpointHit, BreakpointKind, Breakpoints
 from crs_cc.debug.condition_tests import ConditionTests
@@ -266,22 +267,27 @@ class StopPoints:
 
     def _check_anywhere(self, condition: str, robot: int | None) -> None:
         """Check that a condition is valid at any statement, as events may happen at each."""
-        robots = range(len(self._run.programs)) if robot is None else [robot]
-        by_program = {id(self._run.programs[each]): each for each in reversed(robots)}
         wrong: DebugError | None = None
-        for each in by_program.values():
-            evaluator = self._view.evaluator(each)
-            sites = self._run.programs[each].executable.detail().compiled.breakable()
-            own = ((site.function, site.location) for _, site in sites if is_own(site.location))
-            for function, location in (("", NOWHERE), *own):
-                try:
-                    evaluator.check(condition, function, location)
-                except DebugError as error:
-                    wrong = wrong or error
-                else:
-                    return
+        for evaluator, function, location in self._anywhere(robot):
+            try:
+                evaluator.check(condition, function, location)
+            except DebugError as error:
+                wrong = wrong or error
+            else:
+                return
         if wrong is not None:
             raise wrong
+
+    def _anywhere(self, robot: int | None) -> Iterator[tuple[Evaluator, str, Location]]:
+        """Return the scopes of a robot's program, or of all programs: that of the file first."""
+        robots = range(len(self._run.programs)) if robot is None else [robot]
+        by_program = {id(self._run.programs[each]): each for each in reversed(robots)}
+        for each in by_program.values():
+            evaluator = self._view.evaluator(each)
+            yield evaluator, "", NOWHERE
+            for _, site in self._run.programs[each].executable.detail().compiled.breakable():
+                if is_own(site.location):
+                    yield evaluator, site.function, site.location
 
     def _sites(self, place: BreakpointLocation) -> Iterator[tuple[Evaluator, StatementSite]]:
         for robot, numbers in place.statements.items():
@@ -293,12 +299,17 @@ class StopPoints:
 
     def assigns(self, one: Breakpoint) -> bool:
         """Return whether a condition is an assignment, where a comparison is likely to be meant."""
-        if not one.condition or one.place is None:
+        if not one.condition:
             return False
-        return any(
-            evaluator.assigns(one.condition, site.function, site.location)
-            for evaluator, site in self._sites(one.place)
-        )
+        if one.place is not None and not one.place.codes:
+            return any(
+                evaluator.assigns(one.condition, site.function, site.location)
+                for evaluator, site in self._sites(one.place)
+            )
+        for evaluator, function, location in self._anywhere(one.robot):
+            with contextlib.suppress(DebugError):
+                return evaluator.assigns(one.condition, function, location)
+        return False
 
     def accepts(self, hit: BreakpointHit, counts: bool) -> tuple[bool, str]:
         """Return whether a hit stops the run, and a remark."""

@@ -20,6 +20,7 @@ from crs_cc.debug.commands.skipping import SKIPPING
 from crs_cc.debug.commands.stop_text import program_lines
 from crs_cc.debug.commands.why import go_to_write
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.interventions import interventions, take_back
 from crs_cc.debug.past import Past
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.timeline.position import BEGINNING
@@ -30,9 +31,16 @@ def _start(context: CommandContext, _text: str) -> Answer:
     return context.move(context.debugger.start)
 
 
-def _run(context: CommandContext, _text: str) -> Answer:
+def _run(context: CommandContext, text: str) -> Answer:
+    if text not in {"", "-keep"}:
+        raise DebugError(f"unexpected argument '{text}' (expected -keep)")
+    done = interventions(context.debugger)
+    if done and not text:
+        take_back(context.debugger, 0)
+        what = "a change" if len(done) == 1 else f"{len(done)} changes"
+        yield f'Without {what} that "run -keep" would have repeated.'
     context.debugger.goto(BEGINNING)
-    return context.move(context.debugger.resume)
+    yield from context.move(context.debugger.resume)
 
 
 def _continue(context: CommandContext, text: str) -> Answer:
@@ -169,7 +177,12 @@ RUNNING: Final = Group(
             text="Breakpoints are kept. Recorded history is discarded only when"
             " the past is changed.",
         ),
-        Command("run", "", "Go to the start, then continue to the first breakpoint.", _run, ("r",)),
+        Command(
+            "run", "[-keep]", "Go to the start, then continue to the first breakpoint.",
+            _run, ("r",),
+            text="The run begins anew: changes and what was typed for programs are forgotten, see"
+            ' "info edits". With -keep, they are repeated.',
+        ),
         Command(
             "continue", "[N]", "Continue to the next breakpoint, watchpoint or catchpoint.",
             _continue, ("c", "fg"),

@@ -17,6 +17,7 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.interventions import interventions, take_back
 from crs_cc.debug.world.goal_rows import goal_rows
 from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
@@ -192,15 +193,16 @@ def _change(context: CommandContext, text: str, *, name: str) -> Answer:
 def _info_edits(context: CommandContext, _text: str) -> Answer:
     debugger = context.debugger
     timestep_s = debugger.session.environment.world.timestep_s
-    if not debugger.run.history.changes:
+    done = interventions(debugger)
+    if not done:
         yield "No edits."
-    for number, each in enumerate(debugger.run.history.changes, 1):
+    for number, each in enumerate(done, 1):
         whose = f"{debugger.names[each.robot]}: " if each.robot >= 0 else ""
-        yield f"{number:<3} t = {each.position.timestep * timestep_s:.3f} s  {whose}{each.text}"
+        yield f"{number:<3} t = {each.place.timestep * timestep_s:.3f} s  {whose}{each.text}"
 
 
 def _undo(context: CommandContext, text: str) -> Answer:
-    made = len(context.debugger.run.history.changes)
+    made = len(interventions(context.debugger))
     numbers = parse_numbers(text) or [made]
     if len(numbers) > 1:
         raise DebugError("expected the number of one edit; later ones are undone with it")
@@ -208,7 +210,7 @@ def _undo(context: CommandContext, text: str) -> Answer:
         raise DebugError("there is nothing to undo")
     if not 1 <= numbers[0] <= made:
         raise DebugError(f'no edit {numbers[0]}; see "info edits"')
-    return context.move(partial(context.debugger.take_back, numbers[0] - 1))
+    return context.move(partial(take_back, context.debugger, numbers[0] - 1))
 
 
 CHANGES: Final = Group(
@@ -222,12 +224,15 @@ CHANGES: Final = Group(
             )
             for name, each in ALL_EDITS.items()
         ),
-        Command("info edits", "", "List the changes to programs and the world.", _info_edits,
-                ("info changes",)),
+        Command(
+            "info edits", "",
+            "List the changes to the run, and what was typed for programs.",
+            _info_edits, ("info changes",),
+        ),
         Command(
             "undo", "[N]", "Undo a change, and go to where it was made.", _undo,
             text="N is its number, see \"info edits\"; all later changes are undone with it."
-            " Default is the last change.",
+            " Default is the last change. A line that was typed for a program is asked for again.",
         ),
     ),
 )  # fmt: skip

@@ -31,6 +31,7 @@ from typing import Final
 
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Location
+from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.session.host import Input, Output, never_waits
 
 WaitingAfter = Callable[[int, float, int], tuple[int, float]]
@@ -54,11 +55,12 @@ class ReplayConsole:
     Attributes:
         is_live: whether output is shown, new or replayed.
         shows_new: whether new output is shown in any case.
+        is_typed: whether input is typed by the user, who can be asked for it again.
     """
 
     def __init__(self, output: Output, read: Input, waiting: WaitingAfter = never_waits) -> None:
         """Store the functions that show output, read input and know when there is some."""
-        self.is_live = self.shows_new = False
+        self.is_live = self.shows_new = self.is_typed = False
         self._show = output
         self._ask = read
         self._waiting = waiting
@@ -68,6 +70,7 @@ class ReplayConsole:
         self._at = 0
         self._reads: dict[int, list[bytes]] = {}
         self._read_at: dict[int, int] = {}
+        self._asked_at: dict[int, list[Position]] = {}  # of each piece of input
 
     @property
     def at(self) -> int:
@@ -100,15 +103,39 @@ class ReplayConsole:
         for stream, content in pieces:
             self.write(robot, stream, content)
 
-    def read(self, robot: int, wanted: int) -> bytes:
-        """Return input for a program: recorded input first."""
+    def read(self, robot: int, wanted: int, place: Position = BEGINNING) -> bytes:
+        """Return input for a program: recorded input first.
+
+        Args:
+            robot: the robot.
+            wanted: how much it can be at most [bytes].
+            place: a position before the program has asked for it, in the same round.
+        """
         known, at = self._reads.setdefault(robot, []), self._read_at.get(robot, 0)
+        asked_at = self._asked_at.setdefault(robot, [])
         if at == len(known):
             known.append(self._ask(robot, wanted))
         if len(known[at]) > wanted:  # the user has changed something since
             known[at : at + 1] = known[at][:wanted], known[at][wanted:]
+        asked_at[at:] = [place, *asked_at[at + 1 :]]
+        asked_at += [place] * (len(known) - len(asked_at))
         self._read_at[robot] = at + 1
         return known[at]
+
+    def typed(self) -> Iterator[tuple[Position, int, bytes]]:
+        """Return the pieces of input that the user has typed: where they were asked for, by whom.
+
+        Those that a run reads again after now are among them.
+        """
+        for robot, known in sorted(self._reads.items()) if self.is_typed else ():
+            for place, piece in zip(self._asked_at[robot], known, strict=True):
+                yield place, robot, piece
+
+    def forget_typed(self, place: Position) -> None:
+        """Forget what was typed from a position on, so that it is asked for again."""
+        for robot, asked_at in self._asked_at.items() if self.is_typed else ():
+            count = next((at for at, each in enumerate(asked_at) if each >= place), len(asked_at))
+            del asked_at[count:], self._reads[robot][count:]
 
     def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
         """Return what a program can read, and how long a read waits [s], see `Session`."""
@@ -143,6 +170,7 @@ class ReplayConsole:
         other._content, other._ends = self._content[:], self._ends[:]
         other._writers, other._read_at = self._writers[:], dict(self._read_at)
         other._reads = {robot: known[:] for robot, known in self._reads.items()}
+        other._asked_at = {robot: places[:] for robot, places in self._asked_at.items()}
         other.truncate()
         return other
 

@@ -125,19 +125,26 @@ class History:
         """Discard the changes at a position and later, and the snapshots."""
         self.changes = tuple(each for each in self.changes if each.position < position)
         first = self._positions[0]
-        self._drop(position)
+        if position > first or self._start is not None:
+            self._drop(position)
+        else:  # nothing was changed there
+            self._drop_from(1)
         if self._start is not None and position == first:
             self._positions.append(first)
             self._kept[first], self._start = self._start, None
+        self._edits[:] = [each for each in self._edits if each < position]
         self._user = None
 
     def _drop(self, position: Position) -> None:
         """Discard the snapshots and edits from a position on."""
-        first = bisect_left(self._positions, position)
+        self._drop_from(bisect_left(self._positions, position))
+        self._edits[:] = [each for each in self._edits if each < position]
+
+    def _drop_from(self, first: int) -> None:
+        """Discard the snapshots from a number on."""
         for each in self._positions[first:]:
             self._store.drop(self._kept.pop(each))
         del self._positions[first:]
-        self._edits[:] = [each for each in self._edits if each < position]
 
     def fork(self, position: Position) -> History:
         """Return an independent history with the snapshots up to a position.

@@ -120,7 +120,9 @@ class RecordedRun:
         self.console.write(robot, stream, content)  # of the branch that the run is in now
 
     def _read(self, robot: int, wanted: int) -> bytes:
-        return self.console.read(robot, wanted)
+        rounds = self.session.state.rounds  # that in which the program has asked may be counted
+        place = Position(self.session.timesteps, max(0, rounds - 1))
+        return self.console.read(robot, wanted, place)
 
     def _waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
         return self.console.waiting(robot, clock_s)

@@ -34,7 +34,7 @@ def answers(shell: Shell, *commands: str) -> list[str]:
 
 
 def test_settings_change_what_commands_show(shell: Shell) -> None:
-    assert len(answers(shell, "list 1,")) == 7
+    assert len(answers(shell, "list 1,")) == 6
     assert len(answers(shell, "set listsize 2", "list 1,")) == 2
     assert answers(shell, "show listsize") == ["listsize = 2: How many source lines list shows."]
     assert len(answers(shell, "show")) > 3
