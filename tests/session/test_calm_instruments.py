@@ -98,10 +98,10 @@ CALM = {"rings fail": 30, "dark things": 0}
 def world_of(name: str, folder: Path) -> WorldModel:
     robots = Path(files.__file__).parent / "robots"
     scout, nomad = ((robots / f"{each}.xml").read_text() for each in ("scout", "nomad200"))
-    device = '<infrared step="{}" noise="{}" history="{}" rate="12Hz"/><compass on="yes" {}/>'
+    device = '<infrared step="{}" noise="{}" history="{}" rate="{}Hz"/><compass on="yes" {}/>'
     for kind, values in {
-        "plain": ("0.2m", "0m", "0", 'offset="30deg"'),
-        "noisy": ("8cm", "20cm", "4", 'noise="2deg" deviation="9deg"'),
+        "plain": ("0.2m", "0m", "0", "12", 'offset="30deg"'),
+        "noisy": ("8cm", "60cm", "4", "100", 'noise="2deg" deviation="9deg"'),
     }.items():
         content = re.sub("(<sonars .*?/>)", rf"\1{device.format(*values)}", scout, count=1)
         (folder / f"{kind}.xml").write_text(content)
@@ -117,6 +117,12 @@ def test_rings_and_compasses_measure_the_same(world: str, tmp_path: Path) -> Non
     model = world_of(world, tmp_path)
     passed = compare(model, [build(tmp_path, LOOKS)] * 3, 160)
     assert passed >= CALM.get(world, 80)
+
+
+def test_errors_are_drawn_as_often_as_they_are_needed(tmp_path: Path) -> None:
+    program = "#include <Nclient.h>\nint main(void) { connect_robot(1); for (;;) get_ir(); }"
+    model = world_of("noisy rings", tmp_path)
+    assert compare(model, [build(tmp_path, program)] * 3, 90) > 80
 
 
 def test_the_programs_see_something(tmp_path: Path) -> None:

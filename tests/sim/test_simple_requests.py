@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from pathlib import Path
 from unittest.mock import patch
 
 import numpy as np
@@ -13,8 +14,14 @@ from crs_cc.sim.engine import dispatch
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.engine.simple_requests import serve_simply
 from crs_cc.sim.kernels.program import Kernels
+from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state import robot_rows
-from tests.sim.driver import world_of
+from tests.sim.driver import own_world, world_of
+
+LASER = (
+    '<laser points="482" field-of-view="60deg" range="3m" forward="0.2m" rate="30Hz" noise="0mm"'
+    '\n         mode="0"/>'
+)
 
 WORLDS = {
     "walls and a push": """
@@ -48,14 +55,14 @@ ASKED = (
 
 
 def posted(
-    dice: random.Random, robots: int
+    dice: random.Random, robots: int, asked: tuple[str, ...]
 ) -> list[tuple[int, np.ndarray, np.ndarray, np.ndarray]]:
     """Return requests of a cycle: codes, robots, messages, and times in it as shares."""
     found = []
     for _ in range(dice.randrange(4)):
         rows = np.array(sorted(dice.sample(range(robots), dice.randint(1, robots))))
         messages = np.zeros(len(rows), MESSAGE)
-        name = dice.choice(ASKED)
+        name = dice.choice(asked)
         most = 2 if name == "CONF_TM" else 400
         messages["i"][:, :3] = [[dice.randint(-most, most) for _ in range(3)] for _ in rows]
         share = np.array([dice.random() * 1.1 for _ in rows])
@@ -67,14 +74,14 @@ def posted(
     return found
 
 
-def outcome(things: str, seed: int) -> list[object]:
+def outcome(world: WorldModel, seed: int, asked: tuple[str, ...] = ASKED) -> list[object]:
     """Return all replies, and hashes, of a random run."""
-    environment, dice = Environment(world_of(things), seed), random.Random(seed)
+    environment, dice = Environment(world, seed), random.Random(seed)
     robots, told = len(environment.world.robots), list[object]()
     everybody = np.arange(robots)
     environment.serve(CODES["CONNECT"], everybody, np.zeros(robots, MESSAGE), np.zeros(robots))
     for _ in range(120):
-        for code, rows, messages, share in posted(dice, robots):
+        for code, rows, messages, share in posted(dice, robots, asked):
             at_s = environment.time_s + share * environment.timestep_s
             goes_on_s = environment.serve(code, rows, messages, at_s)
             told.append((code, messages.tobytes(), goes_on_s.tolist()))
@@ -91,6 +98,28 @@ def outcome(things: str, seed: int) -> list[object]:
 @pytest.mark.parametrize("name", WORLDS)
 @pytest.mark.parametrize("seed", range(3))
 def test_replies_and_states_are_those_of_the_handlers(name: str, seed: int) -> None:
+    shares = compare(world_of(WORLDS[name]), seed)
+    assert any(shares) == (name == "walls and a push")
+    assert not all(shares)
+
+
+@pytest.mark.parametrize("timer", ["", 'period="0.2s"'])
+def test_instruments_measure_for_replies_of_kernels(timer: str, tmp_path: Path) -> None:
+    ring = 'half-angle="5deg" reflectance="1" rate="20Hz" noise="0in"'
+    compass = 'calibration="180s" rate="10Hz" noise="0deg" on="no"'
+    world = own_world(
+        tmp_path, (LASER, ""), (ring, f'{ring.replace("0in", "2in")} history="3" {timer}'),
+        (compass, compass.replace("0deg", "3deg").replace('"no"', '"yes"')),
+        things='''<robot x="1m" y="1m"/><robot x="1.6m" y="1m" heading="90deg"/>
+        <degradation robot="robot0" device="infrared" bias="2in" onset="2s"/>
+        <box x="2.5m" y="1m" length="40cm" width="40cm" mass="1kg"/>''', robot="nomad200",
+    )  # fmt: skip
+    shares = compare(world, 4, (*ASKED, "GET_IR", "GET_IR", "GET_CP", "CONF_IR", "CT"))
+    assert 0.4 < np.mean(shares) < 1.0
+
+
+def compare(world: WorldModel, seed: int, asked: tuple[str, ...] = ASKED) -> list[bool]:
+    """Compare what kernels and handlers answer; return which requests kernels have answered."""
     simply: list[bool] = []
 
     def counted(*arguments: object) -> object:
@@ -99,11 +128,10 @@ def test_replies_and_states_are_those_of_the_handlers(name: str, seed: int) -> N
         return found
 
     with patch.object(dispatch, "serve_simply", counted):
-        told = outcome(WORLDS[name], seed)
+        told = outcome(world, seed, asked)
     with patch.object(dispatch, "serve_simply", lambda *_: None):
-        assert outcome(WORLDS[name], seed) == told
+        assert outcome(world, seed, asked) == told
     checked = Kernels(holds_world=True, checked=True)
     with patch.object(robot_rows, "Kernels", lambda **_: checked):
-        assert outcome(WORLDS[name], seed) == told
-    assert any(simply) == (name == "walls and a push")
-    assert not all(simply)
+        assert outcome(world, seed, asked) == told
+    return simply

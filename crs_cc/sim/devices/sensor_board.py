@@ -13,7 +13,8 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records, all_of
 from crs_cc.requests import CODES, REQUESTS
-from crs_cc.requests.request import ALL_SENSORS, LASER
+from crs_cc.requests.request import ALL_SENSORS, INFRARED, LASER
+from crs_cc.requests.request import COMPASS as COMPASS_KIND
 from crs_cc.sim.devices import pos_data
 from crs_cc.sim.devices.clock import BoardClock
 from crs_cc.sim.devices.compass import Compasses, compasses
@@ -49,6 +50,9 @@ if TYPE_CHECKING:
 
 GROUPS: Final = {"infrared": mask.INFRARED, "compass": mask.COMPASS, "laser": mask.LASER}
 """The bits of masks that select a device of the registry."""
+
+_KINDS: Final = {"infrared": INFRARED, "compass": COMPASS_KIND, "laser": LASER}
+"""The kinds of sensors of requests that are about one of these."""
 
 _PLACES: Final = {
     name: place for name, (_, place) in REQUESTS[CODES["GS"]].result_positions.items()
@@ -92,12 +96,6 @@ class SensorBoard:
             self._lasers = installed["laser"].device
 
     @property
-    def measures_for_replies(self) -> bool:
-        """Whether `State` in replies depends on more than the rows of robots that kernels know."""
-        has_instruments = bool(self._instruments) or self._lasers is not None
-        return has_instruments or self.batteries.are_in_status
-
-    @property
     def is_simple(self) -> bool:
         """Whether it measures with nothing but infrared rings and compasses."""
         return self._lasers is None and not self.batteries.are_in_status
@@ -128,6 +126,37 @@ class SensorBoard:
         self.write(state, constants, (rows, at_s), replies, context.messages)
         context["laser_count"] = laser_count
         return np.asarray(replies["state"])
+
+    def measure_simply(
+        self,
+        state: EnvState,
+        constants: RobotConstants,
+        rays: RayCaster,
+        replied: tuple[IndexArray, FloatArray],
+        code: int,
+    ) -> None:
+        """Measure for requests of one kind, if the board is simple and these have been executed.
+
+        Args:
+            state: changed in place.
+            constants: the robots' constants.
+            rays: casts rays.
+            replied: the robots, k of them, and the time of each reply.
+            code: the kind of requests; all robots have what it is about.
+        """
+        rows, at_s = replied
+        for row, measure, group in self._instruments:
+            which = constants.numbers[row.name][rows] >= 0
+            if REQUESTS[code].sensors == ALL_SENSORS:
+                which &= selects(state, rows, group)
+            elif REQUESTS[code].sensors != _KINDS[row.name]:
+                continue
+            if row.number is not None:
+                which &= state.timers.on_request(rows, row.number)
+            if all_of(which):
+                measure(state, constants, rays, rows, at_s)
+            elif which.any():
+                measure(state, constants, rays, rows[which], at_s[which])
 
     def write(
         self,
@@ -205,8 +234,13 @@ def _replies(
     """Return `State`, charges and times of robots, (k,) of dtype `REPLY`."""
     kinds, for_s = constants.kinds, at_s - state.presence.joined_s[rows]
     replies = state.rows.replies(simplest(rows, len(kinds.kind)), for_s, kinds)
-    states = replies["state"]
-    correct_speeds(state, constants, rows, states[:, VEL_RIGHT:MOTOR_STATUS])
+    correct_speeds(state, constants, rows, replies["state"][:, VEL_RIGHT:MOTOR_STATUS])
+    tell(state, constants, rows, replies["state"])
+    return replies
+
+
+def tell(state: EnvState, constants: RobotConstants, rows: IndexArray, states: Int32Array) -> None:
+    """Write what instruments have measured last into `State` of robots, (k, 45)."""
     level, mode, reading = rings(state).level, laser_state(state).mode, compasses(state).reading
     if len(level):
         has, mine = _having(constants.numbers["infrared"], rows)
@@ -217,7 +251,6 @@ def _replies(
     if len(reading):
         has, mine = _having(constants.numbers["compass"], rows)
         states[has, COMPASS] = reading[mine]
-    return replies
 
 
 def _having(numbers: IndexArray, rows: IndexArray) -> tuple[Rows, IndexArray]:

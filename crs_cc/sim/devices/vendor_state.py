@@ -15,7 +15,7 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray, Int32Array, any_of
+from crs_cc.core.arrays import IndexArray, Int32Array
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -54,7 +54,7 @@ def correct_speeds(
     state: EnvState, constants: RobotConstants, rows: IndexArray, speeds: Int32Array
 ) -> None:
     """Set the reported speeds of robots, some of which are held up or degraded, (k, 3)."""
-    if any_of(state.drive.hindered) or constants.degradations.concern_motions(state):
+    if constants.degradations.concern_motions(state):
         now_s, speed = state.drive.clock_s[rows], traction.speed(state, constants, rows)
         speed = constants.degradations.speeds(state, "odometry", rows, speed, now_s)
         unit, told = constants.drives.unit[rows], np.zeros_like(speed)

@@ -116,8 +116,7 @@ class CalmInstruments:
     @property
     def are_simple(self) -> bool:
         """Whether kernels know all that they measure."""
-        board = self._data.devices.sensor_board
-        return board.is_simple and board.infrared.is_simple(self._data.rays)
+        return self._data.devices.sensor_board.infrared.is_simple(self._data.rays)
 
     def tables(self) -> dict[str, npt.NDArray[Any]]:
         """Return the tables of what does not change in calm time."""

@@ -24,7 +24,6 @@ from crs_cc.sim.devices.sensor_board import BATTERIES, BOARD_MS, LASER_COUNT
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.devices.waits import when
 from crs_cc.sim.engine.calm_instruments import CalmInstruments
-from crs_cc.sim.engine.handlers import calm_commands
 from crs_cc.sim.engine.passage import Passage, served_of
 from crs_cc.sim.engine.quiet_time import MARGIN, NEVER
 from crs_cc.sim.kernels.calm import ANSWER, CODES, FRAME, MOST, CalmKernel
@@ -112,6 +111,7 @@ class CalmTime:
         self._is_possible = (
             len(state.bodies.angle_rad) <= MOST
             and len(data.constants.kinds.table) <= MOST
+            and bool(data.simple)
             and self._instruments.are_simple
             and data.constants.inclines is None
             and data.rolling.are_exact
@@ -203,8 +203,8 @@ class CalmTime:
         sonars, batteries = data.devices.sonars, data.devices.sensor_board.batteries
         volts, volts_of = batteries.byte_tables()
         beams, modes, mistakes, _ = sonars.kernel_tables()
-        commands, known = np.full(CODES, -1.0), calm_commands(data.devices, data.constants.numbers)
-        simple = np.array([pair for pair in known.items() if pair[0] < CODES])
+        commands = np.full(CODES, -1.0)
+        simple = np.array([pair for pair in data.simple.items() if pair[0] < CODES])
         commands[simple[:, 0]] = simple[:, 1]
         links = np.zeros((count, CODES))
         robots = np.arange(count)

@@ -161,11 +161,8 @@ def simple_commands(devices: DeviceBoard, numbers: Mapping[str, IndexArray]) -> 
         devices: the robots' devices.
         numbers: the number of each robot's device, -1 for none, by the devices' names.
     """
-    return {} if devices.sensor_board.measures_for_replies else calm_commands(devices, numbers)
-
-
-def calm_commands(devices: DeviceBoard, numbers: Mapping[str, IndexArray]) -> dict[int, int]:
-    """Return the same if kernels know all that instruments measure, see `CalmTime`."""
+    if not devices.sensor_board.is_simple:
+        return {}
     handlers = handlers_of(devices)
     reads = [code for code, handler in handlers.items() if handler is acknowledge]
     simple = dict.fromkeys((code for code in reads if REQUESTS[code].replies_state), 0)

@@ -1,8 +1,8 @@
 """Requests that a kernel answers in one call: those for `State`, and `vm`.
 
 Most requests of most programs are of these kinds, and most robots can answer them at once: nothing
-is due before, no instrument measures for the reply, nothing is degraded. All others are left to the
-handlers, which give the same answers.
+is due before, no motion is degraded. Infrared rings and compasses measure for the replies then. All
+others are left to the handlers, which give the same answers.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Records
 from crs_cc.sim.devices import drive
+from crs_cc.sim.devices.sensor_board import tell
 from crs_cc.sim.kernels.tables import ADVANCED, SENSOR_DUE
 from crs_cc.sim.state.rows import simplest
 
@@ -50,7 +51,10 @@ def serve_simply(
         found, at_s, replies = state.rows.serve(some, service, asked, constants.kinds)
     if found != ADVANCED:
         return None
-    data.devices.sensor_board.write(state, constants, (rows, at_s), replies, messages)
+    board = data.devices.sensor_board
+    board.measure_simply(state, constants, data.rays, (rows, at_s), code)
+    tell(state, constants, rows, replies["state"])
+    board.write(state, constants, (rows, at_s), replies, messages)
     messages["result"] = 1
     return at_s, replies["state"]
 
@@ -61,6 +65,5 @@ def _is_simple(data: WorldData) -> bool:
     return (
         drive.moves_as_commanded(state, constants)
         and not len(state.pos_data.reported)
-        and not np.count_nonzero(state.drive.hindered)
         and not constants.degradations.concern(state, "battery")
     )

@@ -150,23 +150,49 @@ static struct columns columns_of(struct odometry *o)
     return found;
 }
 
-/* Advance a robot to a time. */
-void __crs_move(struct robot *robot, const struct drive *drive, double to)
+void __crs_lag(const struct constants *constants, double lag, const double *driven,
+               double *counted)
 {
-    double way[AXES], turn, x, y;
+    counted[0] = driven[0] - lag;
+    counted[1] = constants->is_synchro != 0 ? driven[1] : driven[1] - lag;
+    counted[2] = driven[2];
+}
+
+/* Count what the encoders of a robot tell of the ways of its axes in some time. */
+static void count(struct robot *robot, const struct constants *constants, double time,
+                  const double *way)
+{
+    struct columns o = columns_of(&robot->odometry);
+    double turned[] = { way[0], way[1], way[2] };
+    int axis;
+
+    if (robot->hindered) {
+        double ahead = weighted(way, constants->drive.forward) - robot->forward * time;
+
+        robot->ahead += ahead;
+        __crs_lag(constants, ahead, way, turned);
+    }
+    if (turned[0] == 0 && turned[1] == 0 && turned[2] == 0)
+        return;
+    for (axis = 0; axis < AXES; axis++)
+        robot->slice[axis] += turned[axis];
+    count_turns(&constants->drive, &o, 0, turned);
+}
+
+/* Advance a robot to a time. */
+void __crs_move(struct robot *robot, const struct constants *constants, double to)
+{
+    const struct drive *drive = &constants->drive;
+    double way[AXES], turn, x, y, time = to - robot->clock;
     struct profiles p = profiles_of(&robot->axes, way);
-    struct columns o;
     int axis;
 
     robot->clock = to;
     for (axis = 0; axis < AXES; axis++)
         advance(&p, axis, to);
+    count(robot, constants, time, way);
     if (way[0] == 0 && way[1] == 0 && way[2] == 0)
         return;
-    for (axis = 0; axis < AXES; axis++)
-        robot->slice[axis] += way[axis];
-    o = columns_of(&robot->odometry);
-    count_turns(drive, &o, 0, way);
     turn = weighted(way, drive->true_turn);
     __crs_arc(robot->facing, weighted(way, drive->true_forward), turn, &x, &y);
     robot->moved[0] += x;
@@ -198,13 +224,11 @@ int __crs_advance(int count, int renews, const long long *rows, double last, con
             return SENSOR_DUE;
         if (robot->deadline < to[i])
             return TIMEOUT_DUE;
-        if (robot->hindered)
-            return HELD_UP;
     }
     for (i = 0; i < count; i++) {
         struct robot *robot = &tables->robots[rows ? rows[i] : i];
 
-        __crs_move(robot, &tables->kinds[(int)robot->kind].drive, to[i]);
+        __crs_move(robot, &tables->kinds[(int)robot->kind], to[i]);
         if (renews)
             robot->deadline = to[i] + robot->timeout;
     }

@@ -62,11 +62,11 @@ static int may_measure(const struct instrument *common, int kinds, int own, doub
 
 /* Record that an instrument has measured. */
 static void note(struct instrument *common, double at, const struct robot *robot,
-                 const struct drive *drive)
+                 const struct constants *constants)
 {
     common->at = at;
     common->count++;
-    __crs_report(robot, drive, common->configuration);
+    __crs_report(robot, constants, common->configuration);
 }
 
 /* Return what a sensor reads before rounding, without a memory, at a distance. */
@@ -126,11 +126,11 @@ void __crs_measure(struct calm *calm, long long number, int kinds, double at,
             (double)number };
 
         sweep(calm, ring, viewer);
-        note(&ring->common, at, robot, &constants->drive);
+        note(&ring->common, at, robot, constants);
     }
     if (compass && compass->on != 0 && may_measure(&compass->common, kinds, COMPASSES, at)) {
         take_bearing(calm, compass, direction);
-        note(&compass->common, at, robot, &constants->drive);
+        note(&compass->common, at, robot, constants);
     }
 }
 

@@ -56,8 +56,11 @@ int __crs_advance(int count, int renews, const long long *rows, double last, con
                   const struct tables *tables);
 
 /* Advance a robot to a time before which nothing happens to it. */
-struct drive;
-void __crs_move(struct robot *robot, const struct drive *drive, double to);
+void __crs_move(struct robot *robot, const struct constants *constants, double to);
+
+/* What encoders tell of the motion that a robot's motors drive, if its wheels lag behind so much. */
+void __crs_lag(const struct constants *constants, double lag, const double *driven,
+               double *counted);
 
 /* Ramp axes to speeds, see drive.c: three numbers of each robot. */
 void __crs_speeds(int count, const long long *rows, const double *speeds, const double *ramps,
@@ -67,7 +70,7 @@ void __crs_speeds(int count, const long long *rows, const double *speeds, const 
 void __crs_reports(int count, const long long *rows, const struct tables *tables, int *out);
 
 /* The same of one robot. */
-void __crs_report(const struct robot *robot, const struct drive *drive, int *out);
+void __crs_report(const struct robot *robot, const struct constants *constants, int *out);
 
 /* Replies to requests, see report.c; `times` are those for which robots have been in the world. */
 void __crs_replies(int count, const long long *rows, const double *times,

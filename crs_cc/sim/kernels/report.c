@@ -37,11 +37,28 @@ static int inches(double value)
     return value < NO_ECHO ? value > 0 ? (int)value : 0 : NO_ECHO;
 }
 
+/* The speeds of axes, as their encoders measure them. */
+static void speeds(const struct robot *robot, const struct constants *constants, double *out)
+{
+    const double *driven = robot->axes.speed, *forward = constants->drive.forward;
+    double lag = 0;
+
+    if (robot->hindered) {
+        lag = driven[0] * forward[0] + driven[1] * forward[1] + driven[2] * forward[2];
+        lag -= robot->forward;
+    }
+    __crs_lag(constants, lag, driven, out);
+}
+
 /* Position, angles and speeds, and a bit for each motor that works. */
-void __crs_report(const struct robot *robot, const struct drive *drive, int *out)
+void __crs_report(const struct robot *robot, const struct constants *constants, int *out)
 {
     const struct axes *a = &robot->axes;
+    const double *unit = constants->drive.unit;
+    double speed[AXES];
     int axis;
+
+    speeds(robot, constants, speed);
 
     out[0] = whole(robot->odometry.x / TENTH_INCH);
     out[1] = whole(robot->odometry.y / TENTH_INCH);
@@ -52,7 +69,7 @@ void __crs_report(const struct robot *robot, const struct drive *drive, int *out
         double end = a->start[axis] + a->ramp_time[axis];
 
         end = end + a->cruise_time[axis] + a->brake_time[axis];
-        out[4 + axis] = drive->unit[axis] > 0 ? whole(a->speed[axis] / drive->unit[axis]) : 0;
+        out[4 + axis] = unit[axis] > 0 ? whole(speed[axis] / unit[axis]) : 0;
         if (end > robot->clock && !robot->limp[axis])
             out[7] |= 1 << axis;
     }
@@ -103,11 +120,11 @@ void __crs_reports(int count, const long long *rows, const struct tables *tables
     for (i = 0; i < count; i++) {
         const struct robot *robot = &tables->robots[rows ? rows[i] : i];
 
-        __crs_report(robot, &tables->kinds[(int)robot->kind].drive, out + 8 * i);
+        __crs_report(robot, &tables->kinds[(int)robot->kind], out + 8 * i);
     }
 }
 
-static void state(const struct robot *robot, const struct drive *drive, int *out)
+static void state(const struct robot *robot, const struct constants *constants, int *out)
 {
     int i;
 
@@ -117,7 +134,7 @@ static void state(const struct robot *robot, const struct drive *drive, int *out
     for (i = 0; i < SONARS; i++)
         out[SONAR_0 + i] = inches(robot->echo[i]);
     out[BUMPER] = robot->pressed;
-    __crs_report(robot, drive, &out[CONF_X]);
+    __crs_report(robot, constants, &out[CONF_X]);
 }
 
 double __crs_board_ms(double time, double tick)
@@ -136,7 +153,7 @@ void __crs_replies(int count, const long long *rows, const double *times,
         const struct robot *robot = &tables->robots[rows ? rows[i] : i];
         const struct constants *own = &tables->kinds[(int)robot->kind];
 
-        state(robot, &own->drive, out->state);
+        state(robot, own, out->state);
         charges(robot, times[i], tables, out->charge);
         out->ms = __crs_board_ms(own->clock_start + times[i], own->clock_tick);
     }

@@ -27,13 +27,14 @@ struct robot {
     double echo[SONARS];                                    /* and what they heard */
     long long listening;                                    /* -1 for none */
     double ramp[AXES];                                      /* acceleration of commands */
+    double forward, ahead;      /* of one that is hindered: its speed; what encoders do not count */
     double heading, mount, base, distance;
     long long command, command_cycle, requests;
     int pressed;                                            /* its bumpers */
     unsigned char limp[AXES], hindered, slipping, connected;
     double kind;                                            /* the row of its constants, */
     double battery;                                         /* and of its battery, -1 for none */
-    double padding[11];         /* a row is an odd number of cache lines, or columns share few */
+    double padding[9];          /* a row is an odd number of cache lines, or columns share few */
 };
 
 #define CONFIGURATION 7                 /* integers of `State` with position and speeds */

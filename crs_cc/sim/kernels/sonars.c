@@ -157,7 +157,7 @@ static void fire(long long row, double mode, const double *deviates,
     struct ping ping;
     int configuration[CONFIGURATION + 1], i;
 
-    __crs_move(robot, &constants->drive, at > robot->clock ? at : robot->clock);
+    __crs_move(robot, constants, at > robot->clock ? at : robot->clock);
     hear(robot, sonars, at);
     ping = ping_of(beam, robot, &tables->bodies[row], constants);
     distance = reported(&beam->errors, first_echo(&ping, row, around), deviates);
@@ -167,7 +167,7 @@ static void fire(long long row, double mode, const double *deviates,
     robot->hears = at + (takes <= lasts ? takes : lasts);
     robot->listening = number;
     sonars->sent = at;
-    __crs_report(robot, &constants->drive, configuration);
+    __crs_report(robot, constants, configuration);
     for (i = 0; i < CONFIGURATION; i++)
         sonars->sent_from[i] = configuration[i];
     sonars->count++;

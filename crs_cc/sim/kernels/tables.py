@@ -25,8 +25,8 @@ BATTERY_SIZE: Final = 4
 KIND_SIZE: Final = 40
 RING_SIZE: Final = 104
 """Numbers in the rows of tables, see `robot.h`."""
-KIND: Final = 91
-BATTERY: Final = 92
+KIND: Final = 93
+BATTERY: Final = 94
 """Places in a row of a robot: the row of its constants, and that of its battery, -1 for none."""
 
 REPLY: Final = np.dtype(

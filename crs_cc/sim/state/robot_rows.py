@@ -55,7 +55,7 @@ _ROBOT: Final = (
     ("drive", ["timeout_s", "deadline_s"]),
     ("timers", ["soonest_s"]),
     ("devices.sonar", ["next_s", "heard_s", "echo_m", "listening"]),
-    ("drive", ["ramp"]),
+    ("drive", ["ramp", "forward_mps", "ahead_m"]),
     ("", ["heading_rad", "mount_rad", "base_rad", "distance_m"]),
     ("drive", ["command", "command_cycle"]),
     ("", ["commands"]),

@@ -10,6 +10,7 @@ import pytest
 
 from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.devices import drive, odometry, vendor_state
+from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.files.world_xml import parse_world
@@ -130,6 +131,26 @@ def test_parts_of_the_motion_are_computed_as_the_whole() -> None:
     assert np.array_equal(state.odometry.x_m[1:], parts.odometry.x_m[1:])
     assert np.array_equal(state.drive.moved_m, parts.drive.moved_m)
     assert np.array_equal(state.drive.axes.speed, parts.drive.axes.speed)
+
+
+def test_hindered_robots_are_advanced_and_reported_as_with_numpy() -> None:
+    (state, constants), (again, _) = moving(6), moving(6)
+    random = np.random.default_rng(6)
+    hindered, forward_mps = random.random(ROBOTS) < 0.6, 0.1 * random.random(ROBOTS)
+    for each in (state, again):
+        each.drive.hindered[:] = hindered
+        each.drive.forward_mps[:] = np.where(hindered, forward_mps, 0.0)
+    rows = np.arange(ROBOTS)
+    for _ in range(2):
+        to_s = state.drive.clock_s + 0.3
+        drive.advance(state, constants, ALL, to_s)
+        drive._turn(again, constants, ALL, to_s)
+        assert values(state) == values(again)
+    unit, speed = constants.drives.unit, traction.speed(again, constants, rows)
+    told = np.divide(speed, unit, out=np.zeros_like(speed), where=unit > 0.0)
+    assert (vendor_state.report(state, constants, rows)[:, 4:7] == np.rint(told)).all()
+    assert (speed != again.drive.axes.speed).any(axis=0)[:2].all()
+    assert (state.drive.ahead_m != 0.0).sum() > ROBOTS / 3
 
 
 @pytest.mark.parametrize("rows", [np.arange(3, ROBOTS, 4), np.array([7])])

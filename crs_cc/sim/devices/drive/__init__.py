@@ -86,15 +86,8 @@ def advance(
         _stop(state, constants, stopped, ~state.drive.limp[stopped])
         state.drive.deadline_s[stopped] = np.inf
         _note_command(state, stopped, CODES["CONF_TM"])
-    if not moves_as_commanded(state, constants):
+    if advance_freely(state, constants, rows, to_s) != ADVANCED:
         _turn(state, constants, rows, to_s)
-        return
-    robots = np.arange(len(state.drive.clock_s))[rows]
-    held_up = state.drive.hindered[robots]
-    free = ~held_up
-    advance_freely(state, constants, robots[free], to_s[free])
-    if any_of(held_up):
-        _turn(state, constants, robots[held_up], to_s[held_up])
 
 
 def advance_freely(
@@ -151,7 +144,7 @@ def rest_s(state: EnvState, rows: IndexArray) -> FloatArray:
 def _turn(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
-    """Advance the axes of robots, some of which are held up or degraded, or on slopes."""
+    """Advance the axes of robots, some of which are degraded, or on slopes."""
     way = motion_profile.advance(state.drive.axes, rows, to_s)
     from_s = state.drive.clock_s[rows].copy()
     move, limit = constants.degradations.move, constants.drives.speed_limit
