@@ -11,7 +11,7 @@ from crs_cc.debug.commands.context import CommandContext
 
 Completes = Literal[
     "", "command", "place", "expression", "robot", "breakpoint", "display", "file", "catch",
-    "checkpoint", "branch", "edit", "macro",
+    "checkpoint", "branch", "edit", "macro", "setting",
 ]  # fmt: skip
 """The kind of an argument, for completion."""
 

@@ -12,6 +12,7 @@ from typing import Final
 
 from crs_cc.debug.commands.command import Completes
 from crs_cc.debug.commands.context import CommandContext
+from crs_cc.debug.commands.settings import SETTINGS
 from crs_cc.debug.commands.stack import functions
 from crs_cc.debug.commands.table import find, matching
 from crs_cc.debug.data.notation import FUNCTIONS
@@ -59,9 +60,28 @@ def complete(context: CommandContext, text: str) -> Completion:
     pattern = _LAST_EXPRESSION if command.completes == "expression" else _LAST_PART
     found = pattern.search(text)
     assert found
-    words = set(_ARGUMENTS[command.completes](context, found[0]))
+    settings = set(_settings(rest)) if command.name in {"set", "show"} else set()
+    words = settings  # after the first word of one nothing else is meant
+    if not settings or " " not in rest:
+        words = settings | set(_ARGUMENTS[command.completes](context, found[0]))
     fitting = sorted(each for each in words if each.startswith(found[0]))
     return Completion(found.start(), tuple(fitting))
+
+
+def _settings(beginning: str) -> Iterator[str]:
+    """Return the next words of the settings whose names have a beginning.
+
+    >>> sorted(_settings("print ")), sorted(_settings("li"))
+    (['elements', 'pretty'], ['listsize'])
+    """
+    for each in SETTINGS:
+        if each.name.startswith(beginning):
+            yield each.name.split()[beginning.count(" ")]
+
+
+def _setting(_context: CommandContext, _word: str) -> Iterable[str]:
+    """Return nothing: names of settings depend on more than the last word, see `_settings`."""
+    return ()
 
 
 def _commands(_context: CommandContext, word: str) -> Iterable[str]:
@@ -176,4 +196,5 @@ _ARGUMENTS: Final[dict[Completes, Callable[[CommandContext, str], Iterable[str]]
     "branch": _branches,
     "edit": _edits,
     "macro": _macros,
+    "setting": _setting,
 }

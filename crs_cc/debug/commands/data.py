@@ -230,7 +230,7 @@ DATA: Final = Group(
             " at a terminal is kept for later sessions.", completes="expression",
         ),
         Command(
-            "show", "[SETTING]", "Show the settings.", _show,
+            "show", "[SETTING]", "Show the settings.", _show, completes="setting",
         ),
         Command(
             "display", "[/FMT] [EXPRESSION]", "Show an expression now and at every stop.", _display,

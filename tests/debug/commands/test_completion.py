@@ -51,6 +51,10 @@ def test_every_argument_kind_is_completed(shell: Shell) -> None:
     assert complete(shell.context, "foo bar").words == ()
     assert complete(shell.context, "step ").words == ()
     assert complete(shell.context, "").words[0] == "advance"
+    assert complete(shell.context, "set print p") == Completion(10, ("pretty",))
+    assert "listsize" in complete(shell.context, "set li").words
+    assert complete(shell.context, "show ").words == ("backtrace", "history", "listsize", "print")
+    assert complete(shell.context, "set var lar").words == ("largest",)
 
 
 def test_numbers_and_files_are_completed(
