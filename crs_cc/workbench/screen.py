@@ -159,6 +159,7 @@ class Screen:
     @contextmanager
     def working(self) -> Iterator[None]:
         """Tell that the run works at a command that may take long, and then what it has done."""
+        before = self.run.halt, self.run.time_s
         self.is_busy = True
         self.server.broadcast_latest("state", self._state())
         try:
@@ -166,7 +167,8 @@ class Screen:
         finally:
             self.is_busy = False
             self.run.settle()
-            self.stopped()
+            if (self.run.halt, self.run.time_s) != before:  # or else it answers about another robot
+                self.stopped()
             self._meet()
 
     def wait_for(self, robots: str) -> None:

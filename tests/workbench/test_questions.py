@@ -157,3 +157,20 @@ def test_in_a_recording_the_past_is_all_that_was_recorded(recorded: Path) -> Non
         found = value(page, "when", condition="State[17] > 0")
         assert found[0][0] > 0.0
         page.take_until(lambda: abs(page.told["state"]["t"] - 1.0) < 0.06)
+
+
+def test_a_question_leaves_the_robot_that_the_user_has_selected(tmp_path: Path) -> None:
+    two = WORLD.replace("</world>", '<robot id="bob" x="1m" y="3m" heading="0deg"/></world>')
+    with running(tmp_path, PROGRAM, two) as screen, page_of(screen) as page:
+        value(page, "console", line="break limited if speed > 40")
+        value(page, "console", line="continue")
+        page.take_until(lambda: page.told["state"]["halt"]["reason"] == "breakpoint")
+        stopped = page.told["state"]["robot"]
+        value(page, "select", robot=1 - stopped)
+        value(page, "why", expression="speed")
+        page.ask("traffic", since=0)
+        page.take_until(lambda: page.told["state"]["busy"] is False)
+        assert page.told["state"]["robot"] == screen.robot == 1 - stopped
+        value(page, "console", line="next")
+        page.take_until(lambda: page.told["state"]["halt"]["reason"] != "breakpoint")
+        assert screen.robot == 1 - stopped
