@@ -9,7 +9,7 @@ import click
 
 from crs_cc.cli.compiler_options import compiler_options
 from crs_cc.cli.inputs import is_world, sort_files
-from crs_cc.cli.net_address import TOKEN_VARIABLE, is_net_address, parse_address
+from crs_cc.cli.net_address import TOKEN_VARIABLE, hint_of, is_net_address, parse_address
 from crs_cc.cli.program_options import WithProgramArguments, program_arguments
 from crs_cc.cli.serve_options import JoinOptions
 
@@ -87,8 +87,8 @@ def join(
         at = next(index for index, word in enumerate(words) if is_net_address(word))
     else:
         named = words[0 if every else 1 :][:1]
-        text = f"{named[0]!r} is not an" if named else "no"
-        raise click.UsageError(f"{text} address HOST:PORT of an environment.")
+        text, hint = (f"{named[0]!r} is not an", hint_of(named[0])) if named else ("no", "")
+        raise click.UsageError(f"{text} address HOST:PORT of an environment{hint}.")
     if every == bool(at):
         raise click.UsageError("name the robots before the address, or give --all.")
     names = words[0].split(",") if at else []

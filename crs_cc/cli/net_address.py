@@ -21,6 +21,7 @@ from crs_cc.core.loopback import LOOPBACK
 TOKEN_VARIABLE: Final = "CRS_TOKEN"  # noqa: S105 - the name of a variable
 
 _ADDRESS: Final = re.compile(r"(\[[0-9a-fA-F:.]+\]|[A-Za-z0-9._-]*):(\d{1,5})")
+_HOST: Final = re.compile(r"[A-Za-z0-9-]+(\.[A-Za-z0-9-]+)*")
 _SERVED: Final = "served"
 
 
@@ -38,8 +39,19 @@ def parse_address(word: str) -> tuple[str, int]:
     """
     found = _ADDRESS.fullmatch(word)
     if found is None or int(found[2]) > 65535:
-        raise click.BadParameter(f"'{word}' is not an address HOST:PORT.")
+        raise click.BadParameter(f"'{word}' is not an address HOST:PORT{hint_of(word)}.")
     return found[1].strip("[]") or LOOPBACK, int(found[2])
+
+
+def hint_of(word: str) -> str:
+    """Return what to write in place of a host or a port alone.
+
+    >>> hint_of("8000"), hint_of("procyon"), hint_of("a/b.c")
+    ('; write :8000 for this machine', '; write procyon:8000 if it names no other port', '')
+    """
+    if word.isdecimal():
+        return f"; write :{word} for this machine"
+    return f"; write {word}:8000 if it names no other port" if _HOST.fullmatch(word) else ""
 
 
 def shown_address(address: tuple[str, int]) -> str:

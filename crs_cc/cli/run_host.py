@@ -185,7 +185,7 @@ class _Host:
 
     def _status(self, host: ProgramHost, robots: Sequence[str], ended: Any) -> int:
         """Report what has become of the programs, and return the exit status."""
-        statuses = []
+        statuses, running = list[int](), list[str]()
         for robot, (name, outcome) in enumerate(zip(robots, ended, strict=True)):
             if outcome["failed"]:
                 report = host.fleet.report(robot)
@@ -194,4 +194,8 @@ class _Host:
                 statuses.append(ProgramError.exit_status)
             else:
                 statuses.append(outcome["exit_status"] or 0)
+                if outcome["exit_status"] is None:
+                    running.append(name)
+        if running and not self._options.quiet:
+            say(f"crs: the run has ended, and with it the program of {shown_names(running)}")
         return int(statuses[0]) if len(statuses) == 1 else int(any(statuses))

@@ -13,10 +13,11 @@ from crs_cc.cli.elsewhere import Elsewhere, shown_names
 from crs_cc.cli.inputs import Inputs
 from crs_cc.cli.load import Loaded, arguments_of, load_world_of, program_of, users_files
 from crs_cc.cli.messages import say
+from crs_cc.cli.net_address import shown_address
 from crs_cc.cli.own_hosts import OwnHosts
 from crs_cc.cli.program_options import RobotProgram
 from crs_cc.cli.resumption import Resumption
-from crs_cc.cli.served_port import ServedPort, greet, served_port
+from crs_cc.cli.served_port import ServedPort, greet, is_own_name, served_port
 from crs_cc.cli.simulate import run_loaded
 from crs_cc.core.input_files import logged
 from crs_cc.core.source import Diagnostics
@@ -74,8 +75,11 @@ def _greet(options: ServeOptions, port: ServedPort) -> None:
     greet(options, port)
     if options.tokens is None:
         secured = f" --fingerprint {port.fingerprint}" if options.tls else ""
-        say(f"crs: robots join by: crs join ROBOT HOST:{port.number} PROGRAM.c{secured}")
-        say(f"crs: from other machines with: --token {port.access.token('robot')}")
+        is_own = is_own_name(options.listen[0])
+        host = shown_address((options.listen[0] if is_own else "HOST", port.number))
+        others = "through a tunnel" if is_own else "from other machines"
+        say(f"crs: robots join by: crs join ROBOT {host} PROGRAM.c{secured}")
+        say(f"crs: {others} with: --token {port.access.token('robot')}")
 
 
 def _seats(roster: Roster, options: ServeOptions, resumption: Resumption | None) -> list[Seat]:

@@ -353,15 +353,33 @@ def test_hosts_that_do_not_fit_are_refused_with_the_reason(folder: Path) -> None
 
 def test_an_address_without_a_port_is_named(folder: Path) -> None:
     for words, text in (
-        (("left", "8000", "echo.c"), "'8000' is not an address HOST:PORT"),
-        (("--all", "procyon", "echo.c"), "'procyon' is not an address HOST:PORT"),
+        (
+            ("left", "8000", "echo.c"),
+            "'8000' is not an address HOST:PORT of an environment; write :8000 for this machine.",
+        ),
+        (
+            ("--all", "procyon", "echo.c"),
+            "'procyon' is not an address HOST:PORT of an environment; write procyon:8000",
+        ),
+        (("left", "a b", "echo.c"), "'a b' is not an address HOST:PORT of an environment."),
         (("left",), "no address HOST:PORT"),
     ):
         done = subprocess.run(
             command("join", *words), cwd=folder, capture_output=True, text=True, check=False
         )
         assert done.returncode == 2
-        assert text in done.stderr
+        assert text in " ".join(done.stderr.split())
+
+
+def test_hosts_say_that_the_run_has_ended_before_their_programs(folder: Path) -> None:
+    with served(folder, "--max-time", "1") as environment:
+        at = environment.address
+        assert f"crs join ROBOT {at} PROGRAM.c" in environment.wait_for(r"join by: .*\n")[0]
+        hosts = [join(folder, "left", at, "roam.c"), join(folder, "right", at, "roam.c")]
+        said = [text for _, text in outputs(hosts)]
+        environment.finish()
+    for name, text in zip(("left", "right"), said, strict=True):
+        assert f"the run has ended, and with it the program of {name}" in text
 
 
 def test_pages_look_at_the_run_on_the_same_port_with_a_token_only(folder: Path) -> None:
