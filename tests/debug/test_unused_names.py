@@ -132,7 +132,7 @@ def test_breakpoints_can_be_set_in_functions_that_are_never_called(debugger: Deb
 def test_enumerators_and_types_of_blocks_are_known_there_and_nowhere_else(
     debugger: Debugger,
 ) -> None:
-    assert text(debugger, "OUTER") == "1"
+    assert (text(debugger, "OUTER"), text(debugger, "(int) OUTER")) == ("OUTER", "1")
     with pytest.raises(DebugError, match="NEAR"):
         debugger.evaluate("NEAR")
     debugger.advance("23")
