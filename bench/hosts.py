@@ -328,7 +328,7 @@ def table(rows: Sequence[Row]) -> Iterator[str]:
     yield "|" + " --- |" * 7
     for (name, robots), group in groupby(rows, lambda row: (row.program, row.robots)):
         home, *away = group
-        cells = [name, f"{robots:,}", f"{home.rounds:.1f}", _ms(home.step_s)]
+        cells = [name, f"{robots:,}", f"{(away or [home])[0].rounds:.1f}", _ms(home.step_s)]
         cells += [", ".join(_ms(each.step_s) for each in away)]
         cells += [", ".join(_ms(each.cpu_s) for each in away)]
         cells += [", ".join(f"{each.more_s * MILLISECONDS:.2f}" for each in away)]
