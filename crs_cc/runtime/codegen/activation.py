@@ -87,7 +87,7 @@ class Activation:
 
     def _kept(self) -> dict[Parameter, Register]:
         """Return the parameters in registers that the function never changes."""
-        if self.build.passes_in_memory or not self.passed:
+        if self.build.debug or not self.passed:
             return {}
         changed = {writes(it) for block in self.function.blocks for it in all_instructions(block)}
         lasting = set(self.registers.saved) - changed
@@ -173,7 +173,7 @@ class Activation:
         """Store the function's number, no landing, and what was passed in registers."""
         code: list[Instr] = [("local.get", FP), ("i64.const", self.number)]
         code.append(("i64.store", MEMORY, FUNCTION))
-        if self.build.passes_in_memory:
+        if self.build.debug:
             return code
         for parameter, (number, _) in self.passed.items():
             code += self._keep(parameter, ("local.get", number))
@@ -232,7 +232,7 @@ class Activation:
         for parameter, offset in zip(self.function.parameters, frame.parameters, strict=True):
             self._load_parameter(parameter, offset)
         for parameter, (number, _) in self.passed.items():
-            if parameter not in self.kept and not self.build.passes_in_memory:
+            if parameter not in self.kept and not self.build.debug:
                 code += self._keep(parameter, ("local.get", number))
         if self.build.debug and landings:
             code += spill_slots.clear(frame, self.registers.saved)

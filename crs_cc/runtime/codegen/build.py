@@ -16,8 +16,3 @@ class Build:
     debug: bool
     watch: int
     trap_overflow: bool
-
-    @property
-    def passes_in_memory(self) -> bool:
-        """Whether callers store all arguments, so that they can be read at any time."""
-        return self.checked or self.debug

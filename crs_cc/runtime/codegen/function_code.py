@@ -204,7 +204,7 @@ class _FunctionCode:
         calls = all(isinstance(it, Call) for _, it in self.landings)
         is_plain = not self.registers.headers and not self.homes
         is_small = self.names.bodies.is_small(self.function.name)
-        if is_small or self.build.passes_in_memory or in_library(self.function.location):
+        if is_small or self.build.debug or in_library(self.function.location):
             return False
         return is_plain and calls and 0 < len(self.landings) <= MOST_OUTLINED
 

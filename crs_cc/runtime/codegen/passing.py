@@ -53,7 +53,7 @@ def pass_arguments(
         if argument.memory is None:
             size = Constant("i32", argument.size)
             memory.argument(argument.value, at, size, call.location)
-        elif build.passes_in_memory or not in_register:
+        elif build.debug or not in_register:
             writer.store_at(SP, at, argument.value, argument.memory)
         if build.checked and argument.ctype is not None and _is_variadic(call, writer.names):
             writer.code += _states(argument, argument.ctype, at)
