@@ -16,6 +16,7 @@ from crs_cc.sim.engine.simple_requests import serve_simply
 from crs_cc.sim.kernels.program import Kernels
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state import robot_rows
+from crs_cc.sim.state.mask import NUM_MASK
 from tests.sim.driver import own_world, world_of
 
 LASER = (
@@ -65,6 +66,9 @@ def posted(
         name = dice.choice(asked)
         most = 2 if name == "CONF_TM" else 400
         messages["i"][:, :3] = [[dice.randint(-most, most) for _ in range(3)] for _ in rows]
+        if name == "CT":
+            messages["size"] = NUM_MASK
+            messages["data"][:, 1:NUM_MASK] = np.array([[dice.randint(0, 1)] for _ in rows])
         share = np.array([dice.random() * 1.1 for _ in rows])
         found.append((CODES[name], rows, messages, share))
     if dice.random() < 0.03:
