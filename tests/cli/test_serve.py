@@ -284,6 +284,14 @@ def test_an_environment_that_was_killed_goes_on_with_the_same_hosts(folder: Path
     assert sorted(lines) == sorted(line.partition("] ")[2] for line in local)
 
 
+def verify(recording: Path) -> None:
+    """Assert that a recording's run can be run again here, to the same states."""
+    words = command("replay", str(recording), "--verify")
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "the same run" in done.stdout + done.stderr
+
+
 def test_standard_input_and_exit_status_are_those_of_the_host(folder: Path) -> None:
     folder.joinpath("input.txt").write_text("one\ntwo\n")
     with served(folder, "--record", "echo.mcap", "--tls") as environment:
@@ -295,6 +303,7 @@ def test_standard_input_and_exit_status_are_those_of_the_host(folder: Path) -> N
         assert outputs([first, second])[0][0] == "L: one\nL: two\n"
         status, _ = environment.finish()
     assert (first.returncode, second.returncode, status) == (7, 7, 1)
+    verify(folder / "echo.mcap")
 
 
 def test_a_recording_has_the_program_of_each_robot_and_their_input(folder: Path) -> None:
@@ -303,11 +312,7 @@ def test_a_recording_has_the_program_of_each_robot_and_their_input(folder: Path)
         hosts.append(join(folder, "right", environment.address, "echo.c", "--", "R"))
         outputs(hosts)
         environment.finish()
-    for name in ("both.mcap", "echo.mcap"):
-        words = command("replay", name, "--verify")
-        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
-        assert "the same run" in done.stdout + done.stderr
+    verify(folder / "both.mcap")
 
 
 def test_a_host_says_that_it_tries_again(folder: Path) -> None:
