@@ -14,6 +14,7 @@ from crs_cc.sim.devices.sonar.model import SonarBoard
 from crs_cc.sim.devices.sonar.simple_firings import SimpleFirings
 from crs_cc.sim.kernels.program import Kernels
 from crs_cc.sim.state import robot_rows
+from tests.sim.driver import world_of
 from tests.sim.test_simple_requests import outcome
 
 WORLDS = {
@@ -46,12 +47,12 @@ def test_echoes_and_states_are_those_without_the_kernel(name: str, seed: int) ->
         return simply[-1]
 
     with patch.object(SimpleFirings, "advance", counted):
-        told = outcome(WORLDS[name], seed)
+        told = outcome(world_of(WORLDS[name]), seed)
     with patch.object(SimpleFirings, "advance", lambda *_: False):
-        assert outcome(WORLDS[name], seed) == told
+        assert outcome(world_of(WORLDS[name]), seed) == told
     checked = Kernels(holds_world=True, checked=True)
     with patch.object(robot_rows, "Kernels", lambda **_: checked):
-        assert outcome(WORLDS[name], seed) == told
+        assert outcome(world_of(WORLDS[name]), seed) == told
     assert any(simply) == (name.split(maxsplit=1)[0] in {"noise,", "turrets,"})
 
 
