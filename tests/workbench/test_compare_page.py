@@ -14,25 +14,9 @@ from crs_cc.cli.start_view import open_others
 from crs_cc.cli.view_recording import recording_screen
 from crs_cc.recording.recording import Recording
 from crs_cc.workbench.screen import Screen
+from tests.recording.test_compare import PROGRAM
 from tests.workbench.in_browser import page_in, played, wait
 
-PROGRAM = """\
-#include <Nclient.h>
-
-int turns, limit = LIMIT;
-
-int main(void)
-{
-    connect_robot(1);
-    while (State[STATE_CONF_X] < limit) {
-        turns++;
-        vm(100, 100, 0);
-    }
-    st();
-    for (;;)
-        gs();
-}
-"""
 WORLD = """<world version="1" timestep="50ms">
   <area length="9m" width="6m"/><robot id="ada" x="2m" y="2m"/><robot id="bob" x="2m" y="4m"/>
 </world>
