@@ -36,15 +36,15 @@ OURS: Final[dict[str, tuple[str, Callable[[RunResult], Value]]]] = {
         lambda result: sum(nest.brought for nest in result.nests),
     ),
     "distance_m": (
-        "the distance driven, of all robots together [m]",
+        "the total distance driven by all robots [m]",
         lambda result: sum(robot.distance_m for robot in result.robots),
     ),
     "collisions": (
-        "contacts that began, of all robots together",
+        "the number of collisions of all robots",
         lambda result: sum(robot.collisions for robot in result.robots),
     ),
     "collisions_per_robot_min": (
-        "the same by robot and minute",
+        "collisions per robot and minute",
         lambda result: (
             sum(robot.collisions for robot in result.robots)
             * 60.0
@@ -56,7 +56,7 @@ OURS: Final[dict[str, tuple[str, Callable[[RunResult], Value]]]] = {
         lambda result: sum(robot.commands for robot in result.robots),
     ),
     "fuel": (
-        "instructions that the programs computed",
+        "instructions that the programs executed",
         lambda result: sum(robot.fuel for robot in result.robots),
     ),
 }

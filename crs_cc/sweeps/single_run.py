@@ -27,11 +27,11 @@ if TYPE_CHECKING:
 Status = Literal["ended", "run-time error", "limit", "time out", "crashed", "measure error"]
 
 STATUSES: Final[dict[Status, str]] = {
-    "ended": "the run came to its end",
-    "run-time error": "a program was stopped by an error; the others ran on",
+    "ended": "the run ended regularly",
+    "run-time error": "a program was stopped by an error; the others went on",
     "limit": "a program computed or printed more than is allowed",
-    "time out": "the last resort, by real time, and so dependent on the machine",
-    "crashed": "the process of the run came to an end, each time it was tried",
+    "time out": "the run exceeded `wall_s`, the last resort, which depends on the machine",
+    "crashed": "the process of the run died at each attempt",
     "measure error": "a function of `measures` failed",
 }
 """How a run can end."""

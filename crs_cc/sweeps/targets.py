@@ -16,15 +16,15 @@ TARGETS: Final = {
     "define.NAME": "the value of a macro of the program, as `-D NAME=value`",
     "argument.N": "argument N of the program, from 1",
     "world.ELEMENT.ATTRIBUTE": "an attribute of an element of the world file, such as "
-    "`world.crate.x`; elements have the names of the [world builder](world-builder.md), `world` "
-    "is the outermost one",
+    "`world.crate.x`; elements are named as in the [world builder](world-builder.md), `world` "
+    "is the root",
     "robot.ELEMENT.ATTRIBUTE": "an attribute of an element of the robot definition, such as "
     "`robot.drive.wheel-base`",
     "fault": "degradations: the attributes of `<degradation>`, such as "
     '`"robot=robot0 device=sonar element=3 dead=yes"`, several separated by `;`, `""` for none',
-    "robots": "how many of the world's robots take part, the first ones",
+    "robots": "the number of robots that take part, the first ones of the world",
     "setup": "the setup of all robots, such as `noisy`",
-    "robot": "the kind of robot, where the world names none",
+    "robot": "the type of robots for which the world names none",
     "link": "`serial` or `ideal`",
     "client": "`nclient` or `ndirect`",
 }

@@ -21,7 +21,7 @@ def statuses() -> str:
 
 def measures() -> str:
     """Return the table of the measures that every run has."""
-    return table(("column", "is"), [(f"`{name}`", text) for name, (text, _) in OURS.items()])
+    return table(("column", "content"), [(f"`{name}`", text) for name, (text, _) in OURS.items()])
 
 
 FILLERS: Fillers = {"targets": targets, "statuses": statuses, "measures": measures}
