@@ -29,15 +29,22 @@ def _row(command: Command) -> tuple[str, ...]:
     return f"`{cell(command.usage)}`", aliases, cell(description)
 
 
+def gdb_names() -> str:
+    """Return the commands whose names are gdb's."""
+    return ", ".join(
+        sorted(f"`{each.name}`" for each in COMMANDS if gdb_name(each.name) == each.name)
+    )
+
+
 def gdb_commands() -> str:
-    """Return a table of gdb's commands, with ours."""
+    """Return a table of gdb's commands that have another name here, or none."""
     rows = sorted(
-        (f"`{name}`", f"`{each.name}`" if each.name != name else "the same", cell(each.summary))
+        (f"`{name}`", f"`{each.name}`", cell(each.summary))
         for each in COMMANDS
-        if (name := gdb_name(each.name))
+        if (name := gdb_name(each.name)) and name != each.name
     )
     lacking = [(cell(names), "none", cell(reason)) for names, reason in LACKING]
-    return table(("gdb", "here", "description"), [*rows, *lacking])
+    return table(("gdb", "crs", "description"), [*rows, *lacking])
 
 
 def world_values() -> str:
@@ -57,6 +64,7 @@ def _value(before: str, value: WorldValue) -> tuple[str, ...]:
 
 FILLERS: Fillers = {
     "commands": commands,
+    "gdb_names": gdb_names,
     "gdb_commands": gdb_commands,
     "world_values": world_values,
 }

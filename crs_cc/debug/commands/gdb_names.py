@@ -29,13 +29,13 @@ _OTHERS: Final = {
 """Commands that gdb has by another name, or that are in another group."""
 
 LACKING: Final = (
-    ("attach, detach, kill", "a program runs in the simulator, and ends with the debugger"),
-    ("set args, run ARGS", "arguments stand on the command line: `crs debug wander.c -- 500`"),
-    ("record, record stop", "all of a run is recorded, always"),
+    ("attach, detach, kill", "programs run in the simulator, and end with the debugger"),
+    ("set args, run ARGS", "give arguments on the command line: `crs debug wander.c -- 500`"),
+    ("record, record stop", "the whole run is always recorded"),
     ("info registers, disassemble", "`crs compile --emit wat` prints a program's code"),
-    ("handle, info signals", "signals are those that a program sends to itself"),
-    ("return", "set the variable that decides, or go back"),
-    ("define, python", "scripts hold commands, see `source`"),
+    ("handle, info signals", "programs receive only signals that they send to themselves"),
+    ("return", "set the variable on which the result depends, or go back"),
+    ("define, python", "scripts contain commands of the debugger only, see `source`"),
 )
 """Commands that gdb has and we do not, and what to do or to know."""
 
