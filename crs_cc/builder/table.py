@@ -122,19 +122,19 @@ class Operation:
 
 
 _X_Y: Final = (
-    Field("x", LENGTH, "By how much along x.", 0.0),
-    Field("y", LENGTH, "By how much along y.", 0.0),
+    Field("x", LENGTH, "Distance along x.", 0.0),
+    Field("y", LENGTH, "Distance along y.", 0.0),
 )
 _ABOUT: Final = (
-    Field("x", LENGTH, "About this x. Default: the middle."),
-    Field("y", LENGTH, "About this y. Default: the middle."),
+    Field("x", LENGTH, "The centre's x. Default: the middle."),
+    Field("y", LENGTH, "The centre's y. Default: the middle."),
 )
 
 ROWS: Final = (
     Operation("add", "Add an element with these attributes.", "none", (
-        Field("kind", str, "Its tag, such as box.", required=True),
+        Field("kind", str, "The tag, such as box.", required=True),
         Field("into", str, "The element around it, such as define[table]. Default: the world.", ""),
-        Field("text", str, "Its own text.", ""),
+        Field("text", str, "The text content.", ""),
     ), attributes=True),
     Operation("set", "Set attributes of elements; an empty one is removed.", "some",
               attributes=True),
@@ -142,51 +142,51 @@ ROWS: Final = (
               (Field("text", str, "The text.", required=True),)),
     Operation("remove", "Remove elements.", "some"),
     Operation("move", "Move elements.", "some", _X_Y),
-    Operation("place", "Put an element at a place.", "one", (
-        Field("x", LENGTH, "Its new x. Default: as it is."),
-        Field("y", LENGTH, "Its new y. Default: as it is."),
-        Field("heading", ANGLE, "Its new heading. Default: as it is."),
+    Operation("place", "Move an element to a position.", "one", (
+        Field("x", LENGTH, "The new x. Default: unchanged."),
+        Field("y", LENGTH, "The new y. Default: unchanged."),
+        Field("heading", ANGLE, "The new heading. Default: unchanged."),
     )),
-    Operation("turn", "Turn elements as one body, counter-clockwise.", "some", (
-        Field("angle", ANGLE, "By how much.", required=True), *_ABOUT,
+    Operation("turn", "Rotate elements together, counter-clockwise.", "some", (
+        Field("angle", ANGLE, "The angle.", required=True), *_ABOUT,
     )),
     Operation("mirror", "Mirror elements; objects get mirrored definitions.", "some", (
         Field("axis", ("x", "y"), "x exchanges left and right, y up and down.", "x"),
-        Field("at", LENGTH, "Where the mirror stands. Default: in the middle."),
+        Field("at", LENGTH, "Position of the mirror axis. Default: the middle."),
     )),
-    Operation("scale", "Scale elements from above; heights stay.", "some", (
-        Field("factor", float, "By how much: 2 for twice as large.", required=True), *_ABOUT,
+    Operation("scale", "Scale elements in x and y; heights stay.", "some", (
+        Field("factor", float, "The factor, such as 2 for twice as large.", required=True), *_ABOUT,
     )),
     Operation("array", "Copy elements into columns and rows.", "some", (
-        Field("columns", int, "How many along x.", 1),
-        Field("rows", int, "How many along y.", 1),
-        Field("x", LENGTH, "From one column to the next.", 0.0),
-        Field("y", LENGTH, "From one row to the next.", 0.0),
+        Field("columns", int, "Number of columns, along x.", 1),
+        Field("rows", int, "Number of rows, along y.", 1),
+        Field("x", LENGTH, "Distance between columns.", 0.0),
+        Field("y", LENGTH, "Distance between rows.", 0.0),
     )),
     Operation("ring", "Copy elements around a point, evenly spaced.", "some", (
-        Field("count", int, "How many there will be of each.", required=True),
+        Field("count", int, "Number of each, the original included.", required=True),
         Field("x", LENGTH, "The point's x. Default: of sonars, the robot's centre."),
         Field("y", LENGTH, "The point's y. Default: of sonars, the robot's centre."),
     )),
-    Operation("align", "Bring sides or centres of elements into line.", "some", (
-        Field("side", SIDES, "Which.", required=True),
+    Operation("align", "Align sides or centres of elements.", "some", (
+        Field("side", SIDES, "The side.", required=True),
     )),
     Operation("distribute", "Space the centres of elements evenly.", "some", (
-        Field("axis", ("x", "y"), "Along which axis.", required=True),
+        Field("axis", ("x", "y"), "The axis.", required=True),
     )),
-    Operation("group", "Make elements an object: a definition, and one copy of it.", "some",
+    Operation("group", "Combine elements into an object: a definition, and one copy of it.", "some",
               (
         Field("name", str, "The name of the definition.", required=True),
         Field("id", str, "The id of the object. Default: the name.", ""),
     )),
-    Operation("ungroup", "Put the parts of an object in its place.", "one"),
-    Operation("raise", "Raise the ground by a stroke of a brush.", "none", (
-        Field("path", str, "The points that it passes, such as 1m,2m 1.5m,2m.", required=True),
-        Field("radius", LENGTH, "What it reaches.", 0.5),
-        Field("rise", LENGTH, "By how much in its middle; negative to lower it.", 0.05),
+    Operation("ungroup", "Replace an object by its parts.", "one"),
+    Operation("raise", "Raise the ground along a brush stroke.", "none", (
+        Field("path", str, "The points of the stroke, such as 1m,2m 1.5m,2m.", required=True),
+        Field("radius", LENGTH, "Radius of the brush.", 0.5),
+        Field("rise", LENGTH, "Change of height in the middle; negative to lower it.", 0.05),
     )),
-    Operation("paste", "Put in elements that were copied.", "none", (
-        Field("clip", str, "What copy or cut has returned.", required=True), *_X_Y,
+    Operation("paste", "Insert elements that were copied.", "none", (
+        Field("clip", str, "The output of copy or cut.", required=True), *_X_Y,
     )),
 )  # fmt: skip
 

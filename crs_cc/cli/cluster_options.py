@@ -10,13 +10,13 @@ import click
 _OPTIONS: Final = (
     click.option(
         "--hosts", default="", metavar="ADDRESS",
-        help="Run the programs on the Dask cluster with this scheduler, such as "
-        "dask://hall:8786 (extra 'cluster'): name them before the world, or in it. Lost hosts are "
-        "started again. See docs/cluster.md.",
+        help="Run the programs, named before the world or in it, on the Dask cluster with this "
+        "scheduler, such as dask://hall:8786 (extra 'cluster'). Lost hosts are restarted. See "
+        "docs/cluster.md.",
     ),
     click.option(
         "--per-host", type=click.IntRange(1, 100_000), metavar="N",
-        help="Give each host on the cluster N robots. Default: a host on each thread of its "
+        help="Assign N robots to each host on the cluster. Default: one host per thread of its "
         "workers.",
     ),
 )  # fmt: skip

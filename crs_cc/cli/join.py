@@ -25,31 +25,31 @@ Examples:
 @click.command(
     cls=WithProgramArguments,
     epilog=_EXAMPLES,
-    short_help="Run the program of a robot in a world that is served elsewhere.",
+    short_help="Run a robot's program for a world that crs serve simulates.",
     options_metavar="[OPTIONS]",
 )
 @click.argument("words", nargs=-1, metavar="ROBOT[,ROBOT...] HOST:PORT PROGRAM.c... [-- ARGS...]")
-@click.option("--all", "every", is_flag=True, help="Run it for all robots that have no program.")
+@click.option("--all", "every", is_flag=True, help="Run the program for all robots that have none.")
 @click.option(
     "--token",
     metavar="TOKEN",
-    help="The token for robots that crs serve has printed. Default: the environment variable "
-    f"{TOKEN_VARIABLE}, or that of a run of yours on this machine.",
+    help="The token for robots that crs serve prints. Default: the environment variable "
+    f"{TOKEN_VARIABLE}, or the token of your own run on this machine.",
 )
 @click.option(
-    "--tls", is_flag=True, help="Encrypt, and expect a certificate that this system trusts."
+    "--tls", is_flag=True, help="Encrypt, and require a certificate that this system trusts."
 )
 @click.option(
     "--fingerprint",
     default="",
     metavar="HEX",
-    help="Encrypt, and expect the certificate with this fingerprint, which crs serve has printed.",
+    help="Encrypt, and require the certificate with this fingerprint, which crs serve prints.",
 )
 @click.option(
     "--robot",
     "model",
     metavar="NAME|FILE.xml",
-    help="Join robots of this model only; the definitions must be the same.",
+    help="Join only if the robots have this definition.",
 )
 @click.option(
     "--retry",
@@ -58,14 +58,13 @@ Examples:
     default=10.0,
     show_default=True,
     metavar="S",
-    help="Try for S seconds to reach the environment, also when the connection is lost.",
+    help="Keep trying to connect for S seconds, also after the connection is lost.",
 )
 @click.option(
     "--threads",
     type=click.IntRange(1, 64),
     metavar="N",
-    help="Run programs in N threads. Default: one, and one for each processor if they compute for "
-    "long.",
+    help="Run programs in N threads. Default: one, or one per processor if they compute for long.",
 )
 @click.option(
     "--unchecked", is_flag=True, help="Do not check memory accesses; programs run faster."
@@ -76,12 +75,11 @@ Examples:
 def join(
     *, words: tuple[str, ...], every: bool, unchecked: bool, model: str | None, **options: Any
 ) -> int:
-    """Compile a C control program and run it for a robot of a world that crs serve has.
+    """Compile a C control program and run it for a robot in a world that crs serve simulates.
 
-    The program runs here; its robot is in the world there. It prints here, and reads the standard
-    input of this command. If the connection is lost, or another host takes the place of this one,
-    the program goes on where it stood. The exit status is that of the program; with several
-    robots, it is 0 if all exited with 0, otherwise 1.
+    The program runs, prints and reads standard input here. If the connection is lost, or another
+    host takes the place of this one, the program continues where it was. The exit status is that of
+    the program; with several robots, it is 0 if all exited with 0, otherwise 1.
     """
     if any(map(is_net_address, words[:2])):
         at = next(index for index, word in enumerate(words) if is_net_address(word))

@@ -52,10 +52,10 @@ Exit status:
   1         a system error, such as a full disk
   2         invalid command line, or a device package that cannot be loaded
   70        internal error in crs
-  120       a recording that is not ours, or is damaged
+  120       a recording that is damaged, or not one of crs
   121 122   invalid C source, invalid world file
   123       the only robot's program was stopped by a runtime error
-  125       a recorded run takes another course when it is run again
+  125       a recorded run differs when it is repeated
   130       interrupted by Ctrl-C
   141       broken pipe: the reader closed the output
 """

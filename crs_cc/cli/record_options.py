@@ -28,7 +28,7 @@ def _interval(_ctx: click.Context, _option: click.Parameter, text: str) -> float
 _OPTIONS: Final = (
     click.option(
         "--record", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE.mcap",
-        help="Record the run: crs replay shows it, crs debug goes to any instant of it.",
+        help="Record the run, for crs replay and crs debug.",
     ),
     click.option(
         "--record-every", "record_every_s", default="50ms", show_default=True, metavar="TIME",
@@ -41,7 +41,7 @@ _OPTIONS: Final = (
     ),
     click.option(
         "--foxglove", is_flag=True,
-        help="Also record scenes and logs in the form that Foxglove shows.",
+        help="Also record scenes and logs in Foxglove's schemas.",
     ),
     click.option(
         "--foxglove-robot", "foxglove_robots", multiple=True, metavar="NAME",

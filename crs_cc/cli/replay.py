@@ -14,12 +14,12 @@ from crs_cc.cli.path_options import written_file, written_folder
 _EXAMPLES: Final = """
 \b
 Examples:
-  crs replay run.mcap                            what was run, and what happened
-  crs replay run.mcap --at 12.5s                 the state at an instant
-  crs replay run.mcap --plot path.svg --csv out  a picture, and tables
-  crs replay run.mcap --html run.html            a page that plays it in a browser
+  crs replay run.mcap                            summarise the run
+  crs replay run.mcap --at 12.5s                 show the state at a time
+  crs replay run.mcap --plot path.svg --csv out  write a picture and tables
+  crs replay run.mcap --html run.html            write a page that plays it in a browser
   crs replay run.mcap --verify                   run it again and compare
-  crs replay run.mcap --compare other.mcap       where two runs begin to differ
+  crs replay run.mcap --compare other.mcap       show where two runs diverge
   crs replay broken.mcap --recover mended.mcap   write what can be read
   crs debug run.mcap --at 12.5s                  debug the recorded run
 """
@@ -68,7 +68,7 @@ Examples:
     metavar="FILE.mcap",
 )
 def replay(path: Path, **options: Any) -> int:
-    """Show what a recording holds; or export, verify, compare or mend it.
+    """Summarise, export, verify, compare or recover a recording.
 
     Recordings are made by crs run --record. Without options, the run is summarised.
     """

@@ -70,7 +70,7 @@ def _serve_vendor(options: ServeOptions) -> int:
     for name in _FOR_HOSTS:
         if name in given:
             option = f"--{name.replace('_', '-')}"
-            raise click.UsageError(f"{option} is for programs that join, not for the vendor's.")
+            raise click.UsageError(f"{option} applies to programs that join, not to the vendor's.")
     return start_vendor(options if "speed" in given else replace(options, speed=1.0))
 
 
@@ -91,20 +91,20 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     show_default=True,
     metavar="HOST:PORT",
     callback=_address,
-    help="Where hosts and viewers connect; port 0 stands for any that is free. Other machines "
-    "reach it at 0.0.0.0.",
+    help="Address to which hosts and viewers connect; port 0 picks a free one. Use 0.0.0.0 to "
+    "accept connections from other machines.",
 )
 @click.option(
     "--tokens",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Who may do what: lines of a role (robot, view or control) and a token. Default: new "
-    "tokens, which are printed.",
+    help="Tokens that permit access: lines of a role (robot, view or control) and a token. "
+    "Default: new tokens, which are printed.",
 )
 @click.option(
     "--tls",
     is_flag=True,
-    help="Encrypt, with a certificate made at start whose fingerprint is printed.",
+    help="Encrypt with a new self-signed certificate; its fingerprint is printed.",
 )
 @click.option(
     "--tls-cert",
@@ -121,37 +121,37 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
 @click.option(
     "--insecure",
     is_flag=True,
-    help="Listen to other machines without TLS: tokens and programs can be read on the way.",
+    help="Permit other machines without TLS: tokens and programs can be intercepted.",
 )
 @click.option(
     "--start",
     type=click.Choice(["all", "now"]),
     default="all",
     show_default=True,
-    help="When the run begins: when all robots have their programs; or now, with the first, where "
-    "others join when their hosts come, with the same program.",
+    help="Start the run when all robots have programs, or now, as soon as one robot has; the "
+    "others join when their hosts connect, with the same program.",
 )
 @click.option(
     "--on-loss",
     type=click.Choice(["wait", "stop", "restart"]),
     default="wait",
     show_default=True,
-    help="When a host is lost: wait for another one, which goes on where it stood; stop its "
-    "programs and hold its robots; or restart its programs here, where they stood.",
+    help="When a host is lost: wait for another one, which continues its programs; stop its "
+    "programs and hold its robots; or continue its programs in this process.",
 )
 @click.option(
     "--resume",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE.mcap",
-    help="Go on where the recording of an environment ends that was killed: run to there again, "
-    "compare the hashes, and go on. Give the other options and programs as before.",
+    help="Continue a run that was killed, from its recording: repeat it up to the end of the "
+    "recording, compare the hashes, and go on. Give the same other options and programs.",
 )
 @click.option(
     "--view/--no-view",
     "shows",
     default=True,
-    help="Let pages look at the run, on the same port (default): crs view HOST:PORT opens one. "
-    "Without, timesteps in which nothing happens are skipped.",
+    help="Serve pages that show the run, on the same port (default); crs view HOST:PORT opens "
+    "one. With --no-view, timesteps in which nothing happens are skipped.",
 )
 @cluster_options
 @vendor_options
@@ -191,16 +191,16 @@ def serve(
 ) -> int:
     """Run a world whose robots' programs are on other machines, or in other processes.
 
-    The run begins when all robots have their programs, by crs join, and is the same as by crs run:
-    to the bit, whatever the number of hosts, their speed and the order in which they come. Files
-    that programs read and write are here; what they print appears where they run. The exit status
-    is that of crs run.
+    The run starts when crs join has provided a program for each robot. It is the same as that of
+    crs run, to the bit, for any number of hosts, at any speed, connecting in any order. Files that
+    programs read and write are on this machine; their output appears where they run. The exit
+    status is that of crs run.
 
-    With --hosts, programs run on a Dask cluster, which starts lost hosts again. They are named
-    before the world, or in it; they print here, and read the standard input of this command.
+    With --hosts, programs run on a Dask cluster, and lost hosts are restarted. The programs are
+    named before the world, or in it; their standard input and output are those of this command.
 
     With --nserver, --serial or --tcp-robot, all robots are driven by programs that are linked with
-    the vendor's own client libraries, in real time unless --speed says otherwise.
+    the vendor's own client libraries, in real time unless --speed is given.
     """
     if outputs is not None:
         make_folder(outputs)
@@ -223,7 +223,7 @@ def serve(
     if not wanted.hosts:
         _check_has_no_program(wanted)
     elif wanted.start == "now":
-        raise click.UsageError("--start now is for programs that join, not for those of --hosts.")
+        raise click.UsageError("--start now applies to programs that join, not to --hosts.")
     if wanted.vendor:
         return _serve_vendor(wanted)
     from crs_cc.cli.export_run import recorded
@@ -235,7 +235,7 @@ def serve(
 def _inputs(files: Sequence[str]) -> Inputs:
     inputs = sort_files(files)
     if inputs.world is None:
-        raise click.UsageError("no world file: its name ends with .xml.")
+        raise click.UsageError("no world file (FILE.xml) is given.")
     return inputs
 
 
@@ -246,10 +246,10 @@ def _check_has_no_program(options: ServeOptions) -> None:
         click.UsageError: they are named here, and run elsewhere.
     """
     if options.per_host is not None:
-        raise click.UsageError("--per-host is for hosts on a cluster: --hosts.")
+        raise click.UsageError("--per-host requires --hosts.")
     is_compiled = options.compiler != CompilerOptions() or options.trap_overflow
     if options.inputs.sources or options.arguments or is_compiled or not options.checked:
-        text = "programs are named and compiled by crs join; here only with --hosts"
+        text = "programs and their options are given to crs join; here, only with --hosts"
         raise click.UsageError(f"{text}.")
 
 

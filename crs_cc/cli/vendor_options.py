@@ -47,18 +47,18 @@ def _robot_ports(
 _OPTIONS: Final = (
     click.option(
         "--nserver", type=click.IntRange(0, 65535), metavar="PORT",
-        help="Serve programs that are linked with the vendor's Nclient, as his Nserver does on "
-        "port 7019: a robot for each, by its number or the next that is free.",
+        help="Serve programs that are linked with the vendor's Nclient, as the vendor's Nserver "
+        "does on port 7019: each gets the robot of its number or the next free one.",
     ),
     click.option(
         "--serial", "terminals", multiple=True, metavar="ROBOT",
-        help="Make a pseudo terminal, whose name is printed, the line of ROBOT to a program that "
-        "is linked with the vendor's Ndirect; may be repeated.",
+        help="Create a pseudo terminal and print its name: the serial line of ROBOT for a program "
+        "that is linked with the vendor's Ndirect; may be repeated.",
     ),
     click.option(
         "--tcp-robot", "tcp_robots", multiple=True, metavar="[ROBOT=]PORT", callback=_robot_ports,
-        help="The same for a line over TCP, which Ndirect opens for a device that is the name of "
-        "a machine; its port is 65001 there. ROBOT is the first one by default.",
+        help="The same over TCP, which Ndirect uses if the device is the name of a machine; it "
+        "connects to port 65001. ROBOT defaults to the first one.",
     ),
 )  # fmt: skip
 

@@ -94,11 +94,11 @@ def view(
 ) -> int:
     """Compile a C control program and watch it in the browser.
 
-    The page shows the world, the robots and the lines at which their programs stand. It plays,
-    pauses, goes back to any instant and steps through the program in either direction. It is served
-    to this machine only; who has the printed address may steer the run. Ctrl-C ends it. A run that
-    goes on anyway shows itself by crs run --view. With --record, the run as it stands when it ends
-    is recorded, with all that was changed by hand.
+    The page shows the world, the robots and the current lines of their programs. It plays, pauses
+    and rewinds the run, and steps through the programs forward and in reverse. It is served to this
+    machine only; anyone who has the printed address can control the run. Ctrl-C ends it. --record
+    records the run as it is when it ends, with all changes. crs run --view shows a run that starts
+    without waiting for the page.
     """
     from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
     from crs_cc.cli.start_view import view_programs

@@ -33,9 +33,9 @@ Examples:
 def world() -> None:
     """Edit a world file, a robot definition or a file of definitions.
 
-    Comments, order, spaces and units stay as they are; only what is changed is written anew. The
+    Comments, order, spaces and units stay as they are; only what is changed is rewritten. The
     file is replaced when the result is valid, as crs check says, and in one step. Elements are
-    named by their ids, or by where they stand: crate, surface/ramp[1], define[table]/leg0.
+    named by their ids, or by their paths: crate, surface/ramp[1], define[table]/leg0.
     """
 
 
@@ -62,17 +62,17 @@ def copy(file: Path, names: tuple[str, ...]) -> int:
     return 0
 
 
-@world.command(name="import", short_help="Put in what a plan shows: SVG, PNG, Stage or SDF.")
+@world.command(name="import", short_help="Insert a plan: SVG, PNG, Stage or SDF.")
 @click.argument("file", type=click.Path(path_type=Path))
 @click.argument("plan", type=click.Path(path_type=Path))
 @click.option(
     "--scale", metavar="LENGTH", help="Size of a pixel, or of a unit of SVG, such as 5cm."
 )
 @click.option("--thickness", metavar="LENGTH", default="10cm", help="Thickness of walls.")
-@click.option("--x", metavar="LENGTH", default="0", help="Where the plan's x = 0 comes to be.")
-@click.option("--y", metavar="LENGTH", default="0", help="Where the plan's y = 0 comes to be.")
+@click.option("--x", metavar="LENGTH", default="0", help="Position of the plan's x = 0.")
+@click.option("--y", metavar="LENGTH", default="0", help="Position of the plan's y = 0.")
 def import_(file: Path, plan: Path, **given: Any) -> int:
-    """Put walls and objects of a plan into a world, or make a new world of them.
+    """Insert the walls and objects of a plan into a world, or create a new world from them.
 
     A plan is an SVG drawing (lines, polylines, polygons, rectangles, circles, paths of straight
     segments), a PNG picture whose dark pixels are walls, a world of Stage (.world), or SDF with
@@ -130,11 +130,11 @@ def _command(row: Operation) -> click.Command:
             ["-o", "--output"],
             type=click.Path(path_type=Path),
             metavar="FILE",
-            help="Write the result to this new file, and leave the other one as it is.",
+            help="Write the result to this new file, and leave FILE unchanged.",
         )
     )
     parameters.append(
-        click.Option(["--diff"], is_flag=True, help="Print what would change, and write nothing.")
+        click.Option(["--diff"], is_flag=True, help="Print the changes, and write nothing.")
     )
     return click.Command(
         row.name,
