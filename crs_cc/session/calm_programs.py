@@ -77,16 +77,17 @@ class CalmPrograms:
         state, kernel = self._state, calm.kernel
         kernel.tell(rounds=state.rounds)
         rounds = state.fleet.take_turns(partner, kernel.turn, kernel.address("records"))
-        verdict, ended, before, passage = state.environment.end_calm(calm)
+        outcome = state.environment.end_calm(calm)
+        verdict, ended = outcome.verdict, outcome.ended
         state.timesteps += ended
-        state.rounds = before + rounds
+        state.rounds = outcome.rounds + rounds
         called_s = kernel.table("called", len(state.called_s))
         is_called = called_s > -np.inf
         self.is_worthwhile = bool(ended) or verdict != ASKED or any_of(is_called)
         np.copyto(state.called_s, called_s, where=is_called)
         called_s[:] = -np.inf
-        if passage is not None:
-            self.passages.append(passage)
+        if outcome.passage is not None:
+            self.passages.append(outcome.passage)
         return verdict, ended
 
     def _calm_time(self) -> CalmTime | None:

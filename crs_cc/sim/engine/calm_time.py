@@ -1,32 +1,36 @@
 """Calm time: cycles of few robots in which a kernel does all that happens.
 
-Calm is a world in which nothing touches or is held, no wait ends, no message is on its way, no
-device is degraded, no goal changes, and all that requests and sonars depend on is known to kernels.
-Robots may drive as they are told. Then the kernel of `kernels/calm.c` answers requests,
-fires sonars and ends cycles, in turn with the programs, until one of them asks for something else,
-or something is near a robot or due that kernels do not know. It leaves that as it was, and the
-general way goes on.
+While it is calm, see `calm_moments`, and kernels know all that the world has, robots drive as they
+are told: then the kernel of `kernels/calm.c` answers requests, fires sonars and ends cycles, in
+turn with the programs, until one of them asks for something else, or something is near a robot or
+due that kernels do not know. It leaves that as it was, and the general way goes on.
 
 The rows of robots are copied into the kernel's memory, and back.
 """
 
 from __future__ import annotations
 
-import math
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
-from crs_cc.sim.devices import drive
-from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.sensor_board import BATTERIES, BOARD_MS, LASER_COUNT
 from crs_cc.sim.devices.sonar.state import sonar_state
-from crs_cc.sim.devices.waits import when
 from crs_cc.sim.engine.calm_instruments import CalmInstruments
+from crs_cc.sim.engine.calm_moments import cycles_to_event, is_calm
 from crs_cc.sim.engine.passage import Passage, served_of
-from crs_cc.sim.engine.quiet_time import MARGIN, NEVER
-from crs_cc.sim.kernels.calm import ANSWER, CODES, FRAME, MOST, CalmKernel
+from crs_cc.sim.kernels.calm import (
+    ANSWER,
+    BACKUP_SIZE,
+    CODES,
+    FACE_SIZE,
+    FRAME,
+    MOST,
+    RECORD_SIZE,
+    ROUND_SIZE,
+    CalmKernel,
+)
 from crs_cc.sim.kernels.draws import Draws
 from crs_cc.sim.physics.contacts import SLOP_M
 
@@ -37,11 +41,28 @@ if TYPE_CHECKING:
 
 _DEVICES: Final = ("sonar", "bumper", "battery")
 _CYCLES: Final = 512  # whose frames are logged at most
-_ANSWERS: Final = 40_000 // 31  # that are logged at most for observers, and
+_ANSWER_SIZE: Final = ANSWER.itemsize // 8  # numbers
+_ANSWERS: Final = 40_000 // _ANSWER_SIZE  # that are logged at most for observers, and
 _FEW_ANSWERS: Final = 64  # for each robot if only those of a cycle are kept
-_ANSWER: Final = ANSWER.itemsize // 8
-_FACE, _ROUND, _BACKUP, _RECORD = 6, 4, 114, 56  # numbers for each in the kernel's tables
 _DEVIATES: Final = 3  # of a firing
+
+
+class CalmOutcome(NamedTuple):
+    """What has happened in calm time.
+
+    Attributes:
+        verdict: why the kernel has returned, see `kernels.calm`.
+        ended: the cycles that have ended.
+        rounds: the rounds of programs in the current cycle.
+        passage: what observers are to hear.
+        is_untouched: whether nothing was asked in the last cycle that has ended, nor since.
+    """
+
+    verdict: int
+    ended: int
+    rounds: int
+    passage: Passage | None
+    is_untouched: bool
 
 
 class CalmTime:
@@ -63,13 +84,13 @@ class CalmTime:
         self._data, self._dispatcher = data, dispatcher
         self._equipment: tuple[object, ...] = (None,) * 3  # that tables were made for
         self._places = b""
-        self._is_possible = False
+        self._was_simple = False  # with this equipment
         self._keeps = False
         self._most = np.zeros((0, 3))
         self._find_sensors()
         self._goal_room_m = 0.0  # at the last `end`
 
-    # -- whether it is calm ----------------------------------------------------------------------
+    # -- before it -------------------------------------------------------------------------------
 
     def begin(self, cycles: int, *, is_new: bool, keeps: bool, most: FloatArray) -> bool:
         """Prepare the kernel for calm time, if it is calm now.
@@ -82,7 +103,7 @@ class CalmTime:
         """
         data, state = self._data, self._data.state
         if is_new:
-            if not (self._can_be_calm() and self._is_calm()):
+            if not (self._is_simple() and is_calm(data, self._devices)):
                 return False
             self._enter(keeps=keeps, most=most)
         elif keeps != self._keeps or most is not self._most:
@@ -92,7 +113,7 @@ class CalmTime:
         if is_new:
             self._goal_room_m = data.goals.room_m(state)
         left, room_m = data.physics.calm_cycles(state.bodies)
-        left = min(cycles, left, self._cycles_to_event() if cycles else 0)
+        left = min(cycles, left, cycles_to_event(data) if cycles else 0)
         if left <= 0 < cycles or not self._goal_room_m:
             return False
         self._firings.renew(self.kernel, sonar_state(state).count)
@@ -100,15 +121,15 @@ class CalmTime:
         self.kernel.begin(state.cycle + left, state.cycle, room_m, self._goal_room_m)
         return True
 
-    def _can_be_calm(self) -> bool:
+    def _is_simple(self) -> bool:
         """Return whether kernels know all that the world has."""
         data, state, devices = self._data, self._data.state, self._data.devices
         equipment = data.constants, data.rays, devices
         if all(a is b for a, b in zip(equipment, self._equipment, strict=True)):
-            return self._is_possible
+            return self._was_simple
         self._equipment, self._places = equipment, b""
         self._find_sensors()
-        self._is_possible = (
+        self._was_simple = (
             len(state.bodies.angle_rad) <= MOST
             and len(data.constants.kinds.table) <= MOST
             and bool(data.simple)
@@ -119,7 +140,7 @@ class CalmTime:
             and devices.sonars.is_simple(data.rays)
             and data.rays.few_shapes(state, len(state.connected)) is not None
         )
-        return self._is_possible
+        return self._was_simple
 
     def _find_sensors(self) -> None:
         data, sonars = self._data, self._data.devices.sonars
@@ -128,40 +149,6 @@ class CalmTime:
         self._firings = Draws("sonar", robots, _DEVIATES, draw)
         self._instruments = CalmInstruments(data)
         self._devices = *_DEVICES, *self._instruments.names
-
-    def _is_calm(self) -> bool:
-        data, state, constants = self._data, self._data.state, self._data.constants
-        if data.is_weary or not drive.moves_as_commanded(state, constants):
-            return False
-        if np.count_nonzero(state.drive.hindered):
-            return False
-        if np.count_nonzero(bumper_state(state).pressed) or len(state.contacts_before):
-            return False
-        if len(state.pos_data.reported) or data.log.snapshot():
-            return False
-        if any(constants.degradations.concern(state, device) for device in self._devices):
-            return False
-        messages = state.messages
-        rest = messages.receptions, messages.packets, messages.shuts, messages.outbox
-        return not any(map(len, rest)) and data.physics.calm_cycles(state.bodies)[0] > 0
-
-    def _cycles_to_event(self) -> int:
-        """Return how many cycles may end before the next event that is known."""
-        data, state = self._data, self._data.state
-        known_s = float(state.degradation.next_s), data.due_s, data.goals.due_s(state)
-        event_s = min(*known_s, self._wait_ends_s())
-        if not event_s < NEVER * data.timestep_s:
-            return NEVER
-        return int(event_s / data.timestep_s) - MARGIN - state.cycle
-
-    def _wait_ends_s(self) -> float:
-        """Return when the first wait may end, also as its robot's command timeout expires."""
-        data, state = self._data, self._data.state
-        if not np.count_nonzero(state.waits.code):
-            return math.inf
-        waiting = state.waits.code.nonzero()[0]
-        ends_s = np.minimum(when(data.waits, state, waiting), state.drive.deadline_s[waiting])
-        return float(ends_s.min())
 
     # -- the kernel's memory ---------------------------------------------------------------------
 
@@ -230,11 +217,11 @@ class CalmTime:
         answers = max(_ANSWERS, 2 * count) if self._keeps else _FEW_ANSWERS * count
         cycles = _CYCLES if self._keeps else 0
         spaces = {
-            "records": _RECORD * count,
-            "work": _FACE * len(segments) + _ROUND * len(circles),
-            "backup": _BACKUP * count,
+            "records": RECORD_SIZE * count,
+            "work": FACE_SIZE * len(segments) + ROUND_SIZE * len(circles),
+            "backup": BACKUP_SIZE * count,
             "frames": cycles * count * FRAME,
-            "answers": answers * _ANSWER,
+            "answers": answers * _ANSWER_SIZE,
             **self._firings.spaces(),
             **self._instruments.spaces(),
         }
@@ -259,41 +246,35 @@ class CalmTime:
 
     # -- after it --------------------------------------------------------------------------------
 
-    def end(self) -> tuple[int, int, int, Passage | None, bool]:
-        """Copy back what has changed.
-
-        Returns:
-            why the kernel has returned, the cycles that have ended, the rounds of programs in the
-            current one, what observers are to hear, and whether nothing was asked in the last cycle
-            that has ended, nor since.
-        """
+    def end(self) -> CalmOutcome:
+        """Copy back what has changed, and return what has happened."""
         data, state, kernel = self._data, self._data.state, self.kernel
         verdict, changed = kernel.outcome()
-        cycle, room_m, self._goal_room_m, rounds, ended, answered, _, *last = changed
-        served, was_served, is_weary = last
+        ended, answers, served = changed.ended, changed.answers, changed.served
+        self._goal_room_m = changed.goal_room_m
         tables = state.rows.tables(data.constants.kinds)
         for memory, table in zip(self._memories(), tables, strict=True):
             table[:] = np.ndarray(table.shape, table.dtype, memory)
         self._instruments.leave(kernel)
-        passage, earlier = None, len(self._dispatcher.served)
+        passage, was_served = None, bool(changed.was_served)
         if ended:
-            data.physics.pass_over(ended, room_m)
-            data.is_weary = bool(is_weary)
+            data.physics.pass_over(ended, changed.room_m)
+            data.is_weary = bool(changed.is_weary)
             if self._keeps:
-                passage = self._passage(ended, answered - served)
-            state.cycle = cycle
+                passage = self._passage(ended, answers - served)
+            state.cycle = changed.cycle
+            was_served |= ended == 1 and bool(self._dispatcher.served)
             self._dispatcher.served = []
         if served:
-            answers = kernel.table("answers", answered, ANSWER)
-            self._dispatcher.served += served_of(answers[answered - served :])
-        was_served |= ended == 1 and earlier
+            logged = kernel.table("answers", answers, ANSWER)
+            self._dispatcher.served += served_of(logged[answers - served :])
         is_untouched = bool(ended) and not (served or was_served)
-        return verdict, ended, rounds, passage, is_untouched
+        return CalmOutcome(verdict, ended, changed.rounds, passage, is_untouched)
 
     def _passage(self, ended: int, answered: int) -> Passage:
         data, kernel = self._data, self.kernel
         moved = kernel.content("frames", ended * len(data.state.connected) * FRAME)
-        logged = kernel.content("answers", answered * _ANSWER)
+        logged = kernel.content("answers", answered * _ANSWER_SIZE)
         earlier = self._dispatcher.served
         return Passage(data.state.cycle, ended, data.timestep_s, moved, logged, earlier)
 

@@ -38,11 +38,10 @@ from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive.constants import Drives
 from crs_cc.sim.devices.foraging import NestResult, SourceResult
 from crs_cc.sim.devices.sensor_board import state_vector
-from crs_cc.sim.engine.calm_time import CalmTime
+from crs_cc.sim.engine.calm_time import CalmOutcome, CalmTime
 from crs_cc.sim.engine.dispatch import Dispatcher
 from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.engine.motion import move
-from crs_cc.sim.engine.passage import Passage
 from crs_cc.sim.engine.quiet_time import catch_up, quiet_until
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
@@ -77,7 +76,7 @@ class Environment:
         self._skipped = 0  # cycles that are not executed yet
         self._quiet_until: int | None = None  # None: not known
         self._is_untouched = False  # since before the last cycle
-        self._is_calm = False  # nothing has changed since calm time has ended
+        self._is_as_calm = False  # as calm time has left it
 
     @property
     def _data(self) -> WorldData:
@@ -87,7 +86,7 @@ class Environment:
 
     def _catch_up(self) -> None:
         """Execute the skipped cycles before something may change."""
-        self._quiet_until, self._is_untouched, self._is_calm = None, False, False
+        self._quiet_until, self._is_untouched, self._is_as_calm = None, False, False
         if self._skipped:
             skipped, self._skipped = self._skipped, 0
             self._running.is_weary = True  # charges fall meanwhile
@@ -138,15 +137,15 @@ class Environment:
 
     def begin_calm(self, calm: CalmTime, cycles: int, *, keeps: bool, most: FloatArray) -> bool:
         """Prepare calm time, if it is calm now, see `CalmTime.begin`; `end_calm` is to follow."""
-        is_new = bool(self._skipped) or not self._is_calm
+        is_new = bool(self._skipped) or not self._is_as_calm
         self._catch_up()
         return calm.begin(cycles, is_new=is_new, keeps=keeps, most=most)
 
-    def end_calm(self, calm: CalmTime) -> tuple[int, int, int, Passage | None]:
-        """Take over what has happened in calm time, see `CalmTime.end`."""
-        verdict, ended, rounds, passage, self._is_untouched = calm.end()
-        self._is_calm = True
-        return verdict, ended, rounds, passage
+    def end_calm(self, calm: CalmTime) -> CalmOutcome:
+        """Take over what has happened in calm time, and return it."""
+        outcome = calm.end()
+        self._is_untouched, self._is_as_calm = outcome.is_untouched, True
+        return outcome
 
     def step(self, *, tells_slices: bool = True) -> Step:
         """End the cycle; return what happened in it and which waits end in the next.

@@ -17,12 +17,11 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.kernels.program import Kernels
 from crs_cc.sim.kernels.surveys import viewers_of
+from crs_cc.sim.kernels.tables import SORT, SURVEY
 
 Tables: TypeAlias = tuple[FloatArray, FloatArray, FloatArray]
 """Rows of segments, circles and pieces, see `beams.h`."""
 
-_SORT: Final = 117
-_SURVEY: Final = 118
 _WORK: Final = 400_000  # numbers of the arena for robots and their distances
 _HEAD: Final = 8
 _MOST_CELLS: Final = 128  # along each side of the grid
@@ -74,7 +73,7 @@ class BeamField:
             some = viewers[first : first + most]
             out = len(fan) + some.size
             self._kernels.lay(fan.tobytes() + some.tobytes())
-            self._kernels.call(_SURVEY, len(some), len(fan), out, _WORK, self._moving)
+            self._kernels.call(SURVEY, len(some), len(fan), out, _WORK, self._moving)
             distances_m = self._kernels.arena[out : out + len(some) * beams]
             found[first : first + most] = distances_m.reshape(-1, beams)
         return found
@@ -88,5 +87,5 @@ class BeamField:
         if (len(content) + 4 * (cells + 1 + sum(map(len, tables)))) // 8 >= room:
             return 0
         self._kernels.lay(content, place)
-        self._kernels.call(_SORT, place, room)
+        self._kernels.call(SORT, place, room)
         return self._kernels.result

@@ -6,20 +6,22 @@ It has copies of the rows of a world's robots, and tables, one after the other.
 from __future__ import annotations
 
 import struct
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import ByteArray
-from crs_cc.requests import NUM_STATE
+from crs_cc.requests import NUM_STATE, SLOT, TIMING
 from crs_cc.sim.kernels.tables import (
     BATTERY_SIZE,
     BODY_SIZE,
+    CALM,
     KIND_SIZE,
     RING_SIZE,
     RINGS,
     ROBOT_SIZE,
+    SETUP,
 )
 
 if TYPE_CHECKING:
@@ -29,7 +31,7 @@ MOST: Final = 64
 """Robots and bodies at most."""
 CODES: Final = 256
 """Codes of requests are smaller."""
-ASKED, REFUSED, DONE, FULL, DRAWN, STANDS = range(1, 7)
+RUN, ASKED, REFUSED, DONE, FULL, DRAWN, STANDS = range(7)
 """Why the kernel returns, as in `calm.h`."""
 
 TABLES: Final = (
@@ -43,7 +45,7 @@ SENSORS: Final = "sonar", "ring", "compass"
 _FIRST, _DEVIATES, _DRAWS = ("{}_first", "{}_deviates", "{}_draws")
 _DRAWN: Final = [form.format(name) for name in SENSORS for form in (_FIRST, _DEVIATES, _DRAWS)]
 
-CALM: Final = np.dtype(
+_HEAD: Final = np.dtype(
     [
         ("verdict", "<i4"), ("ran", "<i4"), ("end_s", "<f8"),
         *((name, "<i8") for name in (*TABLES, *_DRAWN)),
@@ -71,13 +73,46 @@ FRAME: Final = 7
 """Numbers of a frame: x, y [m], heading, turret [rad]; x, y [m] and heading [rad] believed."""
 
 _NUMBER: Final = 8  # bytes
-_KERNEL: Final = 116
-_SETUP: Final = struct.Struct("<5i"), 99
+RECORD_SIZE: Final = (SLOT.itemsize + TIMING.itemsize) // _NUMBER
+FACE_SIZE: Final = 6
+ROUND_SIZE: Final = 4
+BACKUP_SIZE: Final = ROBOT_SIZE + BODY_SIZE + BATTERY_SIZE
+"""Numbers of a program's slot and timing; of a face and a round that an echo may come from; and of
+a robot that is to be restored. See `calm.h`, `echoes.h` and `calm_motion.c`."""
+
+_SETUP: Final = struct.Struct("<5i")
 _PLACES: Final = struct.Struct("<6i")
 _THIRD: Final = 540_000
-_CHANGES: Final = "cycle"  # the first of what the kernel changes
 _CHANGED: Final = struct.Struct("<qddqqqqqqq")
 _TOLD: Final = struct.Struct("<iid")
+
+
+class Changed(NamedTuple):
+    """What the kernel changes of what it is told, as in `calm.h`.
+
+    Attributes:
+        cycle: the current cycle.
+        room_m: the room that robots have left, see `physics/simulation.py`.
+        goal_room_m: the room until a goal has to be judged, see `engine/goals.py`.
+        rounds: rounds of programs in this cycle.
+        ended: cycles that have ended.
+        answers: answers that have been logged and are kept.
+        batch: requests that were answered together have the same number.
+        served: requests that were answered in this cycle.
+        was_served: those of the cycle before.
+        is_weary: whether a motor battery may be empty before the end of the next cycle.
+    """
+
+    cycle: int
+    room_m: float
+    goal_room_m: float
+    rounds: int = 0
+    ended: int = 0
+    answers: int = 0
+    batch: int = 0
+    served: int = 0
+    was_served: int = 0
+    is_weary: int = 0
 
 
 class CalmKernel:
@@ -85,15 +120,14 @@ class CalmKernel:
 
     Attributes:
         turn: the address of its `TURN`.
-        arena: numbers; at first a `CALM`, then the tables.
+        arena: numbers; at first `struct calm`, then the tables.
         robots, bodies, batteries, kinds, sonars: rows, as of `Kernels`.
     """
 
     def __init__(self, instance: KernelInstance) -> None:
         """Take an instance that has just been started."""
         place, memory = int(instance.message[0]), instance.memory.data
-        form, number = _SETUP
-        form.pack_into(memory, place, number, _THIRD, MOST, MOST, MOST)
+        _SETUP.pack_into(memory, place, SETUP, _THIRD, MOST, MOST, MOST)
         instance.resume()
         self.turn, *tables = _PLACES.unpack_from(memory, place)
         sizes = ROBOT_SIZE * MOST, BODY_SIZE * MOST, BATTERY_SIZE * MOST, KIND_SIZE * MOST
@@ -101,17 +135,17 @@ class CalmKernel:
             instance.memory[begin : begin + size * _NUMBER].data
             for begin, size in zip(tables, (*sizes, RING_SIZE * RINGS), strict=True)
         )
-        self._instance, self._place, self._memory = instance, place, memory
+        self._instance = instance  # which its memory lasts as long as
+        self._place, self._memory = place, memory
         end = self.turn + 3 * _THIRD * _NUMBER
         self.arena: ByteArray = instance.memory[self.turn : end]
         self._bytes = self.arena.data
-        self._head = np.frombuffer(self.arena, CALM, 1)
-        self._first = CALM.fields[_CHANGES][1]  # type: ignore[index]
-        self._end = 0  # of the tables so far
+        self._head = np.frombuffer(self.arena, _HEAD, 1)
+        self._changed = _HEAD.fields["cycle"][1]  # type: ignore[index]
 
     def lay(self, tables: dict[str, npt.NDArray[Any]], spaces: dict[str, int]) -> None:
         """Lay tables one after the other, and reserve space [numbers] for others."""
-        place = -(-CALM.itemsize // _NUMBER)
+        place = -(-_HEAD.itemsize // _NUMBER)
         drawn = [form.format(name) for name in SENSORS for form in (_FIRST, _DEVIATES)]
         for name in (*TABLES, *drawn):
             self._head[name] = place
@@ -130,14 +164,15 @@ class CalmKernel:
     def begin(self, until: int, cycle: int, room_m: float, goal_room_m: float) -> None:
         """Set what differs with each call, and what the kernel changes."""
         self._head["until"] = until
-        changed = cycle, room_m, goal_room_m, 0, 0, 0, 0, 0, 0, 0
-        _CHANGED.pack_into(self._bytes, self._first, *changed)
+        changed = Changed(cycle, room_m, goal_room_m)
+        _CHANGED.pack_into(self._bytes, self._changed, *changed)
         _TOLD.pack_into(self._bytes, 0, 0, -1, 0.0)
-        struct.pack_into("<i", self._memory, self._place, _KERNEL)
+        struct.pack_into("<i", self._memory, self._place, CALM)
 
-    def outcome(self) -> tuple[int, tuple[Any, ...]]:
-        """Return why it has returned, and what it has changed, from `cycle` on."""
-        return _TOLD.unpack_from(self._bytes)[0], _CHANGED.unpack_from(self._bytes, self._first)
+    def outcome(self) -> tuple[int, Changed]:
+        """Return why it has returned, and what it has changed."""
+        changed = _CHANGED.unpack_from(self._bytes, self._changed)
+        return _TOLD.unpack_from(self._bytes)[0], Changed(*changed)
 
     def table(self, name: str, count: int, dtype: npt.DTypeLike = np.float64) -> Any:
         """Return a view of the first entries of a table."""

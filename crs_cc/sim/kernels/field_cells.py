@@ -12,6 +12,7 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray, Int64Array
 from crs_cc.sim.kernels.program import Kernels, kernels
+from crs_cc.sim.kernels.tables import TRAILS
 
 PIECES: Final = 64
 """Pieces at most that a trail in a timestep has, as in `fields.c`."""
@@ -20,7 +21,6 @@ Robots: TypeAlias = "int | IndexArray | FloatArray"
 """Robots by their rows in kernels that hold a world, (k,), or how many of the first ones, or by the
 poses of their mounts, x, y [m] and heading [rad], (k, 3)."""
 
-_TRAILS: Final = 120
 _TRAIL: Final = 7  # numbers of one
 
 
@@ -113,7 +113,7 @@ def trail_cells(
             room = own.arena[out : out + column.size].view(column.dtype)
             room[:] = column.reshape(-1)
             out += column.size
-        own.call(_TRAILS, count, len(grids), out)
+        own.call(TRAILS, count, len(grids), out)
         found, number = own.arena[out:].view(np.int64), own.result
         cells.append(found[:number].copy())
         laid.append(found[PIECES * count : PIECES * count + number].copy())

@@ -22,16 +22,27 @@ import numpy as np
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray, Int32Array, Int64Array, Records
 from crs_cc.core.host_system import keep_freed_memory
 from crs_cc.sim.kernels.tables import (
+    ADVANCE,
+    ANTENNAE,
     BATTERY_SIZE,
     BODIES,
     BODY_SIZE,
+    CHARGES,
+    FINISH,
+    FIRE,
     KIND_SIZE,
     KINDS,
+    RENEW,
+    REPLIES,
     REPLY,
+    REPORTS,
     RING_SIZE,
     RINGS,
     ROBOT_SIZE,
     ROBOTS,
+    SERVE,
+    SETUP,
+    SPEEDS,
 )
 
 if TYPE_CHECKING:
@@ -41,25 +52,9 @@ BLOCK: Final = 0x20000
 """Elements of an array in the arena; complex numbers are two numbers each."""
 
 _SETUP: Final = struct.Struct("<6i")
-_SETUP_NUMBER: Final = 99
 _ARGUMENTS: Final = tuple(struct.Struct(f"<{count}i") for count in range(11))
 _ARCS: Final = 13
 
-PROFILES: Final = 102
-COUNTS: Final = 103
-"""Kernels of `drive.c` on columns."""
-_ADVANCE: Final = 104
-_REPORTS: Final = 105
-_RENEW: Final = 107
-_SPEEDS: Final = 108
-_REPLIES: Final = 109
-_CHARGES: Final = 110
-_FINISH: Final = 111
-_SERVE: Final = 113
-_FIRE: Final = 114
-_ANTENNAE: Final = 119
-ERRORS: Final = 115
-"""The kernel of `sonars.c` on columns."""
 ROBOTS_AT_ONCE: Final = 2048
 """Robots whose columns or rows are copied for a kernel at once."""
 
@@ -109,7 +104,7 @@ class Kernels:
         self._resume = instance.resume
         sizes = _ARENA if is_arena else _WORLD if holds_world else _AT_ONCE
         third, robots, bodies, kinds = sizes
-        self.call(_SETUP_NUMBER, third, robots, bodies, kinds)
+        self.call(SETUP, third, robots, bodies, kinds)
         arena, *tables = _SETUP.unpack_from(self._memory, self._place)
         memory = instance.memory[arena : arena + 3 * third * _NUMBER].reshape(3, -1)
         self.reals = tuple(memory.view(np.float64))
@@ -193,7 +188,7 @@ class Kernels:
             `ADVANCED`, or what happens before.
         """
         times = _LAST.pack(last_s) + to_s.tobytes()
-        self._select(_RENEW if renews else _ADVANCE, len(to_s), rows, times)
+        self._select(RENEW if renews else ADVANCE, len(to_s), rows, times)
         return self.result
 
     def reports(self, rows: IndexArray | None, count: int) -> Int32Array:
@@ -203,7 +198,7 @@ class Kernels:
             rows: their rows in `robots`, None for the first ones.
             count: the number of robots.
         """
-        self._select(_REPORTS, count, rows)
+        self._select(REPORTS, count, rows)
         return np.array(self._second[: 8 * count].reshape(count, 8))
 
     def antennae(
@@ -226,7 +221,7 @@ class Kernels:
             tiles and places, (2, fields, antennae, robots), until the next call.
         """
         out = len(numbers) // _NUMBER + (0 if rows is None else count)
-        self._select(_ANTENNAE, count, rows, numbers, *sizes, out)
+        self._select(ANTENNAE, count, rows, numbers, *sizes, out)
         shape = 2, *sizes[:2], count
         found = self.arena[out : out + math.prod(shape)].view(np.int64)
         return found.reshape(shape)
@@ -238,7 +233,7 @@ class Kernels:
             rows: their rows in `robots`, None for the first ones.
             for_s: the time for which each has been in the world, (k,).
         """
-        self._select(_REPLIES, len(for_s), rows, for_s.tobytes())
+        self._select(REPLIES, len(for_s), rows, for_s.tobytes())
         return self._told(len(for_s))
 
     def serve(
@@ -265,7 +260,7 @@ class Kernels:
         """
         count = len(clock_s)
         numbers = clock_s.tobytes() + joined_s.tobytes() + values.tobytes()
-        self._select(_SERVE, count, rows, _FOUR.pack(*service) + numbers)
+        self._select(SERVE, count, rows, _FOUR.pack(*service) + numbers)
         found = self.result
         first = 4 + (0 if rows is None else count)
         return found, self.arena[first : first + count].copy(), self._told(count)
@@ -286,7 +281,7 @@ class Kernels:
             `ADVANCED`; `SENSOR_DUE` if more are due; `HELD_UP` if nothing was done, as robots may
             not have moved as their wheels did.
         """
-        self._select(_FIRE, len(to_s), rows, to_s.tobytes() + numbers, *sizes)
+        self._select(FIRE, len(to_s), rows, to_s.tobytes() + numbers, *sizes)
         return self.result
 
     def charges(self, rows: IndexArray | None, for_s: FloatArray) -> FloatArray:
@@ -296,7 +291,7 @@ class Kernels:
             rows: their rows in `robots`, None for the first ones.
             for_s: the time for which each has been in the world, (k,).
         """
-        self._select(_CHARGES, len(for_s), rows, for_s.tobytes())
+        self._select(CHARGES, len(for_s), rows, for_s.tobytes())
         return self._charges[: 2 * len(for_s)].reshape(-1, 2).copy()
 
     def set_speeds(
@@ -318,7 +313,7 @@ class Kernels:
         for each in (ramp, which):
             places.append(0 if each is None else len(numbers) // _NUMBER)
             numbers += b"" if each is None else each.tobytes()
-        self._select(_SPEEDS, len(speed), rows, numbers, *places)
+        self._select(SPEEDS, len(speed), rows, numbers, *places)
 
     def finish(
         self,
@@ -342,7 +337,7 @@ class Kernels:
             next cycle.
         """
         before = b"" if before_m is None else before_m.tobytes()
-        self._select(_FINISH, count, None, _FOUR.pack(*cycle) + joined_s.tobytes() + before)
+        self._select(FINISH, count, None, _FOUR.pack(*cycle) + joined_s.tobytes() + before)
         found = self._second
         empty = found[2 : 2 + found[0]].tolist() if found[0] else []
         return self.result, empty, bool(found[1])

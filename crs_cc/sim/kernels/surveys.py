@@ -14,11 +14,7 @@ from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.errors import WorldError
 from crs_cc.core.source import Location
 from crs_cc.sim.kernels.program import Kernels
-
-_ECHOES: Final = 100
-_RAYS: Final = 101
-_COVERS: Final = 106
-_SCAN: Final = 112
+from crs_cc.sim.kernels.tables import COVERS, ECHOES, RAYS, SCAN
 
 _VIEWER: Final = 5  # numbers of a robot
 _WIDTHS: Final = 7, 5, 14  # of rows of segments, circles and pieces
@@ -73,7 +69,7 @@ def echoes(instance: Kernels, tables: Sequence[FloatArray], *, hushed: bool) -> 
         raise WorldError.at(Location("<world>"), text)
     for table, place in zip(tables, places, strict=True):
         instance.arena[place : place + table.size] = table.reshape(-1)
-    instance.call(_ECHOES, count, hushed, *places[1:], end)
+    instance.call(ECHOES, count, hushed, *places[1:], end)
     return instance.arena[end : end + count].copy()
 
 
@@ -101,7 +97,7 @@ def rays(
         the distances, and the number of the object that each beam hits, shape (1 or 2, k,
         beams).
     """
-    numbers = _RAYS, 1 + wants_objects, wants_objects
+    numbers = RAYS, 1 + wants_objects, wants_objects
     return _survey(instance, numbers, fan, viewers_of(poses, own), tables)
 
 
@@ -115,7 +111,7 @@ def covers(instance: Kernels, fan: FloatArray, poses: FloatArray, pieces: FloatA
         pieces: a row for each piece, as of segments for `rays`.
     """
     tables = pieces, pieces[:0]
-    return np.asarray(_survey(instance, (_COVERS, 1, 1), fan, viewers_of(poses, 0), tables)[0])
+    return np.asarray(_survey(instance, (COVERS, 1, 1), fan, viewers_of(poses, 0), tables)[0])
 
 
 def scan(
@@ -139,7 +135,7 @@ def scan(
         return None
     instance.lay(b"".join((fan.tobytes(), viewers_of(poses, own).tobytes(), shapes.content)))
     segments, circles, pieces = shapes.counts
-    instance.call(_SCAN, count, segments, circles, True, False, robots, end, first, pieces)
+    instance.call(SCAN, count, segments, circles, True, False, robots, end, first, pieces)
     return instance.arena[end : end + size].reshape(count, beams).copy()
 
 

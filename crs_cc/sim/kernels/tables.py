@@ -1,4 +1,7 @@
-"""What kernels and Python agree on: the tables of robots, see `robot.h`, of pings, and results."""
+"""What kernels and Python agree on: their numbers, what they return, and the rows of their tables.
+
+Those of robots are described in `robot.h`.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +16,12 @@ SENSOR_DUE: Final = 1
 TIMEOUT_DUE: Final = 2
 HELD_UP: Final = 3
 """What `Kernels.advance` returns, as in `kernels.h`."""
+
+(
+    SETUP, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
+    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM, SORT, SURVEY, ANTENNAE, TRAILS,
+) = range(99, 121)  # fmt: skip
+"""The numbers of kernels, as in `main.c`."""
 
 ROBOTS: Final = 11000
 BODIES: Final = 15000

@@ -29,7 +29,8 @@ from typing import Final, Self
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray
-from crs_cc.sim.kernels.program import PROFILES, ROBOTS_AT_ONCE, kernels
+from crs_cc.sim.kernels.program import ROBOTS_AT_ONCE, kernels
+from crs_cc.sim.kernels.tables import PROFILES
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state.rows import ALL, Rows, parts, take
 

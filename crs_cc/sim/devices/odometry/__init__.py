@@ -29,7 +29,8 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.sim.devices.drive.constants import DRIVE_SIZE
-from crs_cc.sim.kernels.program import COUNTS, ROBOTS_AT_ONCE, kernels
+from crs_cc.sim.kernels.program import ROBOTS_AT_ONCE, kernels
+from crs_cc.sim.kernels.tables import COUNTS
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state.odometry import OdometryState
 from crs_cc.sim.state.rows import Rows, parts, take

@@ -27,7 +27,8 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray, Int64Array
 from crs_cc.sim.devices.sonar.model import SonarBoard
-from crs_cc.sim.kernels.program import ERRORS, ROBOTS_AT_ONCE, kernels
+from crs_cc.sim.kernels.program import ROBOTS_AT_ONCE, kernels
+from crs_cc.sim.kernels.tables import ERRORS
 from crs_cc.sim.state.random_streams import Noise
 from crs_cc.sim.state.rows import parts
 
