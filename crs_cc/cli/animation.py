@@ -25,8 +25,6 @@ if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
     from crs_cc.recording.recording import Frame, Recording
 
-SUFFIXES: Final = (".gif", ".apng")
-
 MAX_PICTURES: Final = 200
 PER_SECOND: Final = 10
 MAX_ROBOTS: Final = 40_000

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.workbench.branches import KnownBranches
-
-Ability = Literal["play", "seek", "change", "debug"]
 
 
 @dataclass(frozen=True, slots=True)

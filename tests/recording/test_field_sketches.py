@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -42,7 +43,8 @@ def test_they_lead_to_what_lies_there_at_every_second(
                               and each[1].name == name][-1]  # fmt: skip
             amounts, square_m = session.inner.environment.field_sketch(name, MAX_SIDE)
             assert (sketch.square_m, sketch.x_m, sketch.y_m) == (square_m, -6.0, -2.0)
-            found = sketch.shares / 255 * sketch.most_after(second - time_s)
+            left = sketch.most * math.exp(-(second - time_s) / sketch.evaporation_s)
+            found = sketch.shares / 255 * left
             assert np.array_equal(found > 0.0, amounts > 0.0)
             most = amounts.max()
             np.testing.assert_allclose(found, amounts, rtol=0, atol=(TOLERANCE + 1 / 255) * most)

@@ -3,9 +3,10 @@
 Robots are numbered from 10.0.0.1, in the world's order. The computer on which crs runs is `host`,
 192.168.0.1; the others of the real network that a run can reach follow it.
 
+>>> from ipaddress import IPv4Address
 >>> addresses = Addresses(lambda: ["robot0", "robot1"], lambda: ("logger",))
->>> dotted(addresses.find("robot1", robot=0)), dotted(addresses.find("logger", robot=0))
-('10.0.0.2', '192.168.0.2')
+>>> [str(IPv4Address(addresses.find(name, robot=0))) for name in ("robot1", "logger")]
+['10.0.0.2', '192.168.0.2']
 >>> addresses.name(ROBOTS + 1, robot=1), addresses.find("nobody", robot=0)
 ('robot0', None)
 """
@@ -80,12 +81,3 @@ class Addresses:
         if found is not None:
             return names[found]
         return self.machine_name(address)
-
-
-def dotted(address: int | None) -> str:
-    """Return an address as text.
-
-    >>> dotted(HOST)
-    '192.168.0.1'
-    """
-    return ".".join(str((address or 0) >> shift & 255) for shift in (24, 16, 8, 0))

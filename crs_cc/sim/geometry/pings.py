@@ -107,12 +107,6 @@ class Points:
         found = self.where((self.ping >= part.start) & (self.ping < part.stop))
         return type(self)(found.ping - part.start, found.place, found.reported_m, found.share)
 
-    def of_some(self, pings: IndexArray) -> Self:
-        """Return the targets of some pings, in ascending order, which are numbered anew."""
-        found = self.where(np.isin(self.ping, pings))
-        ping = np.searchsorted(pings, found.ping)
-        return type(self)(ping, found.place, found.reported_m, found.share)
-
     def where(self, kept: BoolArray | IndexArray | slice) -> Self:
         """Return a selection of the targets."""
         return type(self)(*(getattr(self, name)[kept] for name in self.__slots__))

@@ -54,11 +54,18 @@ def first_echo(
         if len(mine) == len(pings):
             return _first_echo(pings, obstacles, voices, hushed, falls=falling, shaped=shaping)
         if len(mine):
-            some, heard = pings.part(mine), None if voices is None else voices.of_some(mine)
+            some, heard = pings.part(mine), None if voices is None else _of_pings(voices, mine)
             found_m[mine] = _first_echo(
                 some, obstacles, heard, hushed, falls=falling, shaped=shaping
             )
     return found_m
+
+
+def _of_pings(voices: Points, pings: IndexArray) -> Points:
+    """Return the voices that some pings may hear; `pings` ascend, and are numbered anew."""
+    found = voices.where(np.isin(voices.ping, pings))
+    ping = np.searchsorted(pings, found.ping)
+    return Points(ping, found.place, found.reported_m, found.share)
 
 
 def _first_echo(
