@@ -27,6 +27,7 @@ from crs_cc.api.run_picture import Paths, picture_of
 from crs_cc.api.worlds import WorldSource, world_of
 from crs_cc.core.arrays import FloatArray, read_only
 from crs_cc.core.suggest import unknown
+from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.debug.world.events import WorldEvent
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.host import CLIENTS, Client
@@ -40,7 +41,6 @@ if TYPE_CHECKING:
     from crs_cc.net.cluster_fleet import ClusterFleet
 
 _ROUNDING: Final = 1e-6  # [timesteps]
-_ROUNDING_S: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -236,7 +236,7 @@ class Session(Edits):
         return goes_on
 
     def _is_time_up(self, end_s: float | None) -> bool:
-        return end_s is not None and self.time_s >= end_s - _ROUNDING_S
+        return end_s is not None and self.time_s >= end_s - ROUNDING_S
 
     def _timesteps_to(self, end_s: float | None) -> int:
         if end_s is None or not math.isfinite(end_s):

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import click
 
 if TYPE_CHECKING:
     from crs_cc.recording.recording import Recording
-
-_ROUNDING_S: Final = 1e-9
 
 
 def parse_time(_ctx: click.Context, _option: click.Parameter, text: str | None) -> float | None:
@@ -37,9 +35,10 @@ def recorded_instant(recording: Recording, time_s: float) -> float:
     """Return a time of a recording: its end, and a note, for a time after it."""
     from crs_cc.cli.messages import show
     from crs_cc.core.source import Diagnostic, Location
+    from crs_cc.core.time_grid import ROUNDING_S
 
     end_s = recording.end_ns / 1e9
-    if time_s <= end_s + _ROUNDING_S:
+    if time_s <= end_s + ROUNDING_S:
         return time_s
     text = f"the recording ends at {end_s:g} s, before {time_s:g} s: this is its end"
     show([Diagnostic("note", Location(str(recording.path)), text)])

@@ -6,7 +6,7 @@ import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final
 
 import click
 
@@ -15,7 +15,7 @@ from crs_cc.cli.gcc_options import CompilerCommand
 from crs_cc.cli.inputs import Inputs, make_folder, parse_named_files, sort_files
 
 if TYPE_CHECKING:
-    from crs_cc.session.host import Client
+    from crs_cc.session.host import Client, Link
 
 _ARGUMENTS: Final = "crs.arguments"
 
@@ -64,7 +64,7 @@ class ProgramOptions:
     inputs_on_disk: Mapping[str, Path] = field(default_factory=dict)
     outputs: Path | None = None
     client: Client = "nclient"
-    link: Literal["serial", "ideal"] = "serial"
+    link: Link = "serial"
     robot: str = "scout"
     setup: str = ""
     quiet: bool = False

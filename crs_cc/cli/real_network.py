@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Final
 
 import click
 
+from crs_cc.core.loopback import LOOPBACK
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.change import Change
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from crs_cc.session.network.network import OutsideEvent
     from crs_cc.session.session import Session
 
-LOOPBACK: Final = "127.0.0.1"
 PIECE: Final = 4096
 """The most bytes that one change brings."""
 

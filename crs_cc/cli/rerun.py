@@ -16,14 +16,12 @@ from crs_cc.frontend.preprocess.options import DIALECTS, STANDARDS
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
 from crs_cc.recording.source_tree import is_safe, write_tree
-from crs_cc.session.host import CLIENTS
+from crs_cc.session.host import CLIENTS, LINKS
 
 if TYPE_CHECKING:
     from crs_cc.recording.recording import Recording
 
 O = TypeVar("O", bound=ProgramOptions)  # noqa: E741
-
-_LINKS = ("serial", "ideal")
 
 
 @contextmanager
@@ -42,7 +40,7 @@ def unpacked(recording: Recording, kind: type[O], **others: Any) -> Iterator[O]:
     with recording.errors():
         for value, known in (
             (run.client, CLIENTS),
-            (run.link, _LINKS),
+            (run.link, LINKS),
             (run.standard, STANDARDS),
             (run.dialect, ("", *DIALECTS)),
         ):

@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
+from crs_cc.cli.csv_cells import text_cell
 from crs_cc.cli.written_file import written_file
 from crs_cc.recording import topics
 from crs_cc.recording.mcap_records import NS
@@ -43,7 +44,6 @@ MESSAGES: Final = (
 )  # fmt: skip
 
 _MAX_COLUMN: Final = 1_000_000
-_FORMULA: Final = ("=", "+", "-", "@", "\t", "\r")
 
 
 def write_tables(recording: Recording, folder: Path) -> None:
@@ -64,15 +64,6 @@ def tables(recording: Recording) -> Iterator[tuple[str, Sequence[str], Iterable[
     yield "sensors", SENSORS, _sensors(recording)
     yield "events", EVENTS, _events(recording)
     yield "messages", MESSAGES, _messages(recording)
-
-
-def text_cell(cell: Any) -> Any:
-    """Return a cell as data: no text is a formula.
-
-    >>> text_cell("=1+1"), text_cell(-1.5), text_cell("a,b")
-    ("'=1+1", -1.5, 'a,b')
-    """
-    return f"'{cell}" if isinstance(cell, str) and cell.startswith(_FORMULA) else cell
 
 
 @contextmanager

@@ -13,16 +13,13 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 import numpy as np
 
 from crs_cc.recording.columns import Columns
-from crs_cc.recording.mcap_records import NS
+from crs_cc.recording.mcap_records import ENDLESS_S, NS
+from crs_cc.sim.kernels.calm import FRAME
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
     from crs_cc.sim.state.env_state import EnvState
 
-PASSAGE_NUMBERS: Final = 7
-"""Of a robot in a passage: x, y [m], heading, turret [rad], then x, y, heading as it believes."""
-
-_ENDLESS_S: Final = 2.0**33  # no run takes so long
 _TIME: Final = struct.Struct("<d")
 _HEAD: Final = struct.Struct("<qqqd")
 
@@ -74,7 +71,7 @@ class GatheredFrames:
         self._single, self._head = _single(shape), _head(shape)
         self.single = Columns(self._single.itemsize)
         self.heads = Columns(self._head.itemsize)
-        self.passed = Columns(max(1, shape.robots * PASSAGE_NUMBERS * 8))
+        self.passed = Columns(max(1, shape.robots * FRAME * 8))
 
     def __len__(self) -> int:
         """Return the number of frames."""
@@ -104,7 +101,7 @@ class GatheredFrames:
             when: after how many timesteps the first of the frames is, how many there are from one
                 to the next, and the number of frames.
             timestep_s: how long a timestep is.
-            poses: where the robots are and believe to be in each frame, `PASSAGE_NUMBERS` each.
+            poses: where the robots are and believe to be in each frame, `FRAME` each.
             state: one of the passage.
         """
         parts = [_HEAD.pack(*when, timestep_s)]
@@ -139,7 +136,7 @@ class GatheredFrames:
     def _passages(self) -> Frames:
         robots = self._shape.robots
         heads = np.frombuffer(self.heads.content()[0], self._head)
-        rows = np.frombuffer(self.passed.content()[0], "<f8").reshape(-1, robots, PASSAGE_NUMBERS)
+        rows = np.frombuffer(self.passed.content()[0], "<f8").reshape(-1, robots, FRAME)
         counts = heads["count"]
         if (counts < 0).any() or (counts > len(rows)).any() or counts.sum() != len(rows):
             raise ValueError("passages have another number of frames than they say")
@@ -198,6 +195,6 @@ def _leave_out(poses: FloatArray, present: BoolArray) -> None:
 
 def _times_ns(times_s: FloatArray) -> Int64Array:
     """Return times as they are in a recording, see `mcap_records.ns`; raise ValueError if wrong."""
-    if not ((times_s >= 0.0) & (times_s < _ENDLESS_S)).all():
+    if not ((times_s >= 0.0) & (times_s < ENDLESS_S)).all():
         raise ValueError("the time of a frame is not valid")
     return np.rint(times_s * NS).astype(np.int64)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.recording.columns import Columns
-from crs_cc.recording.mcap_records import NS
+from crs_cc.recording.mcap_records import ENDLESS_S, NS
 from crs_cc.recording.readings import STATE, Readings
 from crs_cc.sim.kernels import calm
 
@@ -20,7 +20,6 @@ ANSWER: Final = np.dtype(
 )
 """What is kept of an answer in a passage of timesteps: the first fields of it."""
 
-_ENDLESS_S: Final = 2.0**33  # no run takes so long
 _CODE: Final = 4  # bytes
 
 
@@ -88,6 +87,6 @@ class GatheredReadings:
 
 def _begin_ns(rows: Readings) -> int:
     """Return a time not after any reading [ns]; raise ValueError if one is not valid."""
-    if not ((rows.clock_s >= 0.0) & (rows.clock_s < _ENDLESS_S)).all():
+    if not ((rows.clock_s >= 0.0) & (rows.clock_s < ENDLESS_S)).all():
         raise ValueError("the time of a reading is not valid")
     return int(rows.clock_s.min() * NS)

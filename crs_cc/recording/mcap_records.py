@@ -106,6 +106,10 @@ class Message:
         return self.time_ns / NS
 
 
+ENDLESS_S: Final = 2.0**33
+"""No run takes so long."""
+
+
 def ns(time_s: float) -> int:
     """Return a time as it is in a recording."""
     return max(0, round(time_s * NS))

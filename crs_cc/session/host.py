@@ -20,6 +20,11 @@ Client = Literal["nclient", "ndirect"]
 
 CLIENTS: Final[tuple[Client, ...]] = ("nclient", "ndirect")
 
+Link = Literal["serial", "ideal"]
+"""The line between host and robot: as its definition has it, or without delay."""
+
+LINKS: Final[tuple[Link, ...]] = ("serial", "ideal")
+
 Output = Callable[[int, int, bytes], None]
 """Receives a program's output: robot number, stream (1 or 2), bytes."""
 

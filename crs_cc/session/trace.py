@@ -21,10 +21,10 @@ from typing import Final
 
 from crs_cc.sim.comms.message_log import events
 from crs_cc.sim.engine.step import Answer, AxisSlice, RobotSlice, Step, describe_slice
+from crs_cc.sim.model.degradable import TURNING
 from crs_cc.sim.state.events import Event
 
 _MOST_VALUES: Final = 16  # a reply has up to 62
-_TURNING: Final = frozenset({"steering", "turret"})
 
 
 class Trace:
@@ -114,11 +114,11 @@ def line(slice_: RobotSlice) -> str:
 
 
 def _unit(axis: AxisSlice) -> str:
-    return "deg" if axis.name in _TURNING else "m"
+    return "deg" if axis.name in TURNING else "m"
 
 
 def _distance(axis: AxisSlice, distance: float) -> str:
-    return f"{math.degrees(distance):.2f}" if axis.name in _TURNING else f"{distance:.4f}"
+    return f"{math.degrees(distance):.2f}" if axis.name in TURNING else f"{distance:.4f}"
 
 
 def _count(slice_: RobotSlice) -> str:

@@ -13,7 +13,6 @@ from mcap.reader import make_reader
 from crs_cc.core.arrays import FloatArray, Records
 from crs_cc.core.source import Diagnostics
 from crs_cc.recording.description import RunDescription
-from crs_cc.recording.gathered import PASSAGE_NUMBERS
 from crs_cc.recording.recorder import Recorder, RecorderOptions
 from crs_cc.recording.recording import Recording
 from crs_cc.session.build import build_executable
@@ -21,7 +20,7 @@ from crs_cc.session.session import Session
 from crs_cc.sim.engine.passage import Passage
 from crs_cc.sim.engine.step import Served, Step
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.sim.kernels.calm import ANSWER
+from crs_cc.sim.kernels.calm import ANSWER, FRAME
 from crs_cc.sim.model.world import Pose
 
 PROGRAM = """\
@@ -81,7 +80,7 @@ class Passages:
             self.recorder.step(step)
             return
         state = self._session.environment.last_state
-        pose = np.zeros((2, PASSAGE_NUMBERS))
+        pose = np.zeros((2, FRAME))
         pose[:, :2] = state.bodies.position_m[:2]
         pose[:, 2] = state.heading_rad
         odometry = state.odometry

@@ -22,13 +22,13 @@ from crs_cc.cli.start_recording import start_recording
 from crs_cc.cli.summary import Run
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
+from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.session.host import never_waits
 from crs_cc.session.session import Session
 from crs_cc.sim.engine.passage import Passage
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.state.goals import OPEN
 
-_ROUNDING_S: Final = 1e-9
 _LOOK_S: Final = 0.5
 _SHOWN: Final = 2000  # bytes
 
@@ -161,7 +161,7 @@ class _ProgramRun:
         session = self._session
         self._sample()
         goes_on = True
-        while goes_on and session.time_s < self._end_s - _ROUNDING_S:
+        while goes_on and session.time_s < self._end_s - ROUNDING_S:
             goes_on = session.advance(self._most_timesteps(), calmly=True)
             self._sample()
             self._check_limits(is_last=not goes_on)
@@ -176,7 +176,7 @@ class _ProgramRun:
         left_s = self._end_s - session.time_s
         if self._recorder is not None:
             left_s = min(left_s, self._recorder.seconds_left())
-        return max(1, min(most, int(left_s / timestep_s + _ROUNDING_S)))
+        return max(1, min(most, int(left_s / timestep_s + ROUNDING_S)))
 
     def _check_limits(self, *, is_last: bool) -> None:
         """Stop a run that has used up more than it may, or done what it may not.

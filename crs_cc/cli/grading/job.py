@@ -19,9 +19,7 @@ from crs_cc.core.file_names import displayed
 from crs_cc.sim.engine.goals import GoalResult, Status
 
 if TYPE_CHECKING:
-    from crs_cc.session.host import Client
-
-Link = Literal["serial", "ideal"]
+    from crs_cc.session.host import Client, Link
 
 Result = Literal[
     "ended",

@@ -11,12 +11,10 @@ import io
 from collections.abc import Sequence
 from typing import Final
 
+from crs_cc.cli.csv_cells import text_cell
 from crs_cc.cli.grading.grades import Grade
 from crs_cc.cli.messages import printable
 from crs_cc.sim.engine.goals import GoalResult
-
-_FORMULA: Final = ("=", "+", "-", "@", "\t", "\r")
-"""With these a cell starts that spreadsheets take for a formula (OWASP, "CSV Injection")."""
 
 _COLUMNS: Final = ("submission", "points", "of", "percent", "result", "message", "like")
 _WIDEST: Final = 28
@@ -24,8 +22,7 @@ _WIDEST: Final = 28
 
 def safe(text: str) -> str:
     """Return a text as a cell that no spreadsheet evaluates, in one line."""
-    text = printable(text)
-    return f"'{text}" if text.startswith(_FORMULA) else text
+    return text_cell(printable(text))
 
 
 def as_csv(grades: Sequence[Grade]) -> str:

@@ -11,7 +11,8 @@ from crs_cc.core.quantity import SPEED, TURN_RATE, Kind
 if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
 
-_TURNING: Final = frozenset({"steering", "turret"})
+TURNING: Final = frozenset({"steering", "turret"})
+"""The axes that turn instead of driving."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +42,7 @@ class Degradable:
 
     def kind_of(self, element: str) -> Kind:
         """Return the quantity of an element's values."""
-        return TURN_RATE if self.kind is SPEED and element in _TURNING else self.kind
+        return TURN_RATE if self.kind is SPEED and element in TURNING else self.kind
 
 
 def numbered(count: int) -> tuple[str, ...]:

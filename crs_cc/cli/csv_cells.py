@@ -1,0 +1,17 @@
+"""Cells of CSV files that spreadsheets take for what they are."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+_FORMULA: Final = ("=", "+", "-", "@", "\t", "\r")
+"""With these a cell starts that spreadsheets take for a formula (OWASP, "CSV Injection")."""
+
+
+def text_cell(cell: Any) -> Any:
+    """Return a cell as data: a text that would be a formula gets an apostrophe in front.
+
+    >>> text_cell("=1+1"), text_cell(-1.5), text_cell("a,b")
+    ("'=1+1", -1.5, 'a,b')
+    """
+    return f"'{cell}" if isinstance(cell, str) and cell.startswith(_FORMULA) else cell
