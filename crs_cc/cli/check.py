@@ -148,22 +148,10 @@ def _program_messages(
     path: Path, dialect: Dialect | None, compiler: CompilerOptions
 ) -> tuple[Sequence[Diagnostic], int]:
     """Return the messages about a program of one C file, and their exit status."""
-    from crs_cc.session.build import build_executable
-
     diagnostics = Diagnostics()
     try:
         check_readable(path)
-        build_executable(
-            [path],
-            diagnostics,
-            include_paths=compiler.include_paths,
-            defines=compiler.defines,
-            undefines=compiler.undefines,
-            standard=compiler.standard,
-            root=compiler.root,
-            named_from=compiler.named_from,
-            dialect=compiler.dialect or dialect,
-        )
+        compiler.build([path], diagnostics, compiler.dialect or dialect)
     except CompileError as error:
         return merged(diagnostics.messages, error.diagnostics), error.exit_status
     return diagnostics.messages, 0

@@ -107,18 +107,4 @@ def _ir(paths: Sequence[Path], compiler: CompilerOptions, diagnostics: Diagnosti
 def _wat(
     paths: Sequence[Path], compiler: CompilerOptions, diagnostics: Diagnostics, *, checked: bool
 ) -> str:
-    from crs_cc.session.build import build_executable
-
-    executable = build_executable(
-        paths,
-        diagnostics,
-        include_paths=compiler.include_paths,
-        defines=compiler.defines,
-        undefines=compiler.undefines,
-        standard=compiler.standard,
-        root=compiler.root,
-        named_from=compiler.named_from,
-        checked=checked,
-        dialect=compiler.dialect,
-    )
-    return executable.wat()
+    return compiler.build(paths, diagnostics, compiler.dialect, checked=checked).wat()

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -17,6 +17,9 @@ from crs_cc.core.file_names import displayed
 from crs_cc.core.source import Diagnostic, Diagnostics
 from crs_cc.core.warning_names import Selection, unknown_option
 from crs_cc.frontend.preprocess.options import DIALECTS, STANDARDS, Dialect
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.executable import Executable
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +45,39 @@ class CompilerOptions:
     warnings: Selection = field(default_factory=Selection)
     root: Path | None = None
     named_from: Path | None = None
+
+    def build(
+        self,
+        paths: Sequence[Path],
+        diagnostics: Diagnostics,
+        dialect: Dialect | None,
+        **build: bool,
+    ) -> Executable:
+        """Compile and link C files, see `build_executable`.
+
+        Args:
+            paths: the files.
+            diagnostics: receives the warnings.
+            dialect: the API that they call; None to detect it.
+            build: `checked`, `debug` and `trap_overflow`, if they are not as usual.
+
+        Raises:
+            CompileError: the files are not a valid program.
+        """
+        from crs_cc.session.build import build_executable
+
+        return build_executable(
+            paths,
+            diagnostics,
+            include_paths=self.include_paths,
+            defines=self.defines,
+            undefines=self.undefines,
+            standard=self.standard,
+            root=self.root,
+            named_from=self.named_from,
+            dialect=dialect,
+            **build,
+        )
 
 
 def _folders(

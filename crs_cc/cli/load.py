@@ -14,7 +14,6 @@ from crs_cc.core.input_files import logged
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.runtime.executable import Executable
-from crs_cc.session.build import build_executable
 from crs_cc.session.empty_world import empty_world
 from crs_cc.sim.files.known_robots import known_robots
 from crs_cc.sim.model.world import Robot, WorldModel
@@ -168,20 +167,8 @@ def build_program(
         check_readable(path, _ARGUMENT_HINT if is_word else "")
     own = Diagnostics()
     try:
-        return build_executable(
-            sources,
-            own,
-            include_paths=options.compiler.include_paths,
-            defines=options.compiler.defines,
-            undefines=options.compiler.undefines,
-            standard=options.compiler.standard,
-            root=options.compiler.root,
-            named_from=options.compiler.named_from,
-            checked=options.checked,
-            debug=debug,
-            trap_overflow=options.trap_overflow,
-            dialect=dialect,
-        )
+        flags = {"checked": options.checked, "trap_overflow": options.trap_overflow}
+        return options.compiler.build(sources, own, dialect, debug=debug, **flags)
     finally:
         diagnostics.messages[:] = merged(diagnostics.messages, own.messages)
         diagnostics.digests.update(own.digests)
