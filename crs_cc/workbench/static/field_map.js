@@ -58,10 +58,7 @@ export function fieldScale(o) {
   let top = o.height - 58 - 22 * shown.length;
   if (!shown.length) return;
   pen.font = "11px system-ui, sans-serif";
-  pen.fillStyle = "rgb(11 16 38 / 80%)";
-  pen.beginPath();
-  pen.roundRect(left, top - 4, width, 22 * shown.length + 6, 6);
-  pen.fill();
+  o.plate(left, top - 4, width, 22 * shown.length + 6, "rgb(11 16 38 / 80%)", { radius: 6 });
   shown.forEach((field, number) => {
     pen.fillStyle = look.colours.floor;
     pen.fillRect(left + 8, top + 4, 40, 10);

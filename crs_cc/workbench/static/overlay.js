@@ -106,6 +106,17 @@ export class Overlay {
     this.path(points);
   }
 
+  /** A plate on which a text is read whatever is behind it. @param {number} left @param {number} top @param {number} width @param {number} height @param {string} colour */
+  plate(left, top, width, height, colour, { alpha = 1, radius = 5 } = {}) {
+    const { pen } = this;
+    pen.globalAlpha = alpha;
+    pen.fillStyle = colour;
+    pen.beginPath();
+    pen.roundRect(left, top, width, height, radius);
+    pen.fill();
+    pen.globalAlpha = 1;
+  }
+
   selection() {
     const body = this.scene.body(this.look.selected);
     if (!body || this.scene.bodies.length < 2) return;
@@ -324,12 +335,7 @@ function labels(o) {
     const isIn = ([left, right, other]) => x + half > left && x - half < right && Math.abs(other - foot) < LINE;
     for (let each = taken.find(isIn); each; each = taken.find(isIn)) foot = each[2] - LINE; // above it
     taken.push([x - half, x + half, foot]);
-    pen.globalAlpha = 0.86;
-    pen.fillStyle = look.colours.panel;
-    pen.beginPath();
-    pen.roundRect(x - half, foot - 15, 2 * half, 16, 5);
-    pen.fill();
-    pen.globalAlpha = 1;
+    o.plate(x - half, foot - 15, 2 * half, 16, look.colours.panel, { alpha: 0.86 });
     pen.fillStyle = body.row === look.selected ? look.colours.accent : look.colours.text;
     pen.fillText(body.id, x, foot - 3.5);
   }
@@ -356,12 +362,7 @@ function scale(o) {
   if (!body) return;
   const text = `${body.id}  ${body.x.toFixed(2)}, ${body.y.toFixed(2)} m  ${angleText(body.heading)}`;
   pen.textAlign = "left";
-  pen.fillStyle = look.colours.panel;
-  pen.globalAlpha = 0.8;
-  pen.beginPath();
-  pen.roundRect(10, low - 16, pen.measureText(text).width + 12, 19, 6);
-  pen.fill();
-  pen.globalAlpha = 1;
+  o.plate(10, low - 16, pen.measureText(text).width + 12, 19, look.colours.panel, { alpha: 0.8, radius: 6 });
   pen.fillStyle = look.colours.muted;
   pen.fillText(text, 16, low - 2.5);
 }

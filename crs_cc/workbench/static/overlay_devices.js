@@ -49,11 +49,8 @@ export function degraded(o) {
     for (const [device, element] of parts) mark(o, body, device, element);
     const text = [...new Set(parts.map(([, , name]) => name))].slice(0, 4).join(", ");
     const low = y + Math.max(8, body.radius * o.view.pixels(w)) + 13;
-    pen.fillStyle = RED;
-    pen.beginPath();
     const half = pen.measureText(text).width / 2 + 6;
-    pen.roundRect(x - half, low - 12, 2 * half, 16, 5);
-    pen.fill();
+    o.plate(x - half, low - 12, 2 * half, 16, RED);
     pen.fillStyle = "#ffffff";
     pen.fillText(text, x, low);
   }

@@ -77,12 +77,7 @@ function name(o, ghost, top, text) {
   pen.textAlign = "center";
   const half = pen.measureText(text).width / 2 + 5;
   const foot = y + Math.max(7, ghost.radius * o.view.pixels(w)) + 18;
-  pen.globalAlpha = 0.8;
-  pen.fillStyle = look.colours.panel;
-  pen.beginPath();
-  pen.roundRect(x - half, foot - 12, 2 * half, 16, 5);
-  pen.fill();
-  pen.globalAlpha = 1;
+  o.plate(x - half, foot - 12, 2 * half, 16, look.colours.panel, { alpha: 0.8 });
   pen.fillStyle = look.colours.muted;
   pen.fillText(text, x, foot);
 }
