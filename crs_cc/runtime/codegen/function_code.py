@@ -183,15 +183,14 @@ class _FunctionCode:
         for block in self.function.blocks:
             self.block(block)
         landings = [landing for landing, _ in self.landings]
-        resumes = len(self.names.outlined) + self.names.first_outlined if self.is_outlined() else 0
+        resumes = self.names.next_outlined if self.is_outlined() else 0
         first = self.nodes[self.function.blocks[0]]
         entry = self.activation.connect(first, landings, resumes=resumes)
-        if resumes:
-            again = self.activation.resumption(landings)
+        again = self.activation.resumption(landings) if resumes else None
         for number, (landing, _) in enumerate(self.failing, start=len(self.landings) + 1):
             landing.number = number
         code = self.code(self.body_from(entry))
-        if resumes:
+        if again is not None:
             self.names.outlined.append(self.code(self.body_from(again)))
         return code, self.info()
 
@@ -394,7 +393,6 @@ class _FunctionCode:
         self.calls[len(self.names.call_sites)] = landing
         if isinstance(call.callee, Register):
             check_pointer(self.writer, call, call.callee, shapes=self.shadowed)
-        if isinstance(call.callee, Register):
             self.push_arguments(call)
             self.writer.push(call.callee)
             after.code.append(("call_indirect", CALL_TYPE, 0))

@@ -60,6 +60,11 @@ class Symbols:
     outlined: list[Code] = field(default_factory=list)
     _origin_numbers: dict[tuple[str, Location], int] = field(default_factory=dict)
 
+    @property
+    def next_outlined(self) -> int:
+        """The index in the module of the outlined function that comes next."""
+        return self.first_outlined + len(self.outlined)
+
     def number(self, site: Site) -> int:
         """Add a site that can fail, and return its number."""
         self.sites.append(site)
