@@ -16,8 +16,8 @@ is an engine command, and part of the run's history.
 - `control` changes the run for the control panel, and writes changes out; `instruments` reads
   robots, `message_log` keeps what became of messages; `panel_commands` has their commands.
 - `other_runs` are recordings beside the run; `comparing` has the commands that compare it with one
-  of them or with a branch: `comparison` by what is known, along `courses`, and `exact_comparison`
-  by variables.
+  of them or with a branch: `comparison` by what is known, along `trajectories`, and
+  `exact_comparison` by variables.
 - `page` writes a recorded run as one HTML file, with the same modules.
 - `static/` has these modules: plain ES modules, no build step. `app.js` starts, `model.js` is what
   the page knows, `views.js` draws, `panels/` are at the sides, `debug/` has the parts of the

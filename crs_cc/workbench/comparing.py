@@ -8,6 +8,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.workbench import comparison
 from crs_cc.workbench.command import Command
 from crs_cc.workbench.exact_comparison import ExactComparison
+from crs_cc.workbench.feed import roster_fields
 from crs_cc.workbench.messages import message
 from crs_cc.workbench.other_runs import MAX_PIECE
 
@@ -45,10 +46,9 @@ def apart(
 
 def _compare(screen: Context, name: str) -> dict[str, Any]:
     feed = other_feed(screen, name)
-    rosters = [{"t": each[0], "robots": each[1], "objects": each[2]} for each in feed.rosters()]
     return {
         "name": name,
-        "rosters": rosters,
+        "rosters": [roster_fields(each) for each in feed.rosters()],
         "blocks": feed.frames.index(),
         "frame_s": feed.frame_s,
         **comparison.compare(screen.feed, feed),

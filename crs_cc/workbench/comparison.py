@@ -13,17 +13,17 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.workbench.courses import (
-    Course,
+from crs_cc.workbench.quantities import QUANTITIES
+from crs_cc.workbench.trace import thinned
+from crs_cc.workbench.trajectories import (
+    Trajectories,
     common_times_s,
-    course,
     distance_m,
     is_same,
     robots_of,
+    trajectories,
     turned,
 )
-from crs_cc.workbench.quantities import QUANTITIES
-from crs_cc.workbench.trace import thinned
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -90,7 +90,7 @@ def apart(
     names = robots_of(own)[robot : robot + 1]
     if not names or names[0] not in robots_of(other):
         return [], []
-    here, there = (course(each, names, begin_s, end_s) for each in (own, other))
+    here, there = (trajectories(each, names, begin_s, end_s) for each in (own, other))
     times_s, _ = common_times_s(here, there)
     times_s = times_s[(times_s >= begin_s - 1e-9) & (times_s <= end_s + 1e-9)]
     found = distance_m(here.at(times_s), there.at(times_s))[:, 0]
@@ -107,7 +107,7 @@ def _quantities(own: Feed, other: Feed, names: Sequence[str]) -> Iterator[Differ
                 yield _difference(each.time_s, names[each.robot], each.name, values)
         return
     end_s = min(own.end_s, other.end_s)
-    here, there = (course(each, names, 0.0, end_s) for each in (own, other))
+    here, there = (trajectories(each, names, 0.0, end_s) for each in (own, other))
     yield from _poses(here, there, names)
 
 
@@ -116,7 +116,7 @@ def _is_traced(feed: Feed) -> bool:
     return len(times_s) > 0 and times_s[-1] >= feed.end_s - 1e-6
 
 
-def _poses(own: Course, other: Course, names: Sequence[str]) -> Iterator[Difference]:
+def _poses(own: Trajectories, other: Trajectories, names: Sequence[str]) -> Iterator[Difference]:
     times_s, are_alike = common_times_s(own, other)
     here, there = own.at(times_s), other.at(times_s)
     ways = here - there
@@ -234,7 +234,7 @@ def _paths(feed: Feed, names: Sequence[str], begin_s: float) -> dict[str, list[l
     """Return the paths of robots from a time on, thinned: x, y [m] and time [s]."""
     if math.isinf(begin_s):
         return {}
-    known = course(feed, names, begin_s, math.inf)
+    known = trajectories(feed, names, begin_s, math.inf)
     chosen = np.flatnonzero(known.times_s >= begin_s - 1e-9)
     chosen = chosen[:: max(1, -(-len(chosen) // MAX_POINTS))]
     times_s, poses = known.times_s[chosen], known.poses[chosen]

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
-from crs_cc.workbench.frame_store import FrameStore
+from crs_cc.workbench.frame_store import Block, FrameStore
 from crs_cc.workbench.message_log import MessageLog
 from crs_cc.workbench.messages import VERSION, message
 from crs_cc.workbench.trace import Trace
@@ -97,7 +97,7 @@ class Feed:
         """Return what is known of the course of the run."""
         return {
             "end_s": self.end_s,
-            "rosters": [self._roster(each) for each in self._rosters],
+            "rosters": [roster_fields(each) for each in self._rosters],
             "events": list(self._events),
             "output": list(self._output),
             "blocks": self.frames.index(),
@@ -113,7 +113,10 @@ class Feed:
             self._flush()
 
     def _flush(self) -> None:
-        block = self.frames.flush()
+        self._tell_block(self.frames.flush())
+
+    def _tell_block(self, block: Block | None) -> None:
+        """Tell pages of a block of frames, if there is a new one."""
         if block is not None:
             self._tell("block", block=[block.number, block.begin_s, block.end_s])
 
@@ -124,7 +127,7 @@ class Feed:
             return
         with self._lock:
             self._rosters.append(new)
-            self._tell("roster", roster=self._roster(new))
+            self._tell("roster", roster=roster_fields(new))
 
     def frame(self, time_s: float, values: FloatArray, *, is_last: bool = False) -> None:
         """Note where everything is.
@@ -140,9 +143,7 @@ class Feed:
             last_s < 0.0 or time_s - last_s >= self.frame_s - _SLACK_S
         ):
             with self._lock:
-                block = self.frames.add(time_s, values)
-                if block is not None:
-                    self._tell("block", block=[block.number, block.begin_s, block.end_s])
+                self._tell_block(self.frames.add(time_s, values))
         if self.server is None or not self.server.count:
             return
         now_s = time.monotonic()
@@ -221,12 +222,15 @@ class Feed:
         """Return the output that is known."""
         return list(self._output)
 
-    def _roster(self, roster: Roster) -> dict[str, Any]:
-        return {"t": roster[0], "robots": roster[1], "objects": roster[2]}
-
     def _tell(self, kind: str, **fields: Any) -> None:
         if self.server is not None and self.server.count:
             self.server.broadcast(message(kind, **fields))
+
+
+def roster_fields(roster: Roster) -> dict[str, Any]:
+    """Return a roster as pages are told of it."""
+    time_s, robots, objects = roster
+    return {"t": time_s, "robots": robots, "objects": objects}
 
 
 def rounded(values: FloatArray, digits: int = 4) -> list[Any]:

@@ -21,9 +21,9 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.recording.recording import Recording
 from crs_cc.workbench import comparing, control, instruments, other_runs
 from crs_cc.workbench.commands import TABLE
-from crs_cc.workbench.courses import Course
 from crs_cc.workbench.other_runs import MAX_RUNS
 from crs_cc.workbench.screen import Screen
+from crs_cc.workbench.trajectories import Trajectories
 
 PROGRAM = """\
 #include <Nclient.h>
@@ -278,12 +278,12 @@ def test_what_is_no_recording_is_refused(runs: Path, stack: ExitStack) -> None:
         asked(screen, "open", name="more.mcap")
 
 
-def test_a_course_is_known_between_its_times_and_stands_while_nothing_moved() -> None:
+def test_a_trajectory_is_known_between_its_times_and_stands_while_nothing_moved() -> None:
     poses = np.zeros((3, 3, 1))
     poses[:, 0, 0] = [0.0, 1.0, 3.0]
     poses[:, 2, 0] = [3.1, -3.1, -3.1]
-    course = Course(np.array([0.0, 0.1, 5.0]), poses, 0.1)
-    found = course.at(np.array([-1.0, 0.05, 4.0, 4.85, 4.925, 5.0, 6.0]))
+    known = Trajectories(np.array([0.0, 0.1, 5.0]), poses, 0.1)
+    found = known.at(np.array([-1.0, 0.05, 4.0, 4.85, 4.925, 5.0, 6.0]))
     assert found[:, 0, 0].tolist() == pytest.approx(
         [np.nan, 0.5, 1.0, 1.0, 2.0, 3.0, np.nan], nan_ok=True
     )

@@ -1,6 +1,6 @@
-"""The courses of robots in a run that is known, and how far robots of two runs are apart.
+"""The trajectories of robots in a run that is known, and how far robots of two runs are apart.
 
-Of runs whose timesteps were seen, the course has each of them; of others, what their frames have.
+Of runs whose timesteps were seen, a trajectory has each of them; of others, what their frames have.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from crs_cc.workbench.feed import Feed
 
 MOST_FRAMES: Final = 50_000
-"""Frames of a course; of more, every second block and so on. Chosen by us."""
+"""Frames of a trajectory; of more, every second block and so on. Chosen by us."""
 
 _STILL: Final = 1.5  # frames: a longer gap is one in which nothing moved
 _MARGIN_S: Final = 1.0
@@ -29,7 +29,7 @@ _TURN: Final = 2
 
 
 @dataclass(frozen=True, slots=True)
-class Course:
+class Trajectories:
     """Where robots were: times [s] and poses [m, rad], (times, 3, robots); NaN while absent.
 
     Attributes:
@@ -73,8 +73,8 @@ def robots_of(feed: Feed) -> tuple[str, ...]:
     return rosters[-1][1] if rosters else ()
 
 
-def course(feed: Feed, names: Sequence[str], begin_s: float, end_s: float) -> Course:
-    """Return the course of some robots between two times, and a little around."""
+def trajectories(feed: Feed, names: Sequence[str], begin_s: float, end_s: float) -> Trajectories:
+    """Return the trajectories of some robots between two times, and a little around."""
     rows = [robots_of(feed).index(name) for name in names]
     begin_s, end_s = begin_s - _MARGIN_S, end_s + _MARGIN_S
     times_s, motion = feed.trace.motion(begin_s, end_s)
@@ -85,10 +85,10 @@ def course(feed: Feed, names: Sequence[str], begin_s: float, end_s: float) -> Co
     if not is_traced:
         return _of_frames(feed, rows, begin_s, end_s)
     step_s = float(np.median(np.diff(times_s))) if len(times_s) > 1 else 0.0
-    return Course(times_s, motion[:, :, rows], step_s)
+    return Trajectories(times_s, motion[:, :, rows], step_s)
 
 
-def _of_frames(feed: Feed, rows: Sequence[int], begin_s: float, end_s: float) -> Course:
+def _of_frames(feed: Feed, rows: Sequence[int], begin_s: float, end_s: float) -> Trajectories:
     stride = max(1, -(-feed.frames.frames_about // MOST_FRAMES))
     found = list(feed.frames.between(begin_s, end_s, stride))
     poses = np.full((len(found), 3, len(rows)), np.nan)
@@ -98,10 +98,10 @@ def _of_frames(feed: Feed, rows: Sequence[int], begin_s: float, end_s: float) ->
         robots = max((count for since_s, count in counts if since_s <= time_s), default=0)
         is_there = wanted < min(robots, frame.shape[1])  # objects come after the robots
         pose[:, is_there] = frame[:3, wanted[is_there]]
-    return Course(np.array([time_s for time_s, _ in found]), poses, feed.frame_s * stride)
+    return Trajectories(np.array([time_s for time_s, _ in found]), poses, feed.frame_s * stride)
 
 
-def common_times_s(one: Course, other: Course) -> tuple[FloatArray, bool]:
+def common_times_s(one: Trajectories, other: Trajectories) -> tuple[FloatArray, bool]:
     """Return times at which both are known, and whether neither need be interpolated."""
     if not len(one.times_s) or not len(other.times_s):
         return np.zeros(0), True
