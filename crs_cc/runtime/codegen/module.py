@@ -10,6 +10,7 @@ The global `heap` is the end of the program's own objects.
 from __future__ import annotations
 
 import itertools
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from crs_cc.ir.instruction import ByteState
@@ -41,12 +42,12 @@ from crs_cc.runtime.codegen.indices import (
     SLOT_GLOBAL,
 )
 from crs_cc.runtime.codegen.library_code import generate_shared
-from crs_cc.runtime.codegen.signatures import pointer_tables, valueless_functions
+from crs_cc.runtime.codegen.signatures import Shape, pointer_tables, valueless_functions
 from crs_cc.runtime.codegen.small_functions import Bodies, small_functions
 from crs_cc.runtime.codegen.stop_marks import add_marks
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.codegen.watchpoints import update_bounds, watch
-from crs_cc.runtime.compiled import Compiled
+from crs_cc.runtime.compiled import Compiled, FunctionInfo
 from crs_cc.runtime.layout import (
     HEADER_SIZE,
     MEMORY_BYTES,
@@ -89,44 +90,107 @@ def compile_program(
     Raises:
         CompileError: the program's objects do not fit into a robot's memory.
     """
-    addresses = _place(program)
     pointers = pointed_functions(program)
-    addresses.update((name, number) for number, name in enumerate(pointers, start=1))
     own = _checks() if checked else [_outside()]
-    numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
-    conventions = {name: convention_of(each) for name, each in program.functions.items()}
-    general = _general_forms(program, pointers, numbers, conventions)
-    made = [name for name, number in general.items() if number != numbers[name]]
-    own_and_program = len(own) + len(program.functions) + len(made)
-    names = Symbols(
-        addresses,
-        numbers,
-        general,
-        conventions,
-        {data.name: data.size for data in program.data.values()},
-        {data.name: int(data.is_constant) for data in program.data.values()},
-        {
-            function.name: argument_offsets([each.size for each in function.parameters])[-1]
-            for function in program.functions.values()
-        },
-        len(pointers),
-        {},
-        valueless_functions(program, pointers) if checked else set(),
-        Bodies(small_functions(program.functions), checked=checked, traps_overflow=trap_overflow),
-        keeps_sizes=_keeps_sizes(program),
-        first_outlined=own_and_program,
-    )
+    names = _symbols(program, pointers, len(own), checked=checked, trap_overflow=trap_overflow)
+    addresses = names.addresses
     tables = pointer_tables(program, pointers) if checked else {}
-    heap, end = (addresses[name] for name in HEAP_SYMBOLS)
+    _place_tables(tables, names)
+    build = Build(checked, debug, names.first_outlined + 1 if watching else 0, trap_overflow)
+    module = _module(own, [names.general[name] for name in pointers], addresses, build)
+    infos = _add_program(module, program, names, build)
+    _add_exported(module, names, build)
+    module.data = [
+        (MEMORY, addresses[data.name], _content(data, addresses))
+        for data in program.data.values()
+        if (data.content and any(data.content)) or data.relocations
+    ]
+    module.data += [(MEMORY, names.tables[shape], table) for shape, table in tables.items()]
+    if checked:
+        _add_start(module, program, addresses)
+    if debug:
+        add_marks(module, names.statements)
+    return Compiled(
+        module,
+        first_function=len(own),
+        sites=names.sites,
+        call_sites=names.call_sites,
+        statements=names.statements,
+        functions=infos,
+        addresses=addresses,
+        checked=checked,
+        trap_overflow=trap_overflow,
+        origins=names.origins,
+    )
+
+
+def _symbols(
+    program: Program, pointers: list[str], first: int, *, checked: bool, trap_overflow: bool
+) -> Symbols:
+    """Return the symbols of a program.
+
+    Args:
+        program: the program.
+        pointers: the functions that pointers stand for.
+        first: the index in the module of its first function.
+        checked: whether accesses are checked.
+        trap_overflow: whether it stops at signed overflow.
+
+    Raises:
+        CompileError: its objects do not fit into a robot's memory.
+    """
+    functions, data = program.functions, program.data.values()
+    addresses = _place(program)
+    addresses.update((name, number) for number, name in enumerate(pointers, start=1))
+    numbers = {name: number for number, name in enumerate(functions, start=first)}
+    conventions = {name: convention_of(each) for name, each in functions.items()}
+    general = _general_forms(program, pointers, numbers, conventions)
+    made = sum(number != numbers[name] for name, number in general.items())
+    return Symbols(
+        addresses=addresses,
+        functions=numbers,
+        general=general,
+        conventions=conventions,
+        sizes={each.name: each.size for each in data},
+        constants={each.name: int(each.is_constant) for each in data},
+        parameters={
+            name: argument_offsets([each.size for each in function.parameters])[-1]
+            for name, function in functions.items()
+        },
+        pointers=len(pointers),
+        tables={},
+        without_value=valueless_functions(program, pointers) if checked else set(),
+        bodies=Bodies(small_functions(functions), checked=checked, traps_overflow=trap_overflow),
+        keeps_sizes=_keeps_sizes(program),
+        first_outlined=first + len(functions) + made,
+    )
+
+
+def _place_tables(tables: Mapping[Shape, bytes], names: Symbols) -> None:
+    """Assign addresses to the tables of pointers' shapes, before the heap."""
+    heap, end = (names.addresses[name] for name in HEAP_SYMBOLS)
     for shape, table in tables.items():
         names.tables[shape] = heap
         heap = min(round_up(heap + len(table), 16), end)
-    addresses[HEAP_SYMBOLS[0]] = heap
-    module = Module(
+    names.addresses[HEAP_SYMBOLS[0]] = heap
+
+
+def _module(
+    own: Sequence[Code], pointed: list[int], addresses: dict[str, int], build: Build
+) -> Module:
+    """Return a module that has nothing of the program yet.
+
+    Args:
+        own: the functions that every program has.
+        pointed: the functions that pointers stand for.
+        addresses: has the begin of the heap.
+        build: how the program is compiled.
+    """
+    return Module(
         functions=list(own),
         memory_imports=[("crs", "mailbox")],
-        memories=[MEMORY_BYTES // PAGE, *([shadow.PAGES] if checked else [])],
-        tables=[len(pointers) + 1],
+        memories=[MEMORY_BYTES // PAGE, *([shadow.PAGES] if build.checked else [])],
+        tables=[len(pointed) + 1],
         globals=[
             ("i32", 0),
             ("i32", 0),
@@ -137,62 +201,50 @@ def compile_program(
             *jumps.GLOBALS,
             *large_functions.GLOBALS,
             *same_object.GLOBALS,
-            ("i32", heap),
+            ("i32", addresses[HEAP_SYMBOLS[0]]),
         ],
-        elements=[(0, 1, [general[name] for name in pointers])] if pointers else [],
+        elements=[(0, 1, pointed)] if pointed else [],
     )
-    build = Build(checked, debug, own_and_program + 1 if watching else 0, trap_overflow)
+
+
+def _add_program(
+    module: Module, program: Program, names: Symbols, build: Build
+) -> list[FunctionInfo]:
+    """Add the program's functions, and their general forms; return what debuggers are told."""
     infos = []
     for function in program.functions.values():
         code, info = generate_shared(function, names, build)
         module.functions.append(code)
         infos.append(info)
-    for name in made:
-        sizes = [each.size for each in program.functions[name].parameters]
-        module.functions.append(general_form(name, numbers[name], conventions[name], sizes))
+    for name, number in names.general.items():
+        own_form = names.functions[name]
+        if number != own_form:
+            sizes = [each.size for each in program.functions[name].parameters]
+            form = general_form(name, own_form, names.conventions[name], sizes)
+            module.functions.append(form)
     module.functions += names.outlined
-    begin = update_bounds(SHADOW + checked, len(names.statements))
+    return infos
+
+
+def _add_exported(module: Module, names: Symbols, build: Build) -> None:
+    """Add the functions that are called from outside, and all exports."""
+    statements, marks = len(names.statements), SHADOW + build.checked
+    begin = update_bounds(marks, statements) if build.watch else []
+    resume = len(module.functions)
     module.functions.append(
-        _resume(
-            general[ROOT],
-            len(names.statements),
-            [*(begin if watching else []), *same_object.forget_all()],
-        )
+        _resume(names.general[ROOT], statements, [*begin, *same_object.forget_all()])
     )
-    if watching:
-        count = len(names.statements)
-        module.functions.append(watch(SHADOW + checked, count, checked=checked))
-    module.functions.append(_prefetch(checked=checked))
+    if build.watch:
+        module.functions.append(watch(marks, statements, checked=build.checked))
+    module.functions.append(_prefetch(checked=build.checked))
     module.exports = [
         ("memory", "memory", MEMORY),
-        ("resume", "func", own_and_program + len(names.outlined)),
+        ("resume", "func", resume),
         ("prefetch", "func", len(module.functions) - 1),
         ("heap", "global", len(module.globals) - 1),
     ]
-    module.data = [
-        (MEMORY, addresses[data.name], _content(data, addresses))
-        for data in program.data.values()
-        if (data.content and any(data.content)) or data.relocations
-    ]
-    for shape, table in tables.items():
-        module.data.append((MEMORY, names.tables[shape], table))
-    if checked:
+    if build.checked:
         module.exports.append(("shadow", "memory", SHADOW))
-        _add_start(module, program, addresses)
-    if debug:
-        add_marks(module, names.statements)
-    return Compiled(
-        module,
-        len(own),
-        names.sites,
-        names.call_sites,
-        names.statements,
-        infos,
-        addresses,
-        checked,
-        trap_overflow,
-        names.origins,
-    )
 
 
 def _checks() -> list[Code]:
