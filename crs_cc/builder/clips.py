@@ -117,7 +117,7 @@ def paste(document: Document, text: str, motion: Motion, library: Sequence[Docum
     """
     source = Document(text.encode(errors="replace"), "clip")
     if source.root.tag != "clip" or len(source.root.children) > MAX_COPIES:
-        raise ValueError("this is no clip of a world")
+        raise ValueError("not a copied part of a world")
     there = {
         (each.tag, each.attributes.get("name", ""))
         for home in (document, *library)

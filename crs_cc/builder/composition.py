@@ -119,10 +119,10 @@ def ungroup(document: Document, node: Node) -> Plan:
     """Put the parts of an object where it is; the definition stays.
 
     Raises:
-        ValueError: it is no object, or its definition is in another file.
+        ValueError: it is not an object, or its definition is in another file.
     """
     if node.tag != "object" or node.parent is None:
-        raise ValueError(f"{address(node)} is no object")
+        raise ValueError(f"{address(node)} is not an object")
     known = definitions(document.root)
     ref = node.attributes.get("ref", "")
     if ref not in known:

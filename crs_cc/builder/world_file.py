@@ -60,7 +60,7 @@ def _demand_unchanged(path: Path, target: Path, before: bytes | None) -> None:
         )  # fmt: skip
     elif read_file(target) != before:
         raise WorldError.at(
-            Location(str(path)), "the file has been changed by somebody else since it was read",
+            Location(str(path)), "the file has been changed by another program since it was read",
             "read it again, or save under another name",
         )  # fmt: skip
 

@@ -195,7 +195,7 @@ class Elsewhere:
         self._roster.lose(seat)
         lost = f"crs: {names}: the host is lost ({reason})"
         if self._own is not None and seat.host is not None:
-            say(f"{lost}; its programs go on here")
+            say(f"{lost}; its programs continue here")
             return self._restarted(self._own, link)
         if not self._waits:
             say(f"{lost}; its programs and robots stop")
@@ -224,7 +224,7 @@ class Elsewhere:
         except (CrsError, ValueError, OSError) as error:
             say(f"crs: {shown_names(link.names)}: its programs cannot run here: {error}")
             self._stopped += link.names
-            raise HostGoneError(f"the host is lost, and no other can start: {error}") from None
+            raise HostGoneError(f"a host was lost, and no other can be started: {error}") from None
         self._roster.occupy(seat, channel)
         return channel
 

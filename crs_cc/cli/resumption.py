@@ -95,7 +95,7 @@ class Resumption:
             if expected.timesteps < session.timesteps or expected.digest != digest(session):
                 raise self._mismatch(session)
             if not self._expected:
-                say(f"crs: the run goes on at {session.time_s:.2f} s, where {self._path} ends")
+                say(f"crs: the run continues at {session.time_s:.2f} s, the end of {self._path}")
 
     def _mismatch(self, session: Session, reason: str = "") -> ReplayMismatch:
         text = f"the run differs from its recording at {session.time_s:.2f} s"

@@ -74,7 +74,7 @@ def greet(options: ServeOptions, port: ServedPort) -> None:
     if port.fingerprint:
         say(f"crs: fingerprint of the certificate: {port.fingerprint}")
     elif not is_own_name(host):
-        say("crs: warning: INSECURE: whoever sees the network reads tokens and programs")
+        say("crs: warning: INSECURE: anyone on the network can read tokens and programs")
 
 
 def is_own_name(host: str) -> bool:
@@ -119,7 +119,7 @@ def _tls(options: ServeOptions) -> tls.Server | None:
     if options.tls_cert is None and options.tls_key is None:
         return tls.self_made() if options.tls else None
     if options.tls_cert is None or options.tls_key is None:
-        raise click.UsageError("--tls-cert and --tls-key belong together.")
+        raise click.UsageError("--tls-cert and --tls-key must be given together.")
     try:
         return tls.Server(options.tls_cert, options.tls_key)
     except ValueError:

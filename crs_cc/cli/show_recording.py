@@ -188,7 +188,7 @@ def _recover(recording: Recording, target: Path) -> None:
     from crs_cc.recording.recovery import recover
 
     if target.exists() and target.samefile(recording.path):
-        raise click.UsageError("--recover needs another file than the damaged one.")
+        raise click.UsageError("--recover must name a file other than the damaged one.")
     with written_file(target):
         found = recover(recording, target)
     click.echo(

@@ -114,7 +114,7 @@ def run_sweep(
     except (KeyboardInterrupt, OSError, ClusterError):
         line.clear()
         if wanted.rows:
-            say(f"crs: {len(wanted.rows)} runs have a row in {out}: go on with --resume")
+            say(f"crs: {len(wanted.rows)} runs have a row in {out}: continue with --resume")
         raise
     line.clear()
     if parquet:

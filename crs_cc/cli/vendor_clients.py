@@ -104,8 +104,8 @@ class VendorClients:
         host = _EVERYWHERE if self._options.insecure else LOOPBACK
         self._server = Server(self._board, self._left_s, host)
         if self._options.insecure:
-            say("crs: INSECURE: the vendor's protocols have no password: whoever reaches a port "
-                "drives its robot")  # fmt: skip
+            say("crs: INSECURE: the vendor's protocols have no password: anyone who reaches a port "
+                "can drive its robot")  # fmt: skip
         self._open_lines(self._server, host)
         if self._options.nserver is not None:
             opened = self._server.serve_nserver(self._options.nserver)

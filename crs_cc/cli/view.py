@@ -117,7 +117,7 @@ def view(
             hint = "to see two side by side: crs view ONE.mcap --compare OTHER.mcap"
             raise click.UsageError(f"a recording has its own programs and world; {hint}.")
         if wanted.max_time_s is not None:
-            raise click.UsageError("a recording ends where it ends: --max-time is for programs.")
+            raise click.UsageError("--max-time applies to programs, not to recordings.")
         return view_recording(sources[0], compared, port, opens=opens, plays=play)
     return view_programs(wanted, compared, port, opens=opens, plays=play)
 

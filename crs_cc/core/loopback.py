@@ -115,4 +115,4 @@ class BoundedStream(io.RawIOBase):
                 return self._client.recv_into(room)
             except TimeoutError:
                 if self.deadline_s is not None:
-                    raise TooSlowError("the rest of a message did not come") from None
+                    raise TooSlowError("a message is incomplete") from None

@@ -421,7 +421,9 @@ class Debugger:
         """
         self.run.seek(change.position)
         if self.position != change.position:
-            raise DebugError(f"the run does not get to where {change.text[:40]!r} changed it")
+            raise DebugError(
+                f"the run does not reach the position of the change {change.text[:40]!r}"
+            )
         if change.robot < 0:
             if change.program is not None:
                 self.run.uploads.add(*change.program)

@@ -91,7 +91,7 @@ class Past:
         whole, timestep_s = self.whole(), self._view.session.environment.timestep_s
         first_s = from_s or 0.0
         if to_s is not None and to_s < first_s:
-            raise DebugError(f"the range {first_s:g}..{to_s:g} ends before it begins")
+            raise DebugError(f"the range {first_s:g}..{to_s:g} ends before it starts")
         begin = Position(math.floor(first_s / timestep_s + _SLACK), 0)
         end = whole.end if to_s is None else Position(math.ceil(to_s / timestep_s - _SLACK), 0)
         return Range(min(begin, whole.end), min(end, whole.end))
@@ -163,7 +163,7 @@ class Past:
                 return [each for each, _ in found if wanted.robot is None or each.robot in robots]
         place, run, instants = wanted.place, self._run, list[Instant]()
         if place is None or place.codes:
-            raise DebugError(f"the hits of '{wanted.text}' cannot be listed: it is no line")
+            raise DebugError(f"the hits of '{wanted.text}' cannot be listed: it is not at a line")
         with self._moved(part):
             for robot in self._visits(place, part, wanted.condition):
                 site = run.site(robot)
@@ -327,5 +327,5 @@ class Past:
 def _keep(found: list[Instant], one: Instant) -> None:
     """Append an instant; raise DebugError if there are too many."""
     if len(found) >= MAX_INSTANTS:
-        raise DebugError(f"more than {MAX_INSTANTS:,} instants: give a shorter part of the run")
+        raise DebugError(f"more than {MAX_INSTANTS:,} instants: give a shorter range")
     found.append(one)

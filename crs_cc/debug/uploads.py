@@ -59,7 +59,7 @@ class Uploads:
         if not _NAME.fullmatch(name):
             raise DebugError(f"{name[:60]!r} is not a name for a C file (such as dance.c)")
         if name in self.texts:
-            raise DebugError(f"another '{name}' has been brought to this run: rename it")
+            raise DebugError(f"a different '{name}' has been added to this run: rename it")
         if len(text) > MAX_TEXT or len(self.texts) >= MAX_PROGRAMS:
             raise DebugError(f"at most {MAX_PROGRAMS} programs of {MAX_TEXT:,} characters each")
         if self._folder is None:

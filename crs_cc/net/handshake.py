@@ -202,7 +202,7 @@ def _object(content: bytes) -> dict[str, Any]:
     except (ValueError, RecursionError):
         values = None
     if not isinstance(values, dict):
-        raise RefusedError("the host says what is not valid")
+        raise RefusedError("invalid message from the host")
     return values
 
 

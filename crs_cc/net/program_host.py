@@ -104,7 +104,7 @@ class ProgramHost:
                 answer = answers[kind](content)
             except (ValueError, RecursionError) as error:
                 raise ConnectionLostError(
-                    f"the environment says what is not valid: {error}"
+                    f"invalid message from the environment: {error}"
                 ) from None
             if answer is not None:
                 channel.send(*answer)

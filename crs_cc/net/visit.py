@@ -97,4 +97,4 @@ def _welcome(channel: Channel) -> tuple[tuple[str, ...], tuple[str, ...], bool]:
         robots, awaited = (tuple(map(str, values[each])) for each in ("robots", "awaited"))
         return robots, awaited, bool(values["send_program"])
     except (ValueError, KeyError, TypeError, RecursionError):
-        raise ConnectionLostError("the environment says what is not valid") from None
+        raise ConnectionLostError("invalid message from the environment") from None

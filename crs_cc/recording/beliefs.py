@@ -147,7 +147,7 @@ class BeliefDecoder:
         """Return where the robots are at the time of a frame."""
         values = self._true.get(time_ns)
         if values is None or values.shape[1] < like.shape[1]:
-            raise ValueError("where a robot was is missing")
+            raise ValueError("the position of a robot is missing")
         return whole_numbers(values[:COLUMNS, : like.shape[1]])
 
 

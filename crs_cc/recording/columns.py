@@ -43,5 +43,5 @@ class Columns:
         """Add what was gathered by others; raise ValueError if it has no whole rows."""
         rows = len(columns[0]) // self._row_bytes[0]
         if [*map(len, columns)] != [rows * size for size in self._row_bytes]:
-            raise ValueError("columns that were saved do not belong together")
+            raise ValueError("inconsistent columns")
         self.append(*map(bytes, columns))

@@ -139,7 +139,7 @@ class GatheredFrames:
         rows = np.frombuffer(self.passed.content()[0], "<f8").reshape(-1, robots, FRAME)
         counts = heads["count"]
         if (counts < 0).any() or (counts > len(rows)).any() or counts.sum() != len(rows):
-            raise ValueError("passages have another number of frames than they say")
+            raise ValueError("inconsistent number of frames")
         passage = np.repeat(np.arange(len(heads)), counts)
         number = np.arange(len(rows)) - np.repeat(np.cumsum(counts) - counts, counts)
         after = heads["first"][passage] + number * heads["step"][passage]

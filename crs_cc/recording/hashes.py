@@ -60,7 +60,7 @@ def hashes_in(entry: Mapping[str, Any]) -> Iterator[Hash]:
     digests, outputs, states = (entry[name] for name in ("digest", "output", "state"))
     count = len(entry["timesteps"])
     if len(digests) != DIGITS * count or len(outputs) != DIGITS * count:
-        raise ValueError("the hashes are not as many as their instants")
+        raise ValueError("the numbers of hashes and timesteps differ")
     for number, timesteps in enumerate(accumulate(map(int, entry["timesteps"]))):
         digits = slice(DIGITS * number, DIGITS * (number + 1))
         state = str(states.get(str(timesteps), ""))

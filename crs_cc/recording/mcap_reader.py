@@ -133,7 +133,7 @@ class McapReader:
         """
         place = self.attachments.get(name)
         if place is None:
-            raise self.error(f"there is no attachment {name[:80]!r}")
+            raise self.error(f"no attachment {name[:80]!r}")
         if place.size > MAX_FILE_BYTES + 2**16:
             raise self.error(f"the attachment {name[:80]!r} is larger than 64 MiB")
         body = self._read(place)

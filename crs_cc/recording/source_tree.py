@@ -104,4 +104,4 @@ def write_tree(contents: Mapping[str, bytes], folder: Path) -> None:
             with path.open("xb") as file:
                 file.write(content)
         except (FileExistsError, NotADirectoryError):
-            raise ValueError(f"{name[:80]!r} is there twice") from None
+            raise ValueError(f"{name[:80]!r} occurs twice") from None

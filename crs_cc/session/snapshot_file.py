@@ -247,7 +247,7 @@ class _Reader:
         """Return the snapshot, which ends the file."""
         found = self.value()
         if type(found) is not SessionSnapshot or self.at != len(self._content):
-            raise ValueError("it is no snapshot of a session")
+            raise ValueError("not a snapshot of a session")
         return found
 
     def value(self, depth: int = 0) -> Any:
@@ -314,7 +314,7 @@ class _Reader:
     def _charge(self, size: int) -> None:
         self._left -= size
         if self._left < 0:
-            raise ValueError("it needs more memory than its session")
+            raise ValueError("it requires more memory than its session")
 
     def _take(self, size: int) -> bytes:
         if size > len(self._content) - self.at:

@@ -119,7 +119,7 @@ def _check(experiment: Experiment) -> None:
     """
     if experiment.ranges and not (experiment.samples or experiment.search):
         name = next(iter(experiment.ranges))
-        raise InvalidError(f"parameters.{name} is a range: 'samples' says how many, or [search]")
+        raise InvalidError(f"parameters.{name} is a range: it requires 'samples' or [search]")
     if not experiment.ranges and (experiment.samples or experiment.search):
         key = "samples" if experiment.samples else "search"
         raise InvalidError(
@@ -128,7 +128,7 @@ def _check(experiment: Experiment) -> None:
     if experiment.samples and experiment.search:
         raise InvalidError("'samples' and [search] exclude each other")
     if experiment.search and (experiment.cases or experiment.parameters):
-        raise InvalidError("[search] needs ranges only: no lists of values, no 'cases'")
+        raise InvalidError("[search] requires ranges: lists of values and 'cases' are not allowed")
     names = set(experiment.cases[0]) if experiment.cases else set()
     for case in experiment.cases:
         if set(case) != names:
@@ -212,7 +212,7 @@ def _seeds(name: str, value: object) -> tuple[int, ...]:
 
 def _value(name: str, value: object) -> Value:
     if isinstance(value, float) and not math.isfinite(value):
-        raise InvalidError(f"'{name}': {value!r} is no value")
+        raise InvalidError(f"'{name}': invalid value {value!r}")
     if not isinstance(value, str | int | float | bool):
         raise InvalidError(f"'{name}': {value!r} is neither a number nor a text")
     return value

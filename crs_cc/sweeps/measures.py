@@ -93,7 +93,9 @@ class Measure:
         if found is None or (isinstance(found, float) and not math.isfinite(found)):
             return None
         if not isinstance(found, str | int | float | bool):
-            raise MeasureError(f"{self.name} returned {type(found).__name__}, which is no number")
+            raise MeasureError(
+                f"{self.name} returned {type(found).__name__}, which is not a number"
+            )
         return found
 
 

@@ -119,7 +119,7 @@ class Sweep:
             text, hint = "no results of a sweep", "crs sweep EXPERIMENT.toml --out DIR makes them"
             raise ExperimentError.at(Location(str(folder)), text, hint) from None
         if not found.rows:
-            raise found._error("no run has ended yet", "go on with crs sweep --resume")
+            raise found._error("no run has ended yet", "continue with crs sweep --resume")
         return found
 
     def run(

@@ -231,7 +231,7 @@ class VariantLoader:
         for name, value in sorted(_numbered(parameters)):
             if name > len(found) + 1:
                 text = f"argument.{name}: there is no argument {len(found) + 1} before it"
-                raise self._error(text, "name those before it in 'arguments'")
+                raise self._error(text, "give the arguments before it in 'arguments'")
             found[name - 1 : name] = [str(value)]
         return tuple(found)
 

@@ -78,7 +78,7 @@ class AttachedRun:
 
     def advance(self, timesteps: int) -> bool:
         """Raise DebugError: another command advances it."""
-        raise DebugError(f"this run goes on by itself, not by {timesteps} timesteps")
+        raise DebugError(f"this run cannot be advanced by {timesteps} timesteps: it runs by itself")
 
     def seek(self, time_s: float) -> None:
         """Raise DebugError: it goes forward only."""
@@ -116,7 +116,7 @@ class AttachedRun:
         """Change it at the start of this timestep; raise DebugError if that is not possible."""
         session = self._session
         if words_of(text)[:1] in (["join"], ["delay"]):
-            raise DebugError("robots are not added to a run that goes on by itself: use crs view")
+            raise DebugError("robots cannot be added to a run that only goes forward: use crs view")
         if session.time_s < self._repeats_until_s:
             until = f"{self._repeats_until_s:.2f} s"
             raise DebugError(f"this run repeats a recorded one until {until}: change it then")

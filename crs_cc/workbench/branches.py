@@ -111,5 +111,5 @@ class KnownBranches:
     def _known(self, name: str) -> Feed:
         found = self._left.get(name)
         if found is None:
-            raise DebugError(f"no other run '{name[:_LONGEST]}' is kept")
+            raise DebugError(f"unknown run '{name[:_LONGEST]}'")
         return found

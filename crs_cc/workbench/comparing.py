@@ -58,7 +58,7 @@ def _compare(screen: Context, name: str) -> dict[str, Any]:
 def _differ(screen: Context, name: str, *, anew: bool) -> dict[str, Any]:
     """Look on for the first difference of variables."""
     if screen.player.is_playing:
-        raise DebugError("the run goes on: pause it first")
+        raise DebugError("the run is not paused: pause it first")
     if anew or screen.exact is None or not screen.exact.is_of(name):
         if screen.exact is not None:
             screen.exact.close()

@@ -107,7 +107,7 @@ class OtherRuns:
             ValueError: it is no piece of a recording, or does not follow what has come.
         """
         if not name.endswith(".mcap") or name != Path(name).name or len(name) > _LONGEST:
-            raise ValueError(f"'{name[:_LONGEST]}' is no name of a recording (NAME.mcap)")
+            raise ValueError(f"'{name[:_LONGEST]}' is not the name of a recording (NAME.mcap)")
         try:
             content = b64decode(data, validate=True)
         except (Base64Error, ValueError):
@@ -119,7 +119,7 @@ class OtherRuns:
                 self._begun += 1
                 self._sent = name, Path(self._folder.name, f"{self._begun}.mcap"), 0
             if self._sent is None or self._sent[0] != name or self._sent[2] != offset:
-                raise ValueError("the piece does not follow what has been sent")
+                raise ValueError("the part does not follow the previous one")
             if offset + len(content) > MAX_BYTES:
                 self._drop()
                 raise ValueError("the recording is too large: name it by crs view --compare")
@@ -128,7 +128,7 @@ class OtherRuns:
             self._sent = name, self._sent[1], offset + len(content)
 
     def _drop(self) -> None:
-        """Forget a recording of which not all has been sent."""
+        """Forget a recording of which not all has been uploaded."""
         if self._sent is not None:
             self._sent[1].unlink(missing_ok=True)
         self._sent = None
@@ -142,7 +142,7 @@ class OtherRuns:
         with self._lock:
             sent, self._sent = self._sent, None
         if sent is None or sent[0] != name:
-            raise DebugError(f"no recording '{name[:_LONGEST]}' has been sent")
+            raise DebugError(f"no recording '{name[:_LONGEST]}' has been uploaded")
         try:
             return self.open(sent[1], name)
         except (CrsError, DebugError) as error:

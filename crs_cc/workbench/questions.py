@@ -65,7 +65,7 @@ def changes(
         DebugError: it cannot be watched, or the run goes on.
     """
     if screen.player.is_playing:
-        raise DebugError("the run goes on: pause it first")
+        raise DebugError("the run is not paused: pause it first")
     if not 0.0 <= begin_s <= end_s:
         raise DebugError("the span must begin at 0 or later, and end after that")
     text = _one(expression)

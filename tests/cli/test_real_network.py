@@ -178,7 +178,7 @@ def test_a_port_that_is_taken_is_an_error(capfd: pytest.CaptureFixture[str]) -> 
     [
         ("network", "expected: network reach NAME PORT"),
         ("network 0 dance", "unknown action 'dance'"),
-        ("network 0 end", "there is no connection 0"),
+        ("network 0 end", "no connection 0"),
         ("network 0 send", "expected: network"),
         ("network call nobody 7", "unknown robot 'nobody'"),
         ("network call robot0 x", "'x' is not a number"),

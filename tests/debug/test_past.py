@@ -165,7 +165,7 @@ def test_an_event_is_where_a_catchpoint_stops(tmp_path: Path) -> None:
 
 
 def test_a_range_that_ends_before_it_begins_is_refused(debugger: Debugger) -> None:
-    with pytest.raises(DebugError, match="ends before it begins"):
+    with pytest.raises(DebugError, match="ends before it starts"):
         past(debugger).part(3.0, 1.0)
 
 

@@ -111,5 +111,5 @@ def test_unreadable_pictures_are_refused(tmp_path: Path):
     )
     text = b"""<world version="1"><area length="1" width="1"/><map image="a.png" resolution="1"/>
         <robot x=".5" y=".5"/></world>"""
-    with pytest.raises(WorldError, match="images need a world that is read from a file"):
+    with pytest.raises(WorldError, match="images require a world that is read from a file"):
         parse_world(text, "w.xml")

@@ -77,7 +77,7 @@ def test_the_run_before_a_change_in_the_past_is_kept_as_it_was(screen: Screen) -
     assert names(screen) == ["main", "run2", "run3"]
     screen.run.advance(10)
     assert hash_at(screen, 1.5) == plain
-    with pytest.raises(DebugError, match="no other run 'run9'"):
+    with pytest.raises(DebugError, match="unknown run 'run9'"):
         control.switch(screen, "run9")
 
 

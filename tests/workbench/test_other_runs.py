@@ -218,7 +218,7 @@ def test_what_cannot_be_compared_is_said(runs: Path, stack: ExitStack) -> None:
     assert asked(screen, "compare", name="slow.mcap")["until"] == pytest.approx(4.0)
     with pytest.raises(DebugError, match=r"the timestep of slow.mcap is 0.1 s, not 0.05 s"):
         asked(screen, "differ", name="slow.mcap", anew=True)
-    with pytest.raises(DebugError, match="no other run 'gone'"):
+    with pytest.raises(DebugError, match="unknown run 'gone'"):
         asked(screen, "compare", name="gone")
     screen.player.play()
     with pytest.raises(DebugError, match="pause it first"):

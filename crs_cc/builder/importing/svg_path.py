@@ -65,20 +65,20 @@ def _commands(text: str) -> Iterator[tuple[str, list[float]]]:
         token = _TOKEN.match(text, place)
         count += 1
         if token is None or count > 2 * MAX_POINTS:
-            raise ValueError("it is no path" if token is None else "it has too many points")
+            raise ValueError("invalid path" if token is None else "it has too many points")
         place = token.end()
         if token[1]:
             command = token[1]
             if command.upper() not in _TAKES:
                 raise ValueError("it has curves")
             if numbers:
-                raise ValueError("it is no path")
+                raise ValueError("invalid path")
             if command.upper() == "Z":
                 yield command, []
             continue
         numbers.append(float(token[2]))
         if not command or command.upper() == "Z":
-            raise ValueError("it is no path")
+            raise ValueError("invalid path")
         if len(numbers) == _TAKES[command.upper()]:
             yield command, numbers
             numbers = []

@@ -23,7 +23,7 @@ def matrix(text: str) -> Matrix:
     """Return the matrix of an attribute `transform`.
 
     Raises:
-        ValueError: it is no transformation.
+        ValueError: it is not a transformation.
     """
     found, place = IDENTITY, 0
     text = text.strip()
@@ -32,7 +32,7 @@ def matrix(text: str) -> Matrix:
     while place < len(text):
         call = _CALL.match(text, place)
         if call is None:
-            raise ValueError(f"{text[:40]!r} is no transformation")
+            raise ValueError(f"{text[:40]!r} is not a transformation")
         numbers = [float(word) for word in call[2].replace(",", " ").split()]
         found = times(found, _one(call[1], numbers))
         place = call.end()
@@ -52,7 +52,7 @@ def _one(name: str, numbers: list[float]) -> Matrix:
         case "rotate", [angle, x, y]:
             there, back = (1.0, 0.0, 0.0, 1.0, x, y), (1.0, 0.0, 0.0, 1.0, -x, -y)
             return times(times(there, _turn(angle)), back)
-    raise ValueError(f"{name[:20]!r} is no transformation that can be read")
+    raise ValueError(f"{name[:20]!r} is not a supported transformation")
 
 
 def _turn(angle_deg: float) -> Matrix:

@@ -115,7 +115,7 @@ _LISTED: Final = re.compile(r"@(\d{1,6})")
 def _go_to_listed(context: CommandContext, number: int) -> Stop:
     """Go to an instant of the last list, and select its robot."""
     if not 1 <= number <= len(context.instants):
-        raise DebugError(f"no @{number} in the last list (it has {len(context.instants)} instants)")
+        raise DebugError(f"no @{number} in the last list (it has {len(context.instants)} entries)")
     position, robot = context.instants[number - 1]
     stop = context.debugger.goto(position)
     if 0 <= robot < len(context.debugger.names):

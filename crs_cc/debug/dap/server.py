@@ -55,7 +55,7 @@ class Server:
         connection = self._session.connection
         handler = self._handlers.get(request.command)
         if handler is None:
-            connection.refuse(request, f"there is no request '{request.command}'")
+            connection.refuse(request, f"unknown request '{request.command}'")
             return
         try:
             body = handler(self._session, Arguments.of(request.arguments))

@@ -63,7 +63,7 @@ def robot_rows(session: Session, robot: int) -> list[Row]:
         Row("pose", pose_text(*result.pose)),
         _odometry(environment, robot, result),
         _command(environment, robot),
-        Row("way", f"{length(result.distance_m)} in all, {result.collisions} collisions"),
+        Row("driven", f"{length(result.distance_m)}, {_counted(result.collisions, 'collision')}"),
         *_touches(environment, robot),
         *_bumpers(environment, robot, model),
         *_sonars(environment, robot),
@@ -165,8 +165,17 @@ def _command(environment: Environment, robot: int) -> Row:
     )
     if not now.command:
         return Row("command", "none runs", children)
-    count = "without an end" if now.count is None else f"of {now.count}"
-    return Row("command", f"{now.command.lower()}, timestep {now.number} {count}", children)
+    count = ", unlimited" if now.count is None else f" of {now.count}"
+    return Row("command", f"{now.command.lower()}, timestep {now.number}{count}", children)
+
+
+def _counted(number: int, noun: str) -> str:
+    """Return a number with its noun.
+
+    >>> _counted(1, "collision"), _counted(2, "collision")
+    ('1 collision', '2 collisions')
+    """
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 def _axis(axis: AxisSlice, speed: float, *, was_told: bool, is_limp: bool) -> Row:

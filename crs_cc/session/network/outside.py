@@ -116,7 +116,7 @@ def close(network: Network, number: int, at_s: float, *, at_once: bool) -> None:
 def _connection(network: Network, number: int) -> tuple[Key, Socket]:
     key = OUTSIDE, number
     if key not in network.state.sockets:
-        raise ValueError(f"there is no connection {number}")
+        raise ValueError(f"no connection {number}")
     return key, network.state.sockets[key]
 
 

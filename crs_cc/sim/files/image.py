@@ -37,7 +37,7 @@ def picture(folder: Path | None, name: str) -> FloatArray:
         ValueError: the image cannot be read; the message says why.
     """
     if folder is None:
-        raise ValueError("images need a world that is read from a file")
+        raise ValueError("images require a world that is read from a file")
     return grey_values(read_below(folder, name, ".png", MAX_BYTES))
 
 

@@ -105,7 +105,7 @@ def test_responses_are_ignored(client: Client) -> None:
 
 
 def test_unknown_requests_are_refused(client: Client) -> None:
-    assert client.refused("modules\ud800") == "there is no request 'modules\ud800'"
+    assert client.refused("modules\ud800") == "unknown request 'modules\ud800'"
 
 
 AWKWARD = [None, True, -1, 0, 2**70, 1.5, "", "\0\ud800", "x" * 10_000, [], {}, [[]], [{}]]

@@ -180,7 +180,7 @@ def test_half_a_message_ends_the_session(clients: int, begun: bytes) -> None:
         while (message := read_message(stream)) is not None:
             last = message
         assert last is not None
-        assert last["message"] == "the rest of a message did not come"
+        assert last["message"] == "a message is incomplete"
 
 
 def test_a_message_that_drips_ends_the_session(

@@ -55,7 +55,7 @@ def test_rows_of_a_robot_that_drives_and_waits(drives) -> None:
     assert rows["program"].endswith(
         "drives.c: drives: ws waits until right and left stand, 60.000 s at the latest"
     )
-    assert rows["way"] == "0.254 m in all, 0 collisions"
+    assert rows["driven"] == "0.254 m, 0 collisions"
     (right, left) = next(row for row in robot_rows(session, 0) if row.name == "command").children
     assert right.text == left.text == "0.254 m/s, 0.254 m since the command of 0.508 m"
     assert rows_of(after(session, 60))["program"].endswith("drives.c: exited with 7")
