@@ -236,7 +236,7 @@ def test_the_environment_restarts_the_programs_of_a_lost_host_itself(folder: Pat
         hosts = [join(folder, name, at, "roam.c") for name in ("left", "right")]
         environment.wait_for("the run begins")
         hosts[1].kill()
-        environment.wait_for("right: the host is lost .* its programs go on here")
+        environment.wait_for("right: the host is lost .* its programs continue here")
         late = join(folder, "right", at, "roam.c")
         status, shown = environment.finish()
         outputs([*hosts, late])

@@ -118,7 +118,7 @@ WRONG = {
     'world = "hall.xml"\n[parameters]\nspeed = [1]': "unknown parameter 'speed' (known: define.",
     'world = "hall.xml"\n[parameters]\nrobots = 3': "'parameters.robots' must be a list, not 3",
     'world = "hall.xml"\n[parameters]\nrobots = [nan]': "'parameters.robots': invalid value nan",
-    'world = "hall.xml"\n[parameters]\nrobots = { low = 1, high = 4 }': "'samples' says how many",
+    'world = "hall.xml"\n[parameters]\nrobots = { low = 1, high = 4 }': "it requires 'samples'",
     'world = "hall.xml"\n[limits]\nfuel = "much"': "'limits.fuel' must be a whole number",
     'world = "hall.xml"\n[search]\nmethod = "tpe"': "'search.measure' is missing",
     'world = "hall.xml': "trial.toml: error: Unterminated string",

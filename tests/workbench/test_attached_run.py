@@ -68,7 +68,7 @@ def test_what_is_refused_is_neither_done_nor_recorded(make: Callable[[], Session
     made: list[Change] = []
     run, before = attached(session, made.append), session.state_hash()
     for text, reason in (
-        ("join x like left to 1 1", "robots are not added to a run that goes on by itself"),
+        ("join x like left to 1 1", "robots cannot be added to a run that only goes forward"),
         ("turn left", "expected: turn"),
         ("turn x to 5", "unknown robot or movable object 'x'"),
         ("", "missing change"),

@@ -254,15 +254,15 @@ def test_a_page_brings_a_recording_in_pieces(
 
 def test_what_is_no_recording_is_refused(runs: Path, stack: ExitStack) -> None:
     screen = shown(runs, "near", stack)
-    with pytest.raises(ValueError, match="is no name of a recording"):
+    with pytest.raises(ValueError, match="is not the name of a recording"):
         sent(screen, "../far.mcap", b"x")
-    with pytest.raises(ValueError, match="is no name of a recording"):
+    with pytest.raises(ValueError, match="is not the name of a recording"):
         sent(screen, "far.txt", b"x")
     with pytest.raises(ValueError, match="not base 64"):
         asked(screen, "bring", name="far.mcap", offset=0, data="?")
     with pytest.raises(ValueError, match="does not follow"):
         asked(screen, "bring", name="far.mcap", offset=7, data="AAAA")
-    with pytest.raises(DebugError, match=r"no recording 'far.mcap' has been sent"):
+    with pytest.raises(DebugError, match=r"no recording 'far.mcap' has been uploaded"):
         asked(screen, "open", name="far.mcap")
     sent(screen, "far.mcap", b"not a recording")
     with pytest.raises(DebugError, match=r"^far.mcap: "):
