@@ -91,11 +91,16 @@ class Breakpoints:
         """The number of the next one."""
         return self._made + 1
 
+    @property
+    def next_internal(self) -> int:
+        """The number of the next one that belongs to a command."""
+        return min((0, *self._all)) - 1
+
     def add(
         self, breakpoint_: Callable[[int], Breakpoint], *, internal: bool = False
     ) -> Breakpoint:
         """Add the breakpoint that is created with the next number, or below 0 if internal."""
-        number = min((0, *self._all)) - 1 if internal else self.next_number
+        number = self.next_internal if internal else self.next_number
         self._all[number] = breakpoint_(number)
         self._made = max(self._made, number)
         return self._all[number]
@@ -125,6 +130,18 @@ class Breakpoints:
                 or each.watch is not None
                 or (each.place is not None and bool(each.place.codes))
                 or (each.place is not None and bool(each.place.statements.get(robot)))
+            )
+            for each in self._all.values()
+        )
+
+    def stops_anywhere(self, robot: int) -> bool:
+        """Return whether any may be hit without a site that has it, or the end of a program."""
+        return any(
+            each.concerns(robot)
+            and (
+                (each.kind == "catchpoint" and each.text != "exit")
+                or each.watch is not None
+                or (each.place is not None and bool(each.place.codes))
             )
             for each in self._all.values()
         )

@@ -18,6 +18,7 @@ from typing import Final
 
 from crs_cc.debug.branch_comparison import Difference, differences, facts
 from crs_cc.debug.branches import Branch, Branches, Checkpoint
+from crs_cc.debug.breakpoints import Breakpoint
 from crs_cc.debug.data.interpret import Printed
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
@@ -189,22 +190,15 @@ class Debugger:
         """Step like `next`, but only to a line after the current one, so out of loops."""
         return self._arrive(self._next(onward=True))
 
-    def advance(self, place: str, robot: int | None = None, condition: str = "") -> Stop:
-        """Continue to a location, as `add_breakpoint` takes it, or until the function returns.
+    def advance(self, added: Breakpoint) -> Stop:
+        """Continue to a temporary breakpoint, which is removed, or until the function returns.
 
         Raises:
-            DebugError: there is no such location, or the condition is invalid there.
+            DebugError: the selected program has ended.
         """
-        other, robot = robot, self.view.robot
-        added = self.stop_points.add_breakpoint(
-            place,
-            internal=True,
-            temporary=True,
-            robot=robot if other is None else other,
-            condition=condition,
-        )
+        robot = self.view.robot
         try:
-            frame = self.view.current_frame() if other in (None, robot) else None
+            frame = self.view.current_frame() if added.robot == robot else None
             if frame is None:
                 return self.run_to(None)
             callers = self.navigator.calls(robot, frame.active)

@@ -8,11 +8,12 @@ stop at the same positions.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Final
 
 from crs_cc.debug.breakpoints import BreakpointHit
+from crs_cc.debug.searched_parts import SearchedPart, SearchedParts
 from crs_cc.debug.skips import Skips
 from crs_cc.debug.step_conditions import (
     ActiveCalls,
@@ -232,50 +233,35 @@ class Navigator:
     def backward(self) -> Stop:
         """Run backward to the previous reason to stop, or to the start."""
         run, start = self._run, self._run.position
-        limit = start
         if not any(each.enabled for each in self._breakpoints) and not run.any_failed():
             run.seek(BEGINNING)
             return self.stop("beginning")
-        robots = self._concerned()
         try:
-            for position in run.history.back_from(start):
-                found = self._last(position, limit, start, robots)
+            for part in SearchedParts(run, self._breakpoints).back_from(start):
+                found = self._last(part, start)
                 if found is not None:
                     return self._to(found)
-                limit = position
         except InterruptedRunError:
             run.seek(start)
             return self.stop("interrupt")
         run.seek(BEGINNING)
         return self.stop("beginning")
 
-    def _concerned(self) -> list[int]:
-        """Return the robots whose programs may have given a reason to stop before now.
-
-        To stay stopped by an error is a state, so a program that is not in it has not failed.
-        """
-        run = self._run
-        robots = range(len(run.programs))
-        return [each for each in robots if self._breakpoints.may_stop(each) or run.has_failed(each)]
-
-    def _last(
-        self, begin: Position, limit: Position, start: Position, robots: Sequence[int]
-    ) -> _StopCandidate | None:
-        """Return the last reason to stop between two positions, but before `start`.
+    def _last(self, part: SearchedPart, start: Position) -> _StopCandidate | None:
+        """Return the last reason to stop in a part of the past, but before `start`.
 
         Others may be passed on the way to it, of robots that ran before it in the same round: they
         are reported with it.
 
         Args:
-            begin: the start.
-            limit: the end.
+            part: the part.
             start: where the search began.
-            robots: those whose programs may have given a reason.
         """
         run, found = self._run, list[_StopCandidate]()
+        begin, limit = run.approach(part.begin, part.first, part.limit), part.limit
         self._arm(replace(self._marks(None), at_once=True))
         needs_world = self._breakpoints.need_world(run.session.environment.names)
-        for event in run.replay(begin, limit, needs_world=needs_world, robots=robots):
+        for event in run.replay(begin, limit, needs_world=needs_world, robots=part.robots):
             for each in (self._met(event), *self._touched(event)):
                 if each is not None and each.target < start:
                     found = [*(one for one in found if one.may_count_with(each)), each]

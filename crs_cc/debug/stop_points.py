@@ -171,24 +171,29 @@ class StopPoints:
             return robot, watched_object(number, expression, kind, evaluator, active)
         return robot, watched_expression(number, expression, kind, again, active)
 
-    def add_world_breakpoint(self, condition: str, robot: int, **options: Any) -> Breakpoint:
+    def add_world_breakpoint(
+        self, condition: str, robot: int, *, internal: bool = False, **options: Any
+    ) -> Breakpoint:
         """Add a breakpoint at the start of any timestep at which a condition becomes true.
 
         Args:
             condition: the condition, in the scope of the robot's program; it uses the world.
             robot: the robot.
+            internal: whether it belongs to a command, not to the user.
             options: further attributes of the `Breakpoint`.
 
         Raises:
             DebugError: it cannot be evaluated everywhere.
         """
         again = partial(self._view.evaluator, robot)
-        number = self.breakpoints.next_number
+        points = self.breakpoints
+        number = points.next_internal if internal else points.next_number
         made = watched_world(number, condition, robot, again, rises=True)
         return self.breakpoints.add(
             lambda number: Breakpoint(
                 number, "breakpoint", condition, watch=made, robot=robot, **options
-            )
+            ),
+            internal=internal,
         )
 
     def _make_room(self, robot: int) -> None:
@@ -210,6 +215,8 @@ class StopPoints:
         internal: bool = False,
     ) -> Breakpoint:
         self._check(options.get("condition", ""), place, options.get("robot"))
+        for each in _logged_expressions(options.get("log", "")):
+            self._check(each, place, options.get("robot"))
         return self.breakpoints.add(
             lambda number: Breakpoint(number, kind, text, place, **options), internal=internal
         )
@@ -366,6 +373,19 @@ class StopPoints:
                 return f"<{error}>"
 
         return _BRACES.sub(value, text)
+
+
+def _logged_expressions(text: str) -> Iterator[str]:
+    """Return the expressions in the message of a log point; of a slice, its parts.
+
+    Raises:
+        DebugError: one is missing.
+    """
+    for each in _BRACES.findall(text):
+        if not each.strip():
+            raise DebugError("an expression is missing in {}")
+        part = slice_in(each)
+        yield from (each,) if part is None else filter(None, (part.base, part.first, part.last))
 
 
 def _unheard(_text: str) -> None:

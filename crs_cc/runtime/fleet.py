@@ -31,7 +31,7 @@ from crs_cc.runtime import resident_pages
 from crs_cc.runtime.driver import MOST_SHARDS, SLOTS
 from crs_cc.runtime.executable import Driver, Executable, compile_driver
 from crs_cc.runtime.shard import Mailbox, Ran, Sandbox, Shard, Trapped, memory_demanded
-from crs_cc.runtime.site_tests import STOP, TEST, SiteTests
+from crs_cc.runtime.site_tests import STOP, TEST, UNPASSED, SiteTests
 from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.runtime.turns import RECORD
 from crs_cc.runtime.watch_ranges import WATCHED
@@ -200,7 +200,8 @@ class Fleet:
         state, marks = self.snapshot(robot), self.marks[robot]
         self._assign(robot, new)
         self.restore(robot, state)
-        self.marks[robot][:] = np.minimum(marks, STOP)  # its tests are those of the other build
+        stops = np.minimum(marks % UNPASSED, STOP)  # its tests are those of the other build
+        self.marks[robot][:] = marks - marks % UNPASSED + stops
 
     def executable(self, robot: int) -> Executable:
         """Return a robot's program."""
@@ -209,7 +210,8 @@ class Fleet:
     def set_tests(self, robot: int, tests: SiteTests) -> None:
         """Make a program in a debug build test conditions at some sites, instead of stopping."""
         self._shard(robot).set_tests(self._sandboxes[robot], tests)
-        self.marks[robot][list(tests.sites)] = TEST
+        sites, marks = list(tests.sites), self.marks[robot]
+        marks[sites] = marks[sites] & UNPASSED | TEST
 
     def memory(self, robot: int) -> ByteArray:
         """Return a live view of a robot's memory."""

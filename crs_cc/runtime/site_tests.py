@@ -17,6 +17,9 @@ STOP: Final = SUSPENDED
 TEST: Final = 4
 """The marks of a site; they are the program's status until the test has been made."""
 
+UNPASSED: Final = 128
+"""Added to the mark of a site until the program passes it, with any mark or none."""
+
 
 @dataclass(frozen=True, slots=True)
 class SiteTests:

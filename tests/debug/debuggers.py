@@ -10,6 +10,7 @@ from typing import Any
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.stop import Stop
 from crs_cc.session.build import build_executable
 from crs_cc.session.library import library_options
 from crs_cc.sim.files.world_xml import empty_world, load_world
@@ -46,6 +47,12 @@ def debugger_at(paths: Sequence[Path], world: str = "", **options: Any) -> Debug
     robots = len(model.robots)
     programs = [*programs, *programs[-1:] * (robots - len(programs))][:robots]
     return Debugger(model, programs, **options)
+
+
+def advance(debugger: Debugger, place: str, condition: str = "") -> Stop:
+    """Continue the selected program to a place."""
+    options = {"robot": debugger.view.robot, "condition": condition, "temporary": True}
+    return debugger.advance(debugger.stop_points.add_breakpoint(place, internal=True, **options))
 
 
 def line(debugger: Debugger) -> int:

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.debug.breakpoints import Breakpoints
 from crs_cc.debug.engine import Debugger
-from crs_cc.debug.navigator import Navigator
+from crs_cc.debug.timeline.passed_sites import PassedSites
 from crs_cc.debug.timeline.position import Position
 from tests.debug.debuggers import ROOT, debugger_at, debugger_of
 
@@ -58,7 +59,8 @@ def test_stops_are_those_of_a_replay_of_all(
     end = debugger.position
     some = stops_back(debugger)
     debugger.goto(end)
-    monkeypatch.setattr(Navigator, "_concerned", lambda _self: range(3))
+    monkeypatch.setattr(Breakpoints, "may_stop", lambda *_: True)
+    monkeypatch.setattr(PassedSites, "passed", lambda *_: None)
     assert stops_back(debugger) == some
     assert len(some) > 1
 

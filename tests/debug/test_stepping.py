@@ -13,7 +13,7 @@ import pytest
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
-from tests.debug.debuggers import debugger_of, line
+from tests.debug.debuggers import advance, debugger_of, line
 
 Move = Callable[[], Stop]
 
@@ -146,7 +146,7 @@ def test_advance_out_of_a_function_stops_right_behind_its_call(tmp_path: Path) -
     debugger = debugger_of(SUM, folder=tmp_path)
     debugger.stop_points.add_breakpoint("3")
     debugger.resume()
-    debugger.advance("2")  # not reached again
+    advance(debugger, "2")  # not reached again
     assert (line(debugger), functions(debugger), number(debugger, "a")) == (12, ["main"], 5)
 
 
@@ -185,11 +185,11 @@ def test_step_enters_no_skipped_function_and_nothing_that_it_calls(tmp_path: Pat
 def test_advance_stops_where_break_stops_under_the_same_condition(tmp_path: Path) -> None:
     debugger = debugger_of(RECURSION, folder=tmp_path)
     debugger.start()
-    debugger.advance("a.c:4", condition="n == 0")
+    advance(debugger, "a.c:4", condition="n == 0")
     assert (line(debugger), number(debugger, "n")) == (4, 0)
     assert list(debugger.stop_points.breakpoints) == []
     with pytest.raises(DebugError):
-        debugger.advance("4", condition="nothing > 0")
+        advance(debugger, "4", condition="nothing > 0")
 
 
 TYPES = """\

@@ -8,7 +8,7 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from tests.debug.debuggers import debugger_of
+from tests.debug.debuggers import advance, debugger_of
 
 LOOP = """\
 #include "Nclient.h"
@@ -87,7 +87,7 @@ def test_the_condition_of_a_local_watchpoint_belongs_to_its_function(debugger: D
 def test_advance_takes_no_number(debugger: Debugger) -> None:
     """The user's breakpoints had gaps in their numbers."""
     debugger.start()
-    assert debugger.advance("7").reason == "breakpoint"
-    assert debugger.advance("8").reason == "breakpoint"
+    assert advance(debugger, "7").reason == "breakpoint"
+    assert advance(debugger, "8").reason == "breakpoint"
     assert not list(debugger.stop_points.breakpoints)
     assert debugger.stop_points.add_breakpoint("7").number == 1

@@ -12,7 +12,7 @@ import pytest
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.change import Change
-from tests.debug.debuggers import debugger_of, line
+from tests.debug.debuggers import advance, debugger_of, line
 
 SOURCE = """\
 #include <stdio.h>
@@ -135,10 +135,10 @@ def test_enumerators_and_types_of_blocks_are_known_there_and_nowhere_else(
     assert (text(debugger, "OUTER"), text(debugger, "(int) OUTER")) == ("OUTER", "1")
     with pytest.raises(DebugError, match="NEAR"):
         debugger.evaluate("NEAR")
-    debugger.advance("23")
+    advance(debugger, "23")
     assert text(debugger, "FAR + OUTER") == "48"
     assert text(debugger, "sizeof(pair) + sizeof(struct pair)") == "16"
-    debugger.advance("28")
+    advance(debugger, "28")
     assert (line(debugger), text(debugger, "OUTER")) == (28, "99")
 
 

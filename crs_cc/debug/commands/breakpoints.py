@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.breakpoints import Breakpoint
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import (
+    BreakpointArguments,
     parse_breakpoint_arguments,
     parse_count,
     parse_numbers,
@@ -54,21 +55,29 @@ def _warned(context: CommandContext, one: Breakpoint) -> Answer:
 
 def _break(context: CommandContext, text: str, *, temporary: bool = False) -> Answer:
     where = parse_breakpoint_arguments(text)
+    return _made(context, placed(context, where, _robot(context, where.robot), temporary=temporary))
+
+
+def placed(
+    context: CommandContext, where: BreakpointArguments, robot: int | None, **options: bool
+) -> Breakpoint:
+    """Add a breakpoint.
+
+    Args:
+        context: the debugger.
+        where: its place and condition.
+        robot: the only robot concerned; None for all.
+        options: those of `add_breakpoint`.
+
+    Raises:
+        DebugError: there is no such location, or the condition is invalid there.
+    """
+    points, here = context.debugger.stop_points, context.debugger.view.robot
     if not where.place and where.condition and _is_of_world(context, where.condition):
-        robot = _robot(context, where.robot)
-        made = context.debugger.stop_points.add_world_breakpoint(
-            where.condition,
-            context.debugger.view.robot if robot is None else robot,
-            temporary=temporary,
-        )
-        return _made(context, made)
-    made = context.debugger.stop_points.add_breakpoint(
-        where.place or _here(context),
-        condition=where.condition,
-        temporary=temporary,
-        robot=_robot(context, where.robot),
-    )
-    return _made(context, made)
+        evaluated_in = here if robot is None else robot
+        return points.add_world_breakpoint(where.condition, evaluated_in, **options)
+    place, condition = where.place or _here(context), where.condition
+    return points.add_breakpoint(place, condition=condition, robot=robot, **options)
 
 
 def _is_of_world(context: CommandContext, condition: str) -> bool:

@@ -14,6 +14,7 @@ from crs_cc.debug.commands.arguments import (
     parse_robot,
     require_argument,
 )
+from crs_cc.debug.commands.breakpoints import placed
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.skipping import SKIPPING
@@ -99,9 +100,13 @@ def _until(context: CommandContext, text: str) -> Answer:
 
 def _advance(context: CommandContext, text: str) -> Answer:
     where = parse_breakpoint_arguments(require_argument(text, "a line or a function"))
-    robot = parse_robot(where.robot, context.debugger.names) if where.robot else None
-    advance = context.debugger.advance
-    return context.move(partial(advance, where.place, robot=robot, condition=where.condition))
+    debugger = context.debugger
+    robot = parse_robot(where.robot, debugger.names) if where.robot else debugger.view.robot
+
+    def go() -> Stop:
+        return debugger.advance(placed(context, where, robot, internal=True, temporary=True))
+
+    return context.move(go)
 
 
 _INSTANT: Final = re.compile(
@@ -217,9 +222,10 @@ RUNNING: Final = Group(
             repeats="same", completes="place",
         ),
         Command(
-            "advance", "LOCATION [robot NAME] [if CONDITION]", "Continue to a location.", _advance,
+            "advance", "[LOCATION] [robot NAME] [if CONDITION]", "Continue to a location.",
+            _advance, completes="place",
             text='LOCATION and what follows are those of "break". It also stops when the selected'
-            " function has returned.", completes="place",
+            " function has returned.",
         ),
         Command(
             "tick", "[N]", "Continue to the start of the next timestep.", _tick,

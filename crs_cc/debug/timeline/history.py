@@ -193,6 +193,10 @@ class History:
         """Return all earlier positions with snapshots, ascending."""
         return self._positions[: bisect_left(self._positions, before)]
 
+    def last_before(self, position: Position) -> Position:
+        """Return the position of the last snapshot before a position that is not the start."""
+        return self._positions[bisect_left(self._positions, position) - 1]
+
     def visit(self, position: Position) -> None:
         """Record that the user is at or just before a position, not at the latest one."""
         self._user = self._here = position

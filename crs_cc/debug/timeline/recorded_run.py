@@ -12,28 +12,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
 
 from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.timeline.armed_stops import ArmedStops
 from crs_cc.debug.timeline.change import Change, MemoryPatch, write
 from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.debug.timeline.history import History, RunSnapshot
 from crs_cc.debug.timeline.input_log import InputLog
+from crs_cc.debug.timeline.passed_sites import PassedSites
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.program_replay import ProgramReplay
-from crs_cc.debug.timeline.run_event import PostedRequests, RunEvent, StopRequest, WatchHit
+from crs_cc.debug.timeline.run_event import PostedRequests, RunEvent, StopRequest
 from crs_cc.debug.uploads import Uploads
-from crs_cc.debug.watch import WatchSet
 from crs_cc.debug.world.event_history import EventHistory
-from crs_cc.debug.world_watch import WorldWatchSet
 from crs_cc.requests import FAILED
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.sites import StatementSite
-from crs_cc.session.build import build_watching
 from crs_cc.session.result import Added
 from crs_cc.session.session import Session
 from crs_cc.sim.engine.step import Step
@@ -57,8 +55,10 @@ class RecordedRun:
         history: its snapshots.
         event_history: its events.
         input_log: the input of the programs in each round.
+        passed_sites: the sites that programs have passed.
         programs: by robot, its program.
         uploads: programs that the user has brought.
+        world_robots: how many robots the world has; others may have been added.
         last_timestep: at whose start the run ends, even if programs would go on.
         interrupted: set to make `advance` raise `InterruptedRunError`.
         is_off_timeline: whether the state is no state of the run: programs ran too far, or
@@ -86,16 +86,15 @@ class RecordedRun:
         """
         self.programs = list(programs)
         self.uploads = Uploads()
-        self._robots = len(programs)  # those of the world; others may have been added
+        self.world_robots = len(programs)
         self.console = console
         self.history = history
         self.event_history = EventHistory()
         self.input_log = InputLog()
+        self.passed_sites = PassedSites()
         self.interrupted = False
         self.last_timestep = math.inf
         self._step: Step | None = None
-        self._marks = StopRequest()
-        self._armed: set[int] = set()  # robots whose programs may have marks or watched objects
         self._stopped: dict[int, Stopped] = {}  # by robot, until the run moves
         self.is_off_timeline = False
         self.session = Session(
@@ -109,12 +108,9 @@ class RecordedRun:
             **options,
         )
         self._replay = ProgramReplay(self.session)
-        fleet = self.session.fleet
-        self._watches = [WatchSet(fleet, robot, self._watching) for robot in range(len(programs))]
-        self._watching_builds: dict[int, Executable] = {}
-        self._world_watches = WorldWatchSet()
-        self._note_begun()  # by robot, at the start of the round
+        self._stops = ArmedStops(self.session, len(programs))
         self.history.keep(BEGINNING, self._kept())
+        self._look_at_marks()
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
         self.console.write(robot, stream, content)  # of the branch that the run is in now
@@ -173,23 +169,19 @@ class RecordedRun:
         Accesses to objects that stay watched are reported even if they were made before, but not
         if the run has moved since.
         """
-        self._marks = marks
         self._stopped.clear()  # a program may move to another build
-        count, before = len(self.programs), self._armed
-        self._armed = {*marks.watched, *marks.statements}
-        for robot in sorted(before | self._armed):
-            if robot >= count:  # it was added, and may be so again
-                self._armed.add(robot)
-                continue
-            self._watches[robot].arm(marks.watched.get(robot, ()))
-            own = self.session.fleet.marks[robot]
-            own[: self._statements(robot)] = 0
-            own[list(marks.statements.get(robot, ()))] = 1
-        self._marks.enter(self.session.fleet.slots)
-        self._world_watches.arm(marks.world)
+        self._stops.arm(marks, self._sites())
+        if not self._stops.has_marks:
+            self.passed_sites.lose()
 
-    def _statements(self, robot: int) -> int:
-        return len(self.programs[robot].executable.detail().compiled.statements)
+    def _sites(self) -> list[int]:
+        """Return how many sites each program has."""
+        return [len(each.executable.detail().compiled.statements) for each in self.programs]
+
+    def _look_at_marks(self) -> None:
+        """Look at the marks of all programs at the start of a timestep."""
+        if self._stops.has_marks:
+            self.passed_sites.at(self.session.timesteps, self.session.fleet, self._sites())
 
     # -- going on ----------------------------------------------------------------------------
 
@@ -216,25 +208,35 @@ class RecordedRun:
             if before.robot < 0:
                 state = self.session.state
                 self.input_log.note(before, state.pending, state.clock_s, self.session.fleet)
-                self._note_begun()
+                self._stops.begin_round()
             self.session.run_programs()
             if edit is not None and self._has_passed(edit):
                 event = _STATEMENT
                 if self.position == edit:
-                    event = self._with_accesses(event)
+                    event = self._stops.with_accesses(event)
                 self.restore(self.history.at(edit))
                 return event
             if limit is not None and self._has_passed(limit) and self.position != limit:
                 self.is_off_timeline = True
                 return _LIMIT
             event = self._end_round() if self.session.state.halted is None else _STATEMENT
-            event = self._with_accesses(event)
+            event = self._stops.with_accesses(event)
         position = self.position
+        self._note_passed(position, event)
         if edit == position:
             self.restore(self.history.at(position))
         elif position.round == 0 and position.robot < 0 and self.history.wants(position):
             self.history.keep(position, self._kept())
         return event
+
+    def _note_passed(self, position: Position, event: RunEvent) -> None:
+        """Note what programs have passed, up to a position."""
+        if event.ended:
+            self.passed_sites.end_programs(event.ended)
+        if position.robot >= 0:
+            self.passed_sites.halt(self.session.fleet, position.robot)
+        elif position.round == 0:
+            self._look_at_marks()
 
     def replay(
         self,
@@ -278,11 +280,29 @@ class RecordedRun:
                 return
             yield event
 
+    def approach(self, begin: Position, first: Position, limit: Position) -> Position:
+        """Return the position of a snapshot from which a part of the past is replayed.
+
+        Where the world has to run, too, the way to what matters is gone once, and not again.
+
+        Args:
+            begin: an earlier snapshot.
+            first: before this position nothing matters.
+            limit: the end of the part.
+        """
+        if first <= begin or self.input_log.knows(begin, limit):
+            return begin
+        self.seek(first)
+        if self.position != first:
+            return begin
+        self.history.keep(first, self._kept())
+        return first
+
     def _recall(self, begin: Position, robots: Iterable[int] | None) -> None:
         """Restore only programs from a snapshot."""
         self._stopped.clear()
         self._replay.recall(self.history.at(begin).session, robots)
-        self._marks.enter(self.session.fleet.slots)
+        self._stops.enter()
         self._look_anew()
 
     def _again(self, limit: Position) -> RunEvent | None:
@@ -298,49 +318,20 @@ class RecordedRun:
             if not self._replay.begin(round_):
                 session.state.rounds += 1
                 return RunEvent("round")
-            self._note_begun()
+            self._stops.begin_round()
         session.run_programs()
         if self._has_passed(limit) and self.position != limit:
             return None
         if session.state.halted is not None:
-            return self._with_accesses(_STATEMENT)
+            return self._stops.with_accesses(_STATEMENT)
         session.state.rounds += 1
         assert round_ is not None
-        return self._with_accesses(self._replay.end(round_))
+        return self._stops.with_accesses(self._replay.end(round_))
 
     def _answer_interrupt(self) -> None:
         if self.interrupted:
             self.interrupted = False
             raise InterruptedRunError
-
-    def _with_accesses(self, event: RunEvent) -> RunEvent:
-        """Add the accesses to watched objects to an event, as far as they are to be reported."""
-        found = [
-            WatchHit(robot, access, self._last_before(event, robot))
-            for robot in self._marks.watched
-            if self._marks.at_once or robot == self.session.state.halted or robot in event.ended
-            for access in self._watches[robot].take()
-        ]
-        return replace(event, accesses=tuple(found)) if found else event
-
-    def _last_before(self, event: RunEvent, robot: int) -> Position:
-        """Return the position before the statement that made an access in this round."""
-        session = self.session
-        round_ = session.state.rounds - (event.kind == "round")
-        statement = int(session.fleet.watched[robot]["statement"][0])  # maybe one of the future
-        if not self._begun[robot] <= statement < self.statements_begun(robot):
-            return Position(session.timesteps, round_)
-        return Position(session.timesteps, round_, robot, statement)
-
-    def _note_begun(self) -> None:
-        self._begun = self.session.fleet.slots["statements"].copy()
-
-    def _watching(self, executable: Executable) -> Executable:
-        """Return the watching build of a program."""
-        number = id(executable)
-        if number not in self._watching_builds:
-            self._watching_builds[number] = build_watching(executable)
-        return self._watching_builds[number]
 
     def _has_passed(self, place: Position) -> bool:
         """Return whether a position inside the round that has just run is in the past."""
@@ -372,7 +363,7 @@ class RecordedRun:
         self.input_log.end(timestep, rounds, ended)
         assert self._step is not None
         self.event_history.hear(self._step, session.environment)
-        changes = self._world_watches.take(self.position)
+        changes = self._stops.changes_of_world(self.position)
         return RunEvent("timestep", (), ended, self._step, not can_advance, changes)
 
     # -- going anywhere ----------------------------------------------------------------------
@@ -396,14 +387,14 @@ class RecordedRun:
         self.session.restore(kept.session)
         self._know(kept.session.added)
         self.console.restore(kept.console)
-        self._marks.enter(self.session.fleet.slots)
+        self._stops.enter()
         self._look_anew()
 
     def enter(self, history: History, console: ReplayConsole, event_history: EventHistory) -> None:
         """Switch to another history; `seek` must follow."""
         console.is_live = self.console.is_live
         self.history, self.console, self.event_history = history, console, event_history
-        self.input_log = InputLog()
+        self.input_log, self.passed_sites = InputLog(), PassedSites()
         self.is_off_timeline = True
 
     def executables(self) -> list[Executable]:
@@ -412,13 +403,10 @@ class RecordedRun:
 
     def _know(self, added: Sequence[Added]) -> None:
         """Know the programs of the robots that have been added, and no others."""
-        programs, count = (*self.programs, *self.uploads.programs.values()), self._robots
+        programs, count = (*self.programs, *self.uploads.programs.values()), self.world_robots
         known = {id(each.executable): each for each in programs}
         self.programs[count:] = [known[id(each.executable)] for each in added]
-        for robot, each in enumerate(added, count):
-            if robot == len(self._watches) or not self._watches[robot].is_of(each.executable):
-                self._watches[robot:] = [WatchSet(self.session.fleet, robot, self._watching)]
-        del self._watches[count + len(added) :]
+        self._stops.know(count, [each.executable for each in added])
 
     def take_back(self, place: Position) -> None:
         """Go to a position as if nothing had been changed there or later; discard the future."""
@@ -432,6 +420,7 @@ class RecordedRun:
         self.console.truncate()
         self.event_history.forget(self.position.timestep)
         self.input_log.forget(self.position)
+        self.passed_sites.forget(self.position.timestep)
 
     def changed(self, change: Change) -> None:
         """Record a change that the user has made here: discard the future of the history."""
@@ -452,11 +441,9 @@ class RecordedRun:
         write(patches, self.stopped(robot).memory, self.stopped(robot).shadow)
 
     def _look_anew(self) -> None:
-        """Reset the watched values: they were not changed by the programs."""
-        self._note_begun()
-        for watches in self._watches:
-            watches.forget()
-        self._world_watches.forget()
+        """Reset the watched values: they were not changed by the programs, which were moved."""
+        self.passed_sites.lose()
+        self._stops.forget()
 
     def _kept(self) -> RunSnapshot:
         return RunSnapshot(self.session.snapshot(), self.console.snapshot())

@@ -29,7 +29,7 @@ from crs_cc.runtime.codegen.indices import (
     STATUS_GLOBAL,
 )
 from crs_cc.runtime.codegen.watchpoints import is_pending, stops
-from crs_cc.runtime.site_tests import TEST
+from crs_cc.runtime.site_tests import TEST, UNPASSED
 from crs_cc.runtime.sites import StatementSite
 from crs_cc.runtime.wasm import PAGE, UNLIKELY, Instr, Module
 from crs_cc.runtime.watch_ranges import WATCHED, offset
@@ -74,9 +74,13 @@ def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: b
     place: Instr = ("i32.load8_u", marks, WATCHED.itemsize + number)
     return [
         ("global.get", MARKS_GLOBAL), place, UNLIKELY,
+        ("global.get", MARKS_GLOBAL), ("global.get", MARKS_GLOBAL), place,
+        ("i32.const", UNPASSED - 1), ("i32.and",), ("i32.store8", *place[1:]),
         ("global.get", BEGUN_GLOBAL),
         ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, slot_offset("stop_from")),
-        ("i64.ge_s",), *(is_pending(marks) if watching else []), ("if",),
+        ("i64.ge_s",),
+        ("global.get", MARKS_GLOBAL), place, ("i32.const", 0), ("i32.ne",), ("i32.and",),
+        *(is_pending(marks) if watching else []), ("if",),
         ("global.get", SLOT_GLOBAL), ("i32.const", number + 1),
         ("i32.store", MAILBOX, slot_offset("stopped")),
         ("global.get", MARKS_GLOBAL), place, ("global.set", STATUS_GLOBAL),
