@@ -19,6 +19,8 @@ import gc
 import itertools
 import json
 import math
+import os
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -231,7 +233,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
     parser.add_argument("robots", nargs="*", type=int, default=[1, 100, 10_000])
     parser.add_argument("--seconds", type=float, default=20.0, help="simulated time (default 20)")
-    parser.add_argument("--repeat", type=int, default=5, help="runs of each kind (default 3)")
+    parser.add_argument("--repeat", type=int, default=5, help="runs of each kind (default 5)")
     options = parser.parse_args()
     gc.set_threshold(100_000)  # as `crs` does
     for robots in options.robots:
@@ -242,4 +244,8 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+        sys.stdout.flush()
+    except BrokenPipeError:  # what reads the table wants no more
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

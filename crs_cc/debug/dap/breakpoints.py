@@ -181,6 +181,8 @@ class EditorBreakpoints:
         if each.location is not None:
             place = self._locations.place(each.location)
             body |= {"source": place["source"], "line": place["line"]}
+        elif each.request.line:  # nvim-dap finds the sign of a breakpoint by its line
+            body["line"] = self._locations.line(each.request.line)
         return body
 
     def _report(self, reason: str, body: Message) -> None:

@@ -11,11 +11,12 @@ from crs_cc.debug.commands.completion import complete
 from crs_cc.debug.dap.arguments import Arguments
 from crs_cc.debug.dap.framing import Message
 from crs_cc.debug.dap.session import EditorSession
-from crs_cc.debug.dap.stop_events import report_stop
+from crs_cc.debug.dap.stop_events import report_moved, report_stop
 from crs_cc.debug.dap.value_messages import FrameHandle, requested_frame, value_message
 from crs_cc.debug.dap.variables import expression_of
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.stop import Stop
 
 _MAX_COMPLETIONS: Final = 1000  # chosen by us
 _WORD: Final = re.compile(r"(?<![\w.>])[A-Za-z_]\w*$")
@@ -75,11 +76,16 @@ def _command(session: EditorSession, text: str) -> Message:
     elif debugger.stop is not before:
         session.handles.clear()
         session.output.flush()
-        session.after_response = partial(report_stop, session, debugger.stop)
+        session.after_response = partial(_report_move, session, debugger.stop)
     else:
         session.breakpoints.synchronize(session.require_debugger())
         session.after_response = session.report_invalidated
     return {"result": said, "variablesReference": 0}
+
+
+def _report_move(session: EditorSession, stop: Stop) -> None:
+    report_moved(session)
+    report_stop(session, stop)
 
 
 def set_variable(session: EditorSession, arguments: Arguments) -> Message:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -38,6 +39,8 @@ def serve_stdio(open_run: OpenRun) -> None:
     """
     sys.stdout.flush()
     source = _StandardInput()
+    # some editors, such as Neovim, send it when they have closed the stream: no reason to fail
+    signal.signal(signal.SIGINT, lambda *_: source.end())
     with (
         contextlib.suppress(ConnectionError),  # unwritten output has no reader
         os.fdopen(os.dup(1), "wb") as sink,

@@ -10,6 +10,7 @@ from crs_cc.debug.dap.breakpoint_requests import FILTERS
 from crs_cc.debug.dap.framing import Message
 from crs_cc.debug.dap.launch import read_launch
 from crs_cc.debug.dap.session import EditorSession
+from crs_cc.debug.dap.stop_events import report_moved
 
 CAPABILITIES: Final[Message] = {
     "supportsConfigurationDoneRequest": True,
@@ -81,6 +82,7 @@ def restart(session: EditorSession, arguments: Arguments) -> None:
     session.open(read_launch(arguments.object("arguments")) if has_news else session.launch)
     session.breakpoints.set_again(session.require_debugger())
     session.begin()
+    session.after_response = partial(report_moved, session)
 
 
 def terminate(session: EditorSession, _arguments: Arguments) -> None:

@@ -69,6 +69,15 @@ def report_stop(session: EditorSession, stop: Stop) -> None:
     session.connection.event("stopped", body)
 
 
+def report_moved(session: EditorSession) -> None:
+    """Report that programs go on that the client believes to be stopped.
+
+    A client that has not asked for it may let a robot run again that stops beside a stopped one.
+    """
+    body = {"threadId": thread_of(session.require_debugger().view.robot)}
+    session.connection.event("continued", {**body, "allThreadsContinued": True})
+
+
 def _reason(session: EditorSession, stop: Stop) -> str:
     if stop.reason == "breakpoint" and session.breakpoints.are_functions(stop.breakpoints):
         return "function breakpoint"

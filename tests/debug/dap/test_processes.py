@@ -51,6 +51,23 @@ def test_end_of_input_ends_the_process_silently(
     assert (server.returncode, out, err) == (0, b"", b"")
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT there")
+@pytest.mark.parametrize("is_closed", [True, False])
+def test_an_editor_that_interrupts_ends_the_process_silently(
+    server: subprocess.Popen[bytes], is_closed: bool
+) -> None:
+    assert server.stdin is not None
+    assert server.stdout is not None
+    say(server, "initialize", adapterID="crs")
+    read_message(server.stdout)
+    if is_closed:
+        server.stdin.close()
+    server.send_signal(signal.SIGINT)
+    assert server.wait(WAIT_S) == 0
+    assert server.stderr is not None
+    assert server.stderr.read() == b""
+
+
 def test_a_client_that_stops_reading_ends_the_process(server: subprocess.Popen[bytes]) -> None:
     assert server.stdout is not None
     assert server.stderr is not None

@@ -369,6 +369,35 @@ def test_without_debugging_a_run_just_runs(client: Client, loop: Path) -> None:
     assert client.printed() == "0\n2\n6\n"
 
 
+def test_a_run_that_moves_unasked_is_said_to_continue(client: Client, loop: Path) -> None:
+    client.launch(loop, world=str(WORLDS / "pair.xml"))
+    client.break_at(loop, 15)
+    client.begin()
+    client.ask("evaluate", expression="continue", context="repl")
+    assert client.event("continued")["allThreadsContinued"]
+    assert client.event("stopped")["allThreadsStopped"]
+    client.ask("restart")
+    assert client.event("continued")["allThreadsContinued"]
+    assert client.event("stopped")["threadId"] == 1
+
+
+def test_a_rejected_breakpoint_names_its_line(client: Client, loop: Path) -> None:
+    client.launch(loop)
+    asked = [{"line": 18, "condition": "nothing > 0"}, {"line": 18}]
+    source = {"path": str(loop)}
+    made = client.ask("setBreakpoints", source=source, breakpoints=asked)["breakpoints"]
+    assert [(each["verified"], each["line"]) for each in made] == [(False, 18), (True, 18)]
+
+
+def test_a_log_point_is_checked_when_it_is_set(client: Client, loop: Path) -> None:
+    client.launch(loop)
+    asked = [{"line": 18, "logMessage": text} for text in ("{nothing}", "{i} and {i + 1}")]
+    source = {"path": str(loop)}
+    made = client.ask("setBreakpoints", source=source, breakpoints=asked)["breakpoints"]
+    assert [each["verified"] for each in made] == [False, True]
+    assert "nothing" in made[0]["message"]
+
+
 def test_robots_are_threads(client: Client, loop: Path) -> None:
     client.launch(loop, world=str(WORLDS / "pair.xml"))
     client.break_at(loop, 15)
