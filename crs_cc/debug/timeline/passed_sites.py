@@ -12,7 +12,7 @@ run through from its start to its end, or in which a program was stepping, is no
 from __future__ import annotations
 
 import zlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 from typing import Final
@@ -90,29 +90,26 @@ class PassedSites:
         """Note that a program stands before a site: it may do so without a mark."""
         fleet.marks[robot][int(fleet.slots["stopped"][robot]) - 1] &= UNPASSED - 1
 
-    def at(self, timestep: int, fleet: Fleet, sites: Iterable[int]) -> None:
-        """Note that the run is at the start of a timestep.
+    def at(self, timestep: int, fleet: Fleet, sites: Sequence[int]) -> None:
+        """Note that the run is at the start of a stretch.
 
         Args:
-            timestep: its number.
+            timestep: the number of its first timestep.
             fleet: the programs.
             sites: by robot, how many sites its program has.
         """
-        if timestep % STRETCH:
-            return
-        counts = list(sites)
         number = timestep // STRETCH - 1
         if self._number == number and number not in self._stretches:
-            self._keep(number, fleet, counts)
+            self._keep(number, fleet, sites)
         self._number = number + 1
         self._ended.clear()
-        for marks, count in zip(fleet.marks, counts, strict=False):
+        for marks, count in zip(fleet.marks, sites, strict=False):
             marks[:count] |= UNPASSED
 
-    def _keep(self, number: int, fleet: Fleet, counts: list[int]) -> None:
+    def _keep(self, number: int, fleet: Fleet, sites: Sequence[int]) -> None:
         rows = [
             np.packbits(marks[:count] < UNPASSED, bitorder="little")
-            for marks, count in zip(fleet.marks, counts, strict=False)
+            for marks, count in zip(fleet.marks, sites, strict=False)
         ]
         ends = tuple(accumulate(map(len, rows)))
         if ends == self._ends:

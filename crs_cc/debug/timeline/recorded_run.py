@@ -22,7 +22,7 @@ from crs_cc.debug.timeline.change import Change, MemoryPatch, write
 from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.debug.timeline.history import History, RunSnapshot
 from crs_cc.debug.timeline.input_log import InputLog
-from crs_cc.debug.timeline.passed_sites import PassedSites
+from crs_cc.debug.timeline.passed_sites import STRETCH, PassedSites
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.program_replay import ProgramReplay
 from crs_cc.debug.timeline.run_event import PostedRequests, RunEvent, StopRequest
@@ -179,8 +179,8 @@ class RecordedRun:
         return [len(each.executable.detail().compiled.statements) for each in self.programs]
 
     def _look_at_marks(self) -> None:
-        """Look at the marks of all programs at the start of a timestep."""
-        if self._stops.has_marks:
+        """Look at the marks of all programs if a stretch ends here, at the start of a timestep."""
+        if self.session.timesteps % STRETCH == 0 and self._stops.has_marks:
             self.passed_sites.at(self.session.timesteps, self.session.fleet, self._sites())
 
     # -- going on ----------------------------------------------------------------------------
