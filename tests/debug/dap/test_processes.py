@@ -62,6 +62,7 @@ def test_an_editor_that_interrupts_ends_the_process_silently(
     read_message(server.stdout)
     if is_closed:
         server.stdin.close()
+        server.stdin = None
     server.send_signal(signal.SIGINT)
     assert server.wait(WAIT_S) == 0
     assert server.stderr is not None

@@ -68,10 +68,17 @@ local function event(name)
   return found.body or {}
 end
 
--- Where the program stands, and its variables; the cursor goes there.
+-- Where the program stands, and its variables; the cursor goes there. nvim-dap lets a thread go on that stops while it
+-- believes that another one is stopped.
+local believed
 local function stopped()
-  local thread = event("stopped").threadId
-  local frame = ask("stackTrace", { threadId = thread, startFrame = 0, levels = 20 }).stackFrames[1]
+  local stop = event("stopped")
+  local thread = stop.threadId
+  assert(not believed or believed == thread, "a second thread has stopped")
+  assert(stop.allThreadsStopped, "the others run")
+  believed = thread
+  assert(#ask("threads").threads > 0, "there are no threads")
+  local frame = ask("stackTrace", { threadId = thread, startFrame = 0 }).stackFrames[1]
   local values = {}
   for _, scope in ipairs(ask("scopes", { frameId = frame.id }).scopes) do
     if scope.name == "Locals" then
@@ -86,23 +93,33 @@ local function stopped()
 end
 
 local capabilities = ask("initialize", { clientID = "neovim", clientName = "neovim", adapterID = "nvim-dap", pathFormat = "path",
-  linesStartAt1 = true, columnsStartAt1 = true, supportsVariableType = true, supportsProgressReporting = true })
+  linesStartAt1 = true, columnsStartAt1 = true, supportsVariableType = true, supportsProgressReporting = true,
+  supportsRunInTerminalRequest = true, supportsStartDebuggingRequest = true, locale = "en_US" })
 local launched = send("launch", configuration)
 event("initialized")
 local breakpoints = ask("setBreakpoints", { source = { path = variables.file, name = vim.fs.basename(program) },
   breakpoints = { { line = line } }, lines = { line }, sourceModified = false }).breakpoints
-ask("setExceptionBreakpoints", { filters = {} })
+local filters = {}
+for _, each in ipairs(capabilities.exceptionBreakpointFilters) do
+  if each.default then table.insert(filters, each.filter) end
+end
+ask("setExceptionBreakpoints", { filters = filters })
 ask("configurationDone")
 answer(launched)
 
 local stops, thread = {}, nil
 stops[1], thread = stopped()
 for _, command in ipairs({ "continue", "next", "stepBack", "continue", "reverseContinue", "stepOut", "stepIn" }) do
-  ask(command, { threadId = thread })
+  believed = nil
+  ask(command, { threadId = thread, granularity = "statement" })
   table.insert(stops, (stopped()))
 end
 local said = ask("evaluate", { expression = "why total", context = "repl" }).result
-ask("disconnect", { terminateDebuggee = true })
+-- At the end nvim-dap closes the pipe, and interrupts the adapter at once.
+ask("terminate", { restart = false })
+event("terminated")
+process:write(nil)
+process:kill("sigint")
 local done = process:wait(20000)
 
 print(vim.json.encode({ name = configuration.name, verified = breakpoints[1].verified, goesBack = capabilities.supportsStepBack,
