@@ -7,7 +7,7 @@ Read `engine` first: the operations of the debugger, without a user interface. I
 - `timeline/`: a recorded run, which can be moved to any `Position`. A `RunEvent` is what the run
   has advanced to; a `Stop` reports it to the user.
 - `navigator`: moves the run forward or back to the next reason to stop; `step_conditions`: where
-  steps end.
+  steps end; `searched_parts`: the parts of the past in which there may be a reason to stop.
 - `locations`: where breakpoints are, as the user writes it; `breakpoints`: which of them are hit;
   `condition_tests`: conditions that programs test themselves; `kept_stops`: breakpoints that a
   recording keeps; `stop`: why a run has stopped.
