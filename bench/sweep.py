@@ -4,9 +4,9 @@ Each run is two robots for 0.2 s, with one of ten programs, of which the first f
 this machine; again, with a worker killed now and then; killed by SIGKILL in the middle, and
 resumed; and with --dask on a cluster of three workers, one of which is killed. What is told is the
 time for each run, the most memory of the process that runs the sweep, and whether the table has
-the bytes of the first one.
+the bytes of the first one. With --measures, runs have measures of one's own, too.
 
-    python bench/sweep.py [--dask] [--programs N] [RUNS]
+    python bench/sweep.py [--dask] [--measures] [--programs N] [RUNS]
 """
 
 from __future__ import annotations
@@ -41,10 +41,13 @@ int main(void)
     return SPEED == 10 ? 1 / (SPEED - 10) : 0;
 }
 """
+MEASURES = """def west_m(session):
+    return session.poses[:, 0].min()
+"""
 JOBS = 2
 
 
-def experiment(folder: Path, runs: int, programs: int) -> Path:
+def experiment(folder: Path, runs: int, programs: int, *, measures: bool) -> Path:
     """Write an experiment of so many runs, each of one of so many programs; return its file."""
     folder.mkdir()
     (folder / "hall.xml").write_text(WORLD)
@@ -53,8 +56,10 @@ def experiment(folder: Path, runs: int, programs: int) -> Path:
     speeds = [10 * number for number in range(1, programs + 1)]
     path.write_text(
         f'world = "hall.xml"\nprograms = ["drive.c"]\nseeds = {max(1, runs // programs)}\n'
-        f"[parameters]\ndefine.SPEED = {speeds}\n"
+        + ('measures = "measures.py"\n' if measures else "")
+        + f"[parameters]\ndefine.SPEED = {speeds}\n"
     )
+    (folder / "measures.py").write_text(MEASURES)
     return path
 
 
@@ -128,6 +133,7 @@ def main() -> None:
     parser.add_argument("runs", type=int, nargs="?", default=600)
     parser.add_argument("--programs", type=int, default=10, help="of the runs (default 10)")
     parser.add_argument("--dask", action="store_true", help="also on a Dask cluster")
+    parser.add_argument("--measures", action="store_true", help="with measures of one's own")
     options = parser.parse_args()
     ways: list[Callable[[Path, Path], None]] = [local, workers_killed, resumed]
     if options.dask:
@@ -136,7 +142,12 @@ def main() -> None:
     tables = []
     with tempfile.TemporaryDirectory() as folder:
         for way in ways:
-            path = experiment(Path(folder, way.__name__), options.runs, options.programs)
+            path = experiment(
+                Path(folder, way.__name__),
+                options.runs,
+                options.programs,
+                measures=options.measures,
+            )
             out = path.parent / "out"
             started_s = time.monotonic()
             way(path, out)

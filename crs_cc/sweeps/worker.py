@@ -7,13 +7,15 @@ import hashlib
 import os
 import time
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
+from crs_cc.api.session import Session
 from crs_cc.api.worlds import world_of
 from crs_cc.core.errors import CrsError
+from crs_cc.jobs.apart import apart
 from crs_cc.jobs.memory_limit import limit_memory
 from crs_cc.jobs.worker import serve
 from crs_cc.recording.recording import Recording
@@ -82,14 +84,8 @@ def _load(job: dict[str, Any]) -> None:
 
 
 def _alike(job: dict[str, Any]) -> str:
-    """Return the variant that is run; nothing if the user's own code looks at its runs.
-
-    A run depends on none before it in the same process; what that code keeps, may.
-    """
-    with contextlib.suppress(CrsError):
-        if job["do"] == "run" and _of(job).experiment.measures is None:
-            return repr(job["parameters"])
-    return ""
+    """Return the variant that is run: a run depends on none before it in the same process."""
+    return repr(job["parameters"]) if job["do"] == "run" else ""
 
 
 def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
@@ -150,32 +146,50 @@ def _run(job: dict[str, Any], loaded: _Loaded, variant: Variant) -> dict[str, An
     ending = single_run.run(loaded.experiment, session)
     limit_memory(None)
     wall_s = time.monotonic() - started_s
-    status, text, values = ending.status, ending.text, {}
-    try:
-        for measure in loaded.measures:
-            if measure.of == "session":
-                values[measure.name] = measure.value(session)
-        values |= _measures_of_recording(job, loaded, variant)
-    except MeasureError as error:
-        if status == "ended":
-            status, text = "measure error", str(error)
-    return {"status": status, "error": text, **_results(session.result(), values),
-            "wall_s": round(wall_s, 6)}  # fmt: skip
+    status, text = ending.status, ending.text
+    measured = _measured(job, loaded, variant, session)
+    if status == "ended" and measured["error"]:
+        status, text = "measure error", measured["error"]
+    return {
+        "status": status,
+        "error": text,
+        **_results(session.result(), measured["values"]),
+        "wall_s": round(wall_s, 6),
+    }
 
 
-def _measures_of_recording(
-    job: dict[str, Any], loaded: _Loaded, variant: Variant
+def _measured(
+    job: dict[str, Any], loaded: _Loaded, variant: Variant, session: Session
 ) -> dict[str, Any]:
-    """Return the measures for which the run has to be recorded, as a run of its own."""
-    wanted = [measure for measure in loaded.measures if measure.of == "recording"]
-    if not wanted:
-        return {}
+    """Return the values of the user's measures, and what was wrong with one.
+
+    They are computed apart: what their code keeps or changes reaches no other run.
+    """
+    measures = loaded.measures
+    if not measures:
+        return {"values": {}, "error": ""}
+    if all(measure.of == "session" for measure in measures):
+        return apart(lambda: _values(measures, session))
     path = Path(job["out"], f"run-{job['number']}.mcap.part")
     try:
         single_run.record(loaded.experiment, variant, job["seed"], path)
-        return {measure.name: measure.value(Recording(path)) for measure in wanted}
+        return apart(lambda: _values(measures, session, path))
     finally:
         path.unlink(missing_ok=True)
+
+
+def _values(
+    measures: Sequence[Measure], session: Session, path: Path | None = None
+) -> dict[str, Any]:
+    """Return the values of measures up to the first that fails, and what was wrong with it."""
+    values: dict[str, Any] = {}
+    try:
+        for measure in sorted(measures, key=lambda each: each.of == "recording"):
+            subject = session if path is None or measure.of == "session" else Recording(path)
+            values[measure.name] = measure.value(subject)
+    except MeasureError as error:
+        return {"values": values, "error": str(error)}
+    return {"values": values, "error": ""}
 
 
 def _results(result: RunResult, values: dict[str, Any]) -> dict[str, Any]:

@@ -230,6 +230,31 @@ def test_measures_are_functions_of_a_session_or_a_recording(folder: Path) -> Non
     assert not list((folder / "out").glob("*.part"))
 
 
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="one run a process elsewhere")
+def test_what_measures_keep_and_change_reaches_no_other_run(folder: Path) -> None:
+    plain = rows_of(swept(write(folder), folder / "plain"))
+    path = write(folder, 'measures = "measures.py"\n')
+    (folder / "measures.py").write_text(
+        "import os, signal\n"
+        "seen = []\n"
+        "def kept(session):\n"
+        "    seen.append(session)\n"
+        "    return len(seen)\n"
+        "def process(session):\n"
+        "    return os.getppid()\n"
+        "def ran_on(session):\n"
+        "    session.run(1.5)\n"
+        "    return session.time_s\n"
+    )
+    sweep = Sweep(path, folder / "out")
+    sweep.run(1)
+    rows = rows_of(sweep)
+    assert [row["error"] for row in rows] == ["", "", ""]
+    assert [row["measures"]["kept"] for row in rows] == [1, 1, 1]
+    assert len({row["measures"]["process"] for row in rows}) == 1
+    assert [row["state_hash"] for row in rows] == [row["state_hash"] for row in plain]
+
+
 # -- the same table however it comes to be -------------------------------------------------------
 
 
