@@ -14,6 +14,8 @@ import click
 from crs_cc.cli.messages import say
 
 if TYPE_CHECKING:
+    from crs_cc.recording.recording import Recording
+    from crs_cc.sim.model.world import Area
     from crs_cc.sweeps.report.results import Results
     from crs_cc.sweeps.rows import Row
     from crs_cc.sweeps.sweep import Sweep
@@ -85,12 +87,9 @@ def _csv(rows: Sequence[Sequence[str]]) -> str:
 
 def _replayed(sweep: Sweep, found: Results, svg: dict[str, str]) -> dict[str, str]:
     """Record the smallest, the median and the largest run; return the links to their pages."""
-    import numpy as np
-
     from crs_cc.cli.recording_plot import world_of
     from crs_cc.recording.recording import Recording
     from crs_cc.sweeps.plan import shown
-    from crs_cc.sweeps.report.figures import visits
     from crs_cc.workbench.page import html_page
 
     chosen = extremes(found)
@@ -112,9 +111,24 @@ def _replayed(sweep: Sweep, found: Results, svg: dict[str, str]) -> dict[str, st
             f"replays/{page.name}"
         )
         if what == "median":
-            places = [frame.values[:2].T for frame in recording.frames()]
-            svg["visits"] = visits(np.concatenate(places), _CELL_M, world.area)
+            svg |= _maps(recording, world.area)
     return links
+
+
+def _maps(recording: Recording, area: Area) -> dict[str, str]:
+    """Return maps of where robots were in a run, and of what lies in each field at its end."""
+    import numpy as np
+
+    from crs_cc.recording.field_sketches import sketches_in
+    from crs_cc.sweeps.report.figures import field_map, visits
+
+    places = [frame.values[:2].T for frame in recording.frames()]
+    found = {"visits": visits(np.concatenate(places), _CELL_M, area)}
+    last = {sketch.name: (time_ns, sketch) for time_ns, sketch in sketches_in(recording)}
+    for number, (time_ns, sketch) in enumerate(last.values(), 1):
+        age_s = (recording.end_ns - time_ns) * 1e-9
+        found[f"field-{number}"] = field_map(sketch, age_s, area)
+    return found
 
 
 def extremes(found: Results) -> dict[str, Row]:

@@ -39,7 +39,9 @@ TOLERANCE: Final = 0.01
 """A field is recorded anew when an amount differs by so much of the largest from what the sketch
 before leads one to expect; chosen by us, it is hardly seen."""
 
-_FULL: Final = 255
+FULL: Final = 255
+"""The share of a square that has the largest amount."""
+
 _LONGEST: Final = 1000  # characters of a name
 
 
@@ -77,7 +79,7 @@ class FieldSketch:
     ) -> Self:
         """Return the sketch of amounts, (rows, columns)."""
         most = float(amounts.max())
-        shares = np.ceil(amounts * (_FULL / most if most > 0.0 else 0.0)).astype(np.uint8)
+        shares = np.ceil(amounts * (FULL / most if most > 0.0 else 0.0)).astype(np.uint8)
         return cls(name, *corner_m, square_m, evaporation_s, float(f"{most:.6g}"), shares)
 
     @classmethod

@@ -13,6 +13,7 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.keyed_random import KeyedUniform
+from crs_cc.recording.field_sketches import FULL, FieldSketch
 from crs_cc.sim.model.world import Area
 from crs_cc.sweeps.experiment import Value
 from crs_cc.sweeps.report.results import Group, Results
@@ -177,6 +178,22 @@ def survival_curves(results: Results) -> str:
     return _svg(draw)
 
 
+def convergence(results: Results) -> str:
+    """Return the medians of the first seeds over how many they are, for each combination."""
+    groups = results.groups[: len(_COLOURS)]
+
+    def draw(axes: Axes) -> None:
+        for group, colour in zip(groups, _COLOURS, strict=False):
+            counts = range(1, len(group.values) + 1)
+            medians = [float(np.median(group.values[:count])) for count in counts]
+            axes.plot(counts, medians, color=colour, label=group.label)
+        axes.legend()
+        axes.set_xlabel("seeds")
+        axes.set_ylabel(f"median of {results.label}")
+
+    return _svg(draw)
+
+
 def visits(places_m: FloatArray, cell_m: float, area: Area) -> str:
     """Return where in the area robots were, as colours.
 
@@ -195,14 +212,41 @@ def visits(places_m: FloatArray, cell_m: float, area: Area) -> str:
     def draw(axes: Axes) -> None:
         axes.grid(visible=False)
         image = axes.pcolormesh(*edges, 100.0 * share.T, cmap="magma_r", rasterized=True)
-        axes.set_aspect("equal")
-        axes.set_xlim(area.x_min_m, area.x_max_m)
-        axes.set_ylim(area.y_min_m, area.y_max_m)
-        axes.set_xlabel("x [m]")
-        axes.set_ylabel("y [m]")
+        _show_area(axes, area)
         _colour_bar(axes, image, "share of the time [%]")
 
     return _svg(draw)
+
+
+def field_map(sketch: FieldSketch, age_s: float, area: Area) -> str:
+    """Return what lies in a pheromone field, as colours.
+
+    Args:
+        sketch: the field at the last instant of which it is known.
+        age_s: for how long it has evaporated since [s].
+        area: the area of the world.
+    """
+    rows, columns = sketch.shares.shape
+    x_m = sketch.x_m + sketch.square_m * np.arange(columns + 1)
+    y_m = sketch.y_m + sketch.square_m * np.arange(rows + 1)
+    shares = np.where(sketch.shares > 0, sketch.shares, np.nan) / FULL
+
+    def draw(axes: Axes) -> None:
+        axes.grid(visible=False)
+        amounts = sketch.most_after(age_s) * shares
+        image = axes.pcolormesh(x_m, y_m, amounts, cmap="magma_r", rasterized=True, vmin=0.0)
+        _show_area(axes, area)
+        _colour_bar(axes, image, sketch.name)
+
+    return _svg(draw)
+
+
+def _show_area(axes: Axes, area: Area) -> None:
+    axes.set_aspect("equal")
+    axes.set_xlim(area.x_min_m, area.x_max_m)
+    axes.set_ylim(area.y_min_m, area.y_max_m)
+    axes.set_xlabel("x [m]")
+    axes.set_ylabel("y [m]")
 
 
 def _colour_bar(axes: Axes, image: Any, label: str) -> None:

@@ -31,6 +31,8 @@ def drawn(results: Results) -> dict[str, str]:
         found["heat-map"] = figures.heat_map(results)
     if results.is_time:
         found["survival"] = figures.survival_curves(results)
+    if max(len(group.values) for group in results.groups) > 1:
+        found["convergence"] = figures.convergence(results)
     return found
 
 
@@ -43,8 +45,10 @@ _CAPTIONS: Final = {
     "curve": "Medians, with the bootstrapped 95 % interval.",
     "heat-map": "Medians over two parameters.",
     "survival": "Runs in which the goal is not met yet (Kaplan-Meier), with the 95 % interval.",
+    "convergence": "The medians of the first seeds: they no longer move where there are enough.",
     "visits": "Where the robots were in the median run.",
 }
+_FIELD: Final = "What lies in a pheromone field at the end of the median run."
 
 
 def page(
@@ -67,7 +71,7 @@ def page(
     wrong = failed(rows)
     parts += [_table(wrong)] if wrong.rows else []
     for name, text in svg.items():
-        caption = escape(_CAPTIONS[name])
+        caption = escape(_CAPTIONS.get(name, _FIELD))
         parts.append(f"<figure>{text}<figcaption>{caption}</figcaption></figure>")
     parts += [_table(each) for each in tables(results)]
     if replays:

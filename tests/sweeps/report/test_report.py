@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from crs_cc.cli.main import main
+from crs_cc.recording.field_sketches import FieldSketch
 from crs_cc.sim.model.world import Area
 from crs_cc.sweeps.report import figures
 from crs_cc.sweeps.report.findings import comparisons, failed, medians, scaling
@@ -103,10 +104,30 @@ def test_page_lists_each_error_once_with_its_first_run() -> None:
 def test_visits_are_shown_in_the_whole_area() -> None:
     places_m = np.array([[4.0, 3.5], [4.1, 3.5]])
     area = Area(-1.0, 0.0, 9.0, 4.0)
-    text = figures.visits(places_m, 0.1, area)
-    ticks = {float(each.replace("\N{MINUS SIGN}", "-")) for each in
-             re.findall(r">([\N{MINUS SIGN}\d.]+)</text>", text)}  # fmt: skip
-    assert {0.0, 4.0, 8.0} <= ticks
+    assert {0.0, 4.0, 8.0} <= ticks_in(figures.visits(places_m, 0.1, area))
+
+
+def ticks_in(svg: str) -> set[float]:
+    """Return the numbers beside the axes of a figure."""
+    found = re.findall(r">([\N{MINUS SIGN}\d.]+)</text>", svg)
+    return {float(each.replace("\N{MINUS SIGN}", "-")) for each in found}
+
+
+def test_the_map_of_a_field_has_the_amounts_that_are_left() -> None:
+    amounts = np.zeros((20, 20))
+    amounts[3, 5] = 1000.0
+    sketch = FieldSketch.made("scent", amounts, (0.0, 0.0), 0.1, 10.0)
+    area = Area(0.0, 0.0, 2.0, 2.0)
+    fresh, old = (figures.field_map(sketch, age_s, area) for age_s in (0.0, 20.0))
+    assert "scent" in fresh
+    assert max(ticks_in(fresh)) == 1000.0
+    assert 100.0 <= max(ticks_in(old)) <= 140.0  # 1000 / e^2
+
+
+def test_convergence_shows_the_medians_of_the_first_seeds() -> None:
+    rows = [row(number, {}, at_s, number) for number, at_s in enumerate((9.0, 5.0, 1.0), 1)]
+    assert {1.0, 2.0, 3.0, 5.0, 7.0, 9.0} <= ticks_in(figures.convergence(results(rows)))
+    assert "convergence" not in drawn(results(rows[:1]))
 
 
 def test_medians_say_where_a_goal_was_not_met() -> None:
@@ -150,7 +171,7 @@ def test_equal_results_show_no_effect() -> None:
 
 def test_figures_are_those_that_suit_the_results_and_the_same_each_time() -> None:
     found = drawn(timed())
-    assert set(found) == {"values", "curve", "survival"}
+    assert set(found) == {"values", "curve", "survival", "convergence"}
     assert found == drawn(timed())
     rows = made()
     for each in rows:
@@ -165,11 +186,14 @@ def test_a_report_has_figures_tables_and_replays(
 ) -> None:
     monkeypatch.setattr("crs_cc.jobs.pool.Pool.run", lambda _pool, *some: inline(*some))
     path = write(tmp_path / "trial", "[parameters]\ndefine.SPEED = [50, 100]\n")
+    world = path.parent / "hall.xml"
+    world.write_text(world.read_text().replace("<goal", '<field name="scent" cell="5cm"/><goal'))
     out = tmp_path / "out"
     swept(path, out)
     assert main(["sweep", "report", str(out), "--measure", "distance_m"]) == 0
     text = (out / "report.html").read_text()
-    assert len(re.findall("<svg", text)) == 2
+    assert len(re.findall("<svg", text)) == 4
+    assert "<svg" in (out / "figures" / "field-1.svg").read_text()
     links = re.findall(r'href="(replays/\d+.html)"', text)
     assert len(links) == 3
     assert all((out / link).stat().st_size > 10_000 for link in links)
