@@ -8,8 +8,8 @@ field evaporates as the earlier one says; the later one is there because somethi
 >>> sketch.shares.tolist(), sketch.most
 ([[0, 128], [32, 255]], 4.0)
 >>> again = FieldSketch.of(sketch.entry())
->>> again.shares.tolist(), again.most
-([[0, 128], [32, 255]], 4.0)
+>>> again.shares.tolist(), round(again.most_after(40.0), 3)
+([[0, 128], [32, 255]], 1.472)
 """
 
 from __future__ import annotations
@@ -120,6 +120,10 @@ class FieldSketch:
             "most": self.most,
             "shares": b64encode(self.shares.tobytes()).decode("ascii"),
         }
+
+    def most_after(self, time_s: float) -> float:
+        """Return what is left of the largest amount after a time [s]."""
+        return self.most * exact.exp(-(time_s / self.evaporation_s))
 
 
 def sketched(environment: Environment, field: int) -> tuple[FieldSketch, FloatArray]:
