@@ -213,14 +213,14 @@ class Server:
     # -- the thread ------------------------------------------------------------------------------
 
     def _run(self) -> None:
-        asyncio.set_event_loop(self._loop)
         try:
-            self._loop.run_until_complete(self._serve())
+            # Which also ends what the server has begun for pages that come just then.
+            with asyncio.Runner(loop_factory=lambda: self._loop) as runner:
+                runner.run(self._serve())
         except OSError as error:
             self._error = error
         finally:
             self._ready.set()
-            self._loop.close()
 
     async def _serve(self) -> None:
         quiet = logging.getLogger("crs_cc.workbench.silent")

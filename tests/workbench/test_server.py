@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import http.client
 import json
 import os
@@ -216,3 +217,24 @@ def test_pages_hear_that_the_server_ends() -> None:
             page.recv(5)
     assert closed.value.rcvd is not None
     assert closed.value.rcvd.code == 1001
+
+
+class Beginner(Echo):
+    """Begins something for each page that would take long."""
+
+    def __init__(self) -> None:
+        self.begun: list[asyncio.Future[None]] = []
+
+    def greet(self, client: Client) -> None:
+        self.begun.append(asyncio.ensure_future(asyncio.sleep(300)))
+        super().greet(client)
+
+
+def test_what_was_begun_for_pages_ends_with_the_server() -> None:
+    """What is begun just as it ends was collected unfinished, with a warning."""
+    receiver = Beginner()
+    server = Server(receiver)
+    with opened(server) as page:
+        page.recv()
+        server.close()
+    assert [each.cancelled() for each in receiver.begun] == [True]
