@@ -12,8 +12,9 @@ import wasmtime
 from _pytest.doctest import DoctestModule
 from wasmtime import _bindings
 
+from crs_cc.jobs import pool
 from crs_cc.runtime import executable
-from tests import quick, times
+from tests import commands, quick, times
 
 TESTS = Path(__file__).resolve().parent
 collect_ignore = ["without_unix", "debug/gdb_sessions.py"]  # modules for Python's start, and gdb's
@@ -24,6 +25,7 @@ NEW_OBJECTS = 50_000
 """How many objects are made before the collector looks at them: of 700, most are still in use."""
 
 USERS_SETTINGS = executable.settings
+USERS_PYTHON = pool.python
 
 
 def baseline_settings() -> wasmtime.Config:
@@ -78,11 +80,16 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--update-times", action="store_true", help="measure all tests and renew tests/times.txt"
     )
+    parser.addoption(
+        "--real-processes", action="store_true", help="start each command anew, without forks"
+    )
 
 
 def pytest_configure(config: pytest.Config) -> None:
     # Most programs of tests run once. What users get, commands in processes of their own show.
     executable.settings = fast_settings
+    commands.real |= config.getoption("--real-processes")
+    pool.python = commands.python
     gc.set_threshold(NEW_OBJECTS)
     config.pluginmanager.register(Examples())
     if config.getoption("--update-times"):
@@ -121,6 +128,12 @@ def compiler_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 def users_settings(monkeypatch: pytest.MonkeyPatch) -> None:
     """Compile as for users, for programs that recurse so deeply that the host's stack matters."""
     monkeypatch.setattr(executable, "settings", USERS_SETTINGS)
+
+
+@pytest.fixture
+def users_workers(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Start processes that run jobs as for users, where a test looks at or kills such a process."""
+    monkeypatch.setattr(pool, "python", USERS_PYTHON)
 
 
 def is_gccs(golden: Path) -> bool:

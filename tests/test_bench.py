@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+
+from tests.commands import python
 
 BENCH = Path(__file__).parents[1] / "bench"
 
@@ -66,7 +67,7 @@ def test_every_script_has_a_smallest_size() -> None:
 @pytest.mark.parametrize("script", SMALLEST)
 def test_a_script_measures_in_its_smallest_size(script: str) -> None:
     done = subprocess.run(
-        [sys.executable, BENCH / script, *SMALLEST[script]],
+        python(BENCH / script, *SMALLEST[script]),
         check=False, capture_output=True, text=True, timeout=300,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr

@@ -31,6 +31,11 @@ _STOP_S: Final = 0.05
 _LAST_RESORT: Final = "a limit of real time, which may not be reached on a faster machine"
 
 
+def python(*words: str) -> list[str]:
+    """Return the command line of this Python with these arguments."""
+    return [sys.executable, *words]
+
+
 @dataclass(frozen=True, slots=True)
 class Task:
     """What one process does.
@@ -201,7 +206,7 @@ class Worker:
         """Start a process; no file of a folder that it is started in becomes a part of it."""
         path = os.pathsep.join(filter(None, (str(PACKAGE.parent), os.environ.get("PYTHONPATH"))))
         process = subprocess.Popen(  # noqa: S603 - ourselves
-            [sys.executable, "-P", "-m", self._module],
+            python("-P", "-m", self._module),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,

@@ -18,6 +18,7 @@ from typing import Final
 import pytest
 
 from crs_cc.cli.main import main
+from tests import commands
 from tests.cli.machines import Machine, free_port, machines
 
 MOST_S: Final = 120.0
@@ -90,8 +91,7 @@ print(json.dumps({"role": hello["role"], "robots": robots, "frames": frames}))
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = tmp_path_factory.mktemp("appendix")
     (made / "browser.py").write_text(textwrap.dedent(BROWSER))
-    (made / "crs").write_text(f'#!/bin/sh\nexec "{sys.executable}" -m crs_cc "$@"\n')
-    (made / "crs").chmod(0o755)
+    commands.put_into(made)
     (made / "tokens").write_text("".join(f"{role} {token}\n" for role, token in TOKENS.items()))
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(made)

@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from tests.cli.machines import free_port
+from tests.commands import put_into
 
 PAGE = Path(__file__).parents[2] / "docs" / "cluster.md"
 
@@ -24,9 +24,7 @@ def test_the_run_of_the_page_on_a_cluster_is_that_of_one_process(tmp_path: Path)
     commands = tmp_path / "bin"
     commands.mkdir()
     for name, module in (("crs", "crs_cc"), ("dask", "dask")):
-        command = commands / name
-        command.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m {module} "$@"\n')
-        command.chmod(0o700)
+        put_into(commands, name, module)
     path = f"{commands}{os.pathsep}{os.environ['PATH']}"
     done = subprocess.run(
         ["bash", "-ec", script],

@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from crs_cc.cli.main import main
+from tests.commands import put_into
 
 BASH = shutil.which("bash")
 
@@ -28,10 +28,7 @@ def test_bash_completes_commands_and_samples(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     main(["completion", "bash"])
-    command = tmp_path / "crs"
-    start = "from crs_cc.cli.process import start; start()"
-    command.write_text(f'#!/bin/sh\nexec "{sys.executable}" -c "{start}" "$@"\n')
-    command.chmod(0o755)
+    put_into(tmp_path)
 
     def completed(*words: str) -> list[str]:
         line = f"COMP_WORDS=({' '.join(words)} ''); COMP_CWORD={len(words)}; _crs_completion crs"

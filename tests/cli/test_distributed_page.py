@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+import shlex
 import socket
 import subprocess
-import sys
 from pathlib import Path
+
+from tests.commands import crs
 
 PAGE = Path(__file__).parents[2] / "docs" / "distributed.md"
 
@@ -20,7 +22,7 @@ def test_the_commands_of_the_page_work_and_the_run_is_that_of_one_process(tmp_pa
     found = re.search(r"```sh\n(.*?)```", PAGE.read_text(), re.DOTALL)
     assert found
     script = found[1].replace("8000", str(free_port()))
-    program = f'crs() {{ "{sys.executable}" -m crs_cc "$@"; }}\nset -e\n{script}'
+    program = f'crs() {{ {shlex.join(crs())} "$@"; }}\nset -e\n{script}'
     done = subprocess.run(
         ["bash", "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False
     )
@@ -28,7 +30,7 @@ def test_the_commands_of_the_page_work_and_the_run_is_that_of_one_process(tmp_pa
     assert "the same run" in done.stdout + done.stderr
     assert "20.00 s simulated" in done.stderr
     words = ["run", "wander.c", "complex-3r.xml", "--max-time", "20", "--record", "local.mcap"]
-    subprocess.run([sys.executable, "-m", "crs_cc", *words], cwd=tmp_path, check=True)
+    subprocess.run(crs(*words), cwd=tmp_path, check=True)
     assert (
         tmp_path.joinpath("run.mcap").read_bytes() == tmp_path.joinpath("local.mcap").read_bytes()
     )

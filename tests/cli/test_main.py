@@ -16,12 +16,12 @@ from crs_cc.cli import check
 from crs_cc.cli.main import COMMANDS, main
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Location
+from tests.commands import crs
 
 
 def run_crs(*arguments: str, **options: object) -> subprocess.CompletedProcess[str]:
     """Run crs in a process of its own."""
-    command = [sys.executable, "-m", "crs_cc", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, check=False, **options)  # type: ignore[call-overload]
+    return subprocess.run(crs(*arguments), capture_output=True, text=True, check=False, **options)  # type: ignore[call-overload]
 
 
 def test_version(capsys: pytest.CaptureFixture[str]) -> None:
@@ -203,11 +203,11 @@ def run_without_reader(*arguments: str, stderr: bool = False, **options: Any) ->
     """Return exit status and stderr of a crs whose output nobody reads."""
     reader, writer = os.pipe()
     os.close(reader)
-    command = [sys.executable, "-m", "crs_cc", *arguments]
     errors = writer if stderr else subprocess.PIPE
     done = subprocess.run(
-        command, stdin=subprocess.DEVNULL, stdout=writer, stderr=errors, check=False, **options
-    )
+        crs(*arguments),
+        stdin=subprocess.DEVNULL, stdout=writer, stderr=errors, check=False, **options,
+    )  # fmt: skip
     os.close(writer)
     return done.returncode, (done.stderr or b"").decode()
 

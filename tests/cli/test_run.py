@@ -18,6 +18,7 @@ from lxml import etree
 
 import crs_cc.sim
 from crs_cc.cli.main import main
+from tests.commands import crs
 from tests.processes import wait_until_it_waits
 
 PAIR = """<world version="1" name="pair"><area length="6m" width="4m"/>
@@ -51,9 +52,8 @@ def in_a_folder_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def start(*arguments: str, **options: object) -> subprocess.Popen[str]:
-    command = [sys.executable, "-m", "crs_cc", *arguments]
     pipes = dict.fromkeys(("stdout", "stderr"), subprocess.PIPE) | options
-    return subprocess.Popen(command, text=True, **pipes)  # type: ignore[call-overload]
+    return subprocess.Popen(crs(*arguments), text=True, **pipes)  # type: ignore[call-overload]
 
 
 # -- output and exit status ------------------------------------------------------------------------
@@ -437,7 +437,10 @@ def test_ctrl_c_while_waiting_for_input_ends_the_run_too() -> None:
         '#include <stdio.h>\nint main(void) { fputs("name?\\n", stderr); return getchar(); }\n'
     )
     with Path("err.txt").open("w") as err:
-        process = start("run", "ask.c", "--summary", stdin=subprocess.PIPE, stderr=err)
+        command = [sys.executable, "-m", "crs_cc", "run", "ask.c", "--summary"]
+        process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=err
+        )
         wait_for(Path("err.txt"))
         wait_until_it_waits(process.pid)
         process.send_signal(signal.SIGINT)

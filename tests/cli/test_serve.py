@@ -8,10 +8,10 @@ import os
 import re
 import signal
 import subprocess
-import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import IO
 
@@ -23,6 +23,7 @@ from crs_cc.cli.changed_run import recorded_changes
 from crs_cc.cli.main import main
 from crs_cc.net.gate import bound
 from crs_cc.recording.recording import Recording
+from tests.commands import crs, real_crs
 from tests.session.programs import ROAM
 
 WORLD = """<world version="1"><area length="6m" width="4m"/>
@@ -47,10 +48,6 @@ MOST_S = 60.0
 def busy() -> float:
     """Return how many times as long as alone a process takes here now, at least 1."""
     return max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1))
-
-
-def command(*words: str) -> list[str]:
-    return [sys.executable, "-m", "crs_cc", *words]
 
 
 class Served:
@@ -85,10 +82,11 @@ class Served:
 
 
 @contextmanager
-def served(folder: Path, *options: str) -> Iterator[Served]:
+def served(folder: Path, *options: str, is_real: bool = False) -> Iterator[Served]:
     log = folder / "serve.log"
     with log.open("w") as errors:
-        words = command("serve", "world.xml", "--listen", "127.0.0.1:0", *options)
+        start = real_crs if is_real else crs
+        words = start("serve", "world.xml", "--listen", "127.0.0.1:0", *options)
         process = subprocess.Popen(
             words, cwd=folder, stdout=subprocess.PIPE, stderr=errors, text=True
         )
@@ -100,12 +98,11 @@ def served(folder: Path, *options: str) -> Iterator[Served]:
 
 
 def join(
-    folder: Path, *words: str, stdin: int | IO[str] = subprocess.DEVNULL
+    folder: Path, *words: str, stdin: int | IO[str] = subprocess.DEVNULL, is_real: bool = False
 ) -> subprocess.Popen[str]:
     pipe = subprocess.PIPE
-    return subprocess.Popen(
-        command("join", *words), cwd=folder, stdin=stdin, stdout=pipe, stderr=pipe, text=True
-    )
+    started = (real_crs if is_real else crs)("join", *words)
+    return subprocess.Popen(started, cwd=folder, stdin=stdin, stdout=pipe, stderr=pipe, text=True)
 
 
 def outputs(hosts: Sequence[subprocess.Popen[str]]) -> list[tuple[str, str]]:
@@ -119,7 +116,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made.joinpath("roam.c").write_text(ROAM)
     made.joinpath("echo.c").write_text(ECHO)
     words = ["run", "roam.c", "world.xml", "--max-time", "3", "--record", "local.mcap"]
-    done = subprocess.run(command(*words), cwd=made, capture_output=True, text=True, check=True)
+    done = subprocess.run(crs(*words), cwd=made, capture_output=True, text=True, check=True)
     made.joinpath("local.txt").write_text(done.stdout)
     return made
 
@@ -145,7 +142,10 @@ def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path)
     options = "--max-time", "3", "--record", "killed.mcap", "--speed", "1"
     with served(folder, *options) as environment:
         at = environment.address
-        others = [join(folder, "left", at, "roam.c"), join(folder, "right", at, "roam.c")]
+        left, right = (
+            partial(join, folder, each, at, "roam.c", is_real=True) for each in ("left", "right")
+        )
+        others = [left(), right()]
         environment.wait_for("the run begins")
         for number, signal_ in enumerate((signal.SIGKILL, signal.SIGSTOP)):
             time.sleep(0.3)
@@ -156,7 +156,7 @@ def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path)
                 assert time.monotonic() - began_s < MOST_S
                 time.sleep(0.01)
             assert time.monotonic() - began_s < 2.5 * busy()
-            others.append(join(folder, "right", at, "roam.c"))
+            others.append(right())
             environment.wait_for("(?s)" + ".*taken over" * (number + 1))
         status, _ = environment.finish()
         for each in others[1:3]:
@@ -206,7 +206,7 @@ def test_robots_whose_hosts_come_later_join_then_as_by_the_recorded_inputs(folde
     lines = [f"{each.position.timestep * 0.05}s: {each.text}\n" for each in changes]
     folder.joinpath("changes.txt").write_text("".join(lines))
     local = "run", "roam.c", "world.xml", "--inputs", "changes.txt", "--quiet", "--record"
-    subprocess.run(command(*local, "here.mcap", "--max-time", "3"), cwd=folder, check=True)
+    subprocess.run(crs(*local, "here.mcap", "--max-time", "3"), cwd=folder, check=True)
     assert folder.joinpath("late.mcap").read_bytes() == folder.joinpath("here.mcap").read_bytes()
 
 
@@ -261,7 +261,7 @@ def test_options_for_hosts_are_refused_where_only_the_vendors_clients_come(
 
 def test_an_environment_that_was_killed_goes_on_with_the_same_hosts(folder: Path) -> None:
     options = ["--max-time", "3", "--record", "killed.mcap"]
-    with served(folder, *options, "--speed", "1") as environment:
+    with served(folder, *options, "--speed", "1", is_real=True) as environment:
         at = environment.address
         hosts = [join(folder, name, at, "roam.c", "--retry", "60") for name in ("left", "right")]
         environment.wait_for("look only")
@@ -286,7 +286,7 @@ def test_an_environment_that_was_killed_goes_on_with_the_same_hosts(folder: Path
 
 def verify(recording: Path) -> None:
     """Assert that a recording's run can be run again here, to the same states."""
-    words = command("replay", str(recording), "--verify")
+    words = crs("replay", str(recording), "--verify")
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "the same run" in done.stdout + done.stderr
@@ -328,7 +328,7 @@ def test_hosts_that_do_not_fit_are_refused_with_the_reason(folder: Path) -> None
     folder.joinpath("tokens").write_text("robot 0123456789abcdef\n")
     with served(folder, "--tokens", "tokens") as environment:
         at = environment.address
-        again = command("serve", "world.xml", "--listen", at)
+        again = crs("serve", "world.xml", "--listen", at)
         done = subprocess.run(again, cwd=folder, capture_output=True, text=True, check=False)
         text = "Address already in use (name another port by --listen HOST:PORT)"
         assert (done.returncode, done.stderr) == (1, f"crs: error: {text}: {at}\n")
@@ -370,7 +370,7 @@ def test_an_address_without_a_port_is_named(folder: Path) -> None:
         (("left",), "no address HOST:PORT"),
     ):
         done = subprocess.run(
-            command("join", *words), cwd=folder, capture_output=True, text=True, check=False
+            crs("join", *words), cwd=folder, capture_output=True, text=True, check=False
         )
         assert done.returncode == 2
         assert text in " ".join(done.stderr.split())
@@ -404,7 +404,7 @@ def test_pages_look_at_the_run_on_the_same_port_with_a_token_only(folder: Path) 
 
 
 def test_other_machines_are_let_in_only_if_that_is_said(folder: Path) -> None:
-    words = command("serve", "world.xml", "--listen", "0.0.0.0:0")
+    words = crs("serve", "world.xml", "--listen", "0.0.0.0:0")
     done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert "--insecure" in done.stderr

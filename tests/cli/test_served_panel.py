@@ -14,7 +14,8 @@ from websockets.sync.client import connect
 from crs_cc.cli.main import main
 from crs_cc.recording.hashes import Hash
 from crs_cc.recording.recording import Recording
-from tests.cli.test_serve import WORLD, Served, command, join, outputs, served
+from tests.cli.test_serve import WORLD, Served, join, outputs, served
+from tests.commands import crs
 from tests.session.programs import ROAM
 from tests.workbench.test_screen import Page
 
@@ -58,7 +59,7 @@ def test_a_run_that_pages_changed_is_that_of_a_local_run_with_the_same_changes(
 ) -> None:
     """Even if a host was lost meanwhile, and then the environment."""
     options = ["--max-time", "4", "--speed", "1", "--record", "killed.mcap"]
-    with served(folder, *options) as environment:
+    with served(folder, *options, is_real=True) as environment:
         at = environment.address
         words = at, "roam.c", "--retry", "60"
         lost, kept = (join(folder, name, *words) for name in ("left", "right"))
@@ -94,7 +95,7 @@ def test_a_run_that_pages_changed_is_that_of_a_local_run_with_the_same_changes(
     folder.joinpath("changes.txt").write_text(script)
     assert main(["replay", str(folder / "resumed.mcap"), "--verify"]) == 0
     local = "run", "roam.c", "world.xml", "--max-time", "4", "--inputs", "changes.txt"
-    subprocess.run(command(*local, "--record", "local.mcap", "--quiet"), cwd=folder, check=True)
+    subprocess.run(crs(*local, "--record", "local.mcap", "--quiet"), cwd=folder, check=True)
     same = (
         folder.joinpath("local.mcap").read_bytes() == folder.joinpath("resumed.mcap").read_bytes()
     )

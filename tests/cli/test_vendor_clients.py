@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 import signal
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
 from crs_cc.cli.main import crs
+from tests import commands
 from tests.net.vendor.nclient import Nclient
 
 PAIR = str(Path(__file__).parents[2] / "worlds" / "pair.xml")
@@ -46,10 +46,9 @@ def test_open_ports_are_announced(tmp_path: Path) -> None:
 @pytest.mark.parametrize("speed", ["max", "1"])
 def test_an_interrupted_run_is_verified(tmp_path: Path, speed: str) -> None:
     recording = tmp_path / "run.mcap"
-    command = [sys.executable, "-m", "crs_cc"]
     options = ["--nserver", "0", "--no-view", "--speed", speed, "--record", str(recording)]
     with subprocess.Popen(
-        [*command, "serve", PAIR, *options], stderr=subprocess.PIPE, text=True
+        commands.crs("serve", PAIR, *options), stderr=subprocess.PIPE, text=True
     ) as run:
         assert run.stderr is not None
         announced = re.search(r"on port (\d+)", run.stderr.readline())

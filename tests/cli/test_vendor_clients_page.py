@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
 
 from tests.cli.test_distributed_page import free_port
+from tests.commands import crs
 
 PAGE = (Path(__file__).parents[2] / "docs" / "vendor-clients.md").read_text()
 
@@ -21,7 +23,7 @@ def block(kind: str) -> str:
 def test_the_commands_of_the_page_work(tmp_path: Path) -> None:
     (tmp_path / "drive.py").write_text(block("python"))
     script = block("sh").replace("7019", str(free_port())).replace("python3", f'"{sys.executable}"')
-    program = f'crs() {{ "{sys.executable}" -m crs_cc "$@"; }}\nset -e\n{script}'
+    program = f'crs() {{ {shlex.join(crs())} "$@"; }}\nset -e\n{script}'
     done = subprocess.run(
         ["bash", "-c", program],
         cwd=tmp_path, capture_output=True, text=True, check=False, timeout=120,

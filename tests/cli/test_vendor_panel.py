@@ -14,7 +14,8 @@ from pathlib import Path
 import pytest
 from websockets.sync.client import connect
 
-from tests.cli.test_serve import MOST_S, Served, command
+from tests.cli.test_serve import MOST_S, Served
+from tests.commands import crs
 from tests.net.vendor.nclient import Nclient
 from tests.net.vendor.ndirect import Ndirect, over_tcp, over_terminal
 from tests.workbench.test_screen import Page
@@ -40,7 +41,7 @@ def served(folder: Path, line: Sequence[str], speed: str) -> Iterator[Served]:
     words = "--nserver", "0", *line, "--speed", speed, "--record", "run.mcap"
     with log.open("w") as errors:
         process = subprocess.Popen(
-            command("serve", "world.xml", *words), cwd=folder, stderr=errors, text=True
+            crs("serve", "world.xml", *words), cwd=folder, stderr=errors, text=True
         )
     try:
         yield Served(process, log)
@@ -92,7 +93,7 @@ def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
         assert left.state_call(15)
         run.process.send_signal(signal.SIGINT)
         assert run.process.wait(MOST_S) == 130, run.text
-    words = command("replay", "run.mcap", "--verify")
+    words = crs("replay", "run.mcap", "--verify")
     done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert "the same run" in done.stdout + done.stderr, done.stderr
 

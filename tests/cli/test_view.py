@@ -24,6 +24,7 @@ from crs_cc.workbench.clients import Client
 from crs_cc.workbench.screen import Screen
 from crs_cc.workbench.server import Server
 from tests.cli.machines import free_port
+from tests.commands import crs
 
 PROGRAM = """\
 #include <Nclient.h>
@@ -132,7 +133,7 @@ def test_viewers_attach_at_any_time_to_three_robots(tmp_path: Path) -> None:
 
     def started(*words: str) -> subprocess.Popen[str]:
         return subprocess.Popen(
-            [sys.executable, "-m", "crs_cc", *words],
+            crs(*words),
             cwd=tmp_path,
             env=os.environ | own,
             stdin=subprocess.DEVNULL,

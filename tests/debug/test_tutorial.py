@@ -11,12 +11,13 @@ import re
 import shlex
 import shutil
 import subprocess
-import sys
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+from tests import commands
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "tutorial-debugging.md"
@@ -37,7 +38,7 @@ def crs(line: str, folder: Path, script: str = "") -> str:
         (folder / "script.dbg").write_text(script)
         words[1:1] = ["--batch", "-x", "script.dbg"]
     done = subprocess.run(
-        [sys.executable, "-m", "crs_cc", *words],
+        commands.crs(*words),
         cwd=folder,
         env={**os.environ, "PYTHONPATH": str(DOCS.parent), "COLUMNS": "80"},
         stdout=subprocess.PIPE,

@@ -8,14 +8,17 @@ from pathlib import Path
 
 import pytest
 
+from tests.commands import python
+
 ROOT = Path(__file__).parents[2]
 SCRIPTS = ROOT / "samples" / "python"
 CRASHES = "int main(void) { int a[3], i = 7; return a[i]; }\n"
 
 
-def printed(folder: Path, script: str, *arguments: str) -> list[str]:
+def printed(folder: Path, script: str, *arguments: str, is_real: bool = False) -> list[str]:
+    words = [SCRIPTS / script, *arguments]
     done = subprocess.run(
-        [sys.executable, SCRIPTS / script, *arguments],
+        [sys.executable, *words] if is_real else python(*words),
         cwd=folder, capture_output=True, text=True, check=False, timeout=300,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
@@ -49,7 +52,7 @@ def test_the_autograder_gives_points_or_the_reason(tmp_path: Path) -> None:
 
 
 def test_the_own_sensor_is_read_by_c_and_by_python(tmp_path: Path) -> None:
-    rows = printed(tmp_path, "own_sensor.py")
+    rows = printed(tmp_path, "own_sensor.py", is_real=True)  # devices are added before all imports
     offsets_m = [float(row.split()[2]) for row in rows]
     assert len(set(offsets_m)) > 2
     assert all(abs(offset) < 0.05 for offset in offsets_m[1:])
@@ -57,7 +60,7 @@ def test_the_own_sensor_is_read_by_c_and_by_python(tmp_path: Path) -> None:
 
 def test_scripts_say_what_is_missing(tmp_path: Path) -> None:
     done = subprocess.run(
-        [sys.executable, SCRIPTS / "autograder.py"], capture_output=True, text=True, check=False
+        python(SCRIPTS / "autograder.py"), capture_output=True, text=True, check=False
     )
     assert (done.returncode, done.stderr) == (1, "usage: python autograder.py WORLD PROGRAM...\n")
 

@@ -315,6 +315,7 @@ def test_a_killed_sweep_goes_on_to_the_same_table(folder: Path, expected: bytes)
     assert (out / "runs.csv").read_bytes() == expected
 
 
+@pytest.mark.usefixtures("users_workers")
 @pytest.mark.skipif(not Path("/proc/self").exists(), reason="needs /proc to find the processes")
 def test_workers_killed_at_random_cost_no_row(
     folder: Path, expected: bytes, monkeypatch: pytest.MonkeyPatch

@@ -52,7 +52,7 @@ def children(process: int) -> list[int]:
 
 
 @pytest.fixture
-def started(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+def started(monkeypatch: pytest.MonkeyPatch, users_workers: None) -> list[int]:
     """The processes that were started to run jobs."""
     found: list[int] = []
     start = Worker._start

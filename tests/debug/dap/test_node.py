@@ -18,6 +18,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.cli.exit_status import INTERRUPTED
+from tests.commands import crs
 from tests.debug.dap.programs import LOOP
 from tests.debug.dap.test_processes import hear_interrupts
 
@@ -75,7 +76,7 @@ TOKEN = "a token of these tests"
 @pytest.fixture
 def port() -> Iterator[int]:
     """Return the port of a server that serves one editor after the other."""
-    command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "0"]
+    command = crs("debug", "--dap", "0")
     environment = os.environ | {"PYTHONPATH": str(ROOT), "CRS_DAP_TOKEN": TOKEN}
     with subprocess.Popen(
         command,

@@ -8,7 +8,6 @@ import signal
 import socket
 import struct
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -19,6 +18,7 @@ from crs_cc.cli.exit_status import INTERRUPTED
 from crs_cc.core import host_system, loopback
 from crs_cc.debug.dap import gate, port
 from crs_cc.debug.dap.framing import MAX_MESSAGE_BYTES, encode, read_message
+from tests.commands import crs
 from tests.debug.dap.programs import LOOP, open_run
 from tests.debug.dap.test_processes import hear_interrupts
 
@@ -37,7 +37,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Address]:
     """Start a server as users do; it ends by Ctrl-C, without a traceback."""
     folder = tmp_path_factory.mktemp("server")
     (folder / "loop.c").write_text(LOOP)
-    command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "0"]
+    command = crs("debug", "--dap", "0")
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
     with subprocess.Popen(
         command,

@@ -7,7 +7,6 @@ import os
 import signal
 import socket
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -17,6 +16,7 @@ import pytest
 from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.main import main
 from crs_cc.debug.dap.framing import encode, read_message
+from tests.commands import crs
 from tests.debug.dap.programs import LOOP
 
 ROOT = Path(__file__).parents[3]
@@ -27,7 +27,7 @@ WAIT_S = 60
 def server(tmp_path: Path) -> Iterator[subprocess.Popen[bytes]]:
     (tmp_path / "loop.c").write_text(LOOP)
     pipe = subprocess.PIPE
-    command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "stdio"]
+    command = crs("debug", "--dap", "stdio")
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
     process = subprocess.Popen(
         command, stdin=pipe, stdout=pipe, stderr=pipe, env=environment, cwd=tmp_path

@@ -1,0 +1,101 @@
+"""Commands as processes of their own: `crs`, and Python, by forks of one process that is ready.
+
+What tests start by these command lines behaves as `python -m crs_cc` or `python` would, and is
+ready five times sooner (`fork_server.py`). Tests of what a process is, how it starts, what it
+imports, or what it takes, start `sys.executable` itself. `pytest --real-processes` has all do so.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+from pathlib import Path
+from typing import Final
+
+SERVER: Final = Path(__file__).with_name("fork_server.py")
+CLIENT: Final = Path(__file__).with_name("fork_client.py")
+
+_ENVIRONMENT: Final = dict(os.environ)
+"""Before a test changes it."""
+
+
+def _can_fork() -> bool:
+    """Return whether this system has all that the server needs: Linux has."""
+    try:
+        os.close(os.pidfd_open(os.getpid()))
+    except (AttributeError, OSError):
+        return False
+    return hasattr(os, "fork") and Path("/proc/self/ns/net").exists()
+
+
+real = not _can_fork()
+"""Whether all commands are processes of their own from the start."""
+
+
+def python(*words: str | Path) -> list[str]:
+    """Return the command line that has Python run `-m MODULE`, `-c CODE`, or a script."""
+    before = [] if real else ["-I", "-S", str(CLIENT), server().address]
+    return [sys.executable, *before, *map(str, words)]
+
+
+def crs(*words: str | Path) -> list[str]:
+    """Return the command line that runs `crs` with these arguments."""
+    return python("-m", "crs_cc", *words)
+
+
+def real_crs(*words: str | Path) -> list[str]:
+    """Return the command line that runs `crs` in a process of its own from the start."""
+    return [sys.executable, "-m", "crs_cc", *map(str, words)]
+
+
+def put_into(folder: Path, name: str = "crs", module: str = "crs_cc") -> None:
+    """Write a command that runs a module into a folder, for shells that have it in `PATH`."""
+    command = folder / name
+    command.write_text(f'#!/bin/sh\nexec {shlex.join(python("-m", module))} "$@"\n')
+    command.chmod(0o700)
+
+
+def processor_s() -> float:
+    """Return the processor time of all commands that forks have run to their ends [s]."""
+    if not _servers:
+        return 0.0
+    status = Path(f"/proc/{_servers[0].process.pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(status[13]) + int(status[14])) / os.sysconf("SC_CLK_TCK")
+
+
+class Server:
+    """The process whose forks run commands; it ends with this one.
+
+    Attributes:
+        address: where its socket is.
+        process: itself.
+    """
+
+    def __init__(self) -> None:
+        self.address = str(Path(tempfile.mkdtemp(prefix="crs-tests-")) / "socket")
+        with socket.socket(socket.AF_UNIX) as listener:
+            listener.bind(self.address)
+            listener.listen()
+            self.process = subprocess.Popen(
+                [sys.executable, SERVER, str(listener.fileno())],
+                stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                env=_ENVIRONMENT, cwd=SERVER.parent, pass_fds=[listener.fileno()],
+                start_new_session=True,
+            )  # fmt: skip
+
+
+_servers: list[Server] = []
+_starting = threading.Lock()
+
+
+def server() -> Server:
+    """Return the server of this process, which is started when it is first needed."""
+    with _starting:
+        if not _servers:
+            _servers.append(Server())
+    return _servers[0]
