@@ -88,7 +88,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     # Most programs of tests run once. What users get, commands in processes of their own show.
     executable.settings = fast_settings
-    commands.real |= config.getoption("--real-processes")
+    # Quick runs start too few commands for a process that imports all to be worth its time.
+    commands.real |= config.getoption("--real-processes") or config.getoption("--quick")
     pool.python = commands.python
     gc.set_threshold(NEW_OBJECTS)
     config.pluginmanager.register(Examples())
