@@ -110,13 +110,16 @@ def _wait(server: _socket.socket, fork: int, heard: list[int]) -> None:
         os.close(stream)
 
     def forward(received: int, _: object) -> None:
-        os.kill(fork, received)
+        try:
+            os.kill(fork, received)
+        except ProcessLookupError:  # it has ended, which the server is about to say
+            return
 
     for each in FORWARDED:
         if _handler(each) is not signal.SIG_IGN:
             signal.signal(getattr(signal, each), forward)
     for each in heard:
-        os.kill(fork, each)
+        forward(each, None)
     end_like(number(server))
 
 
