@@ -2,13 +2,13 @@
 
 Two programs, one that waits for its robot and one that computes all the time, on 1, 2 and 4 hosts
 and in the session's own process (one thread): real time of a timestep of 50 ms, processor time of
-the thread that runs it, rounds that hosts are asked for, and what a round costs more real time than
-at home, by the median of the timesteps. The latter needs as many idle processors as hosts, and one
-more. As its limit, the same number of bytes goes to as many processes that do nothing but answer,
-and back, over plain sockets. With `--real-time`, which needs Linux and root, whatever else the
-machine does waits while timesteps are measured. With `--dask`, hosts are on the cluster of a
-scheduler, such as `tcp://127.0.0.1:8786`. With `--table`, the table of `docs/performance.md`
-follows.
+the thread that runs it, and of all hosts together (on Linux), rounds that hosts are asked for, and
+what a round costs more real time than at home, by the median of the timesteps. The latter needs as
+many idle processors as hosts, and one more. As its limit, the same number of bytes goes to as many
+processes that do nothing but answer, and back, over plain sockets. With `--real-time`, which needs
+Linux and root, whatever else the machine does waits while timesteps are measured. With `--dask`,
+hosts are on the cluster of a scheduler, such as `tcp://127.0.0.1:8786`. With `--table`, the table
+of `docs/performance.md` follows.
 
     python bench/hosts.py [--steps N] [--hosts N ...] [--real-time] [--dask ADDRESS] [--table]
                           [ROBOTS ...]
@@ -112,12 +112,14 @@ class Row(NamedTuple):
     step_s: float
     cpu_s: float
     rounds: float
+    hosts_cpu_s: float
     more_s: float = math.nan
     echo_s: float = math.nan
 
     def __str__(self) -> str:
         text = f"{self.program:10} {self.robots:7} {self.hosts or 'none':>6}"
         text += f" {self.step_s * MILLISECONDS:12.2f} {self.cpu_s * MILLISECONDS:8.2f}"
+        text += f" {self.hosts_cpu_s * MILLISECONDS:9.2f}"
         text += f" {self.rounds:7.1f}"
         if self.hosts:
             text += f" {self.more_s * MILLISECONDS:14.3f} {self.echo_s * MILLISECONDS:10.3f}"
@@ -169,7 +171,11 @@ def hosts(
             robots = np.array([names.index(name) for name in seat.names], np.intp)
             links.append(HostLink(seat.names, robots, channel, _no_other))
         fleet = DistantFleet(executables, links)
-        yield fleet
+        try:
+            yield fleet
+        except BaseException:
+            fleet.close()  # or they would be waited for
+            raise
         fleet.outcome = lambda _robot: {"exit_status": 0, "failed": False}
         fleet.dismiss(everyone=True)
 
@@ -215,8 +221,10 @@ def step_s(
     sizes: dict[Kind, list[int]],
     *,
     first: bool,
-) -> tuple[float, float, float, str]:
-    """Return real and processor time of a timestep here [s], its rounds, and the state hash.
+) -> tuple[float, float, float, float, str]:
+    """Return what a timestep takes, and the state hash.
+
+    That is real and processor time here [s], rounds, and processor time of all hosts [s].
 
     Notes the sizes of messages that cross.
     """
@@ -235,13 +243,25 @@ def step_s(
         while session.timesteps < WARM_STEPS:
             session.advance(1)
     rounds, times_s = 0, []
+    clocks = _clocks_of_children()
+    hosts_cpu_s = -sum(map(time.clock_gettime, clocks))
     with real_time(wanted=first):
         while session.timesteps < WARM_STEPS + steps:
             begin_s, begin_cpu_s = time.perf_counter(), time.thread_time()
             session.advance(1)
             times_s.append((time.perf_counter() - begin_s, time.thread_time() - begin_cpu_s))
-    took_s, cpu_s = np.median(times_s, axis=0)
-    return float(took_s), float(cpu_s), rounds / steps, session.state_hash()
+        hosts_cpu_s += sum(map(time.clock_gettime, clocks))
+    took_s, cpu_s = map(float, np.median(times_s, axis=0))
+    return took_s, cpu_s, rounds / steps, hosts_cpu_s / steps, session.state_hash()
+
+
+def _clocks_of_children() -> list[int]:
+    """Return the clocks of the processes that this one has started: how Linux numbers them."""
+    own = os.getpid()
+    children = Path(f"/proc/{own}/task/{own}/children")
+    if not children.exists():
+        return []
+    return [(~int(each) << 3) | 2 for each in children.read_text().split()]
 
 
 @contextmanager
@@ -355,7 +375,7 @@ def main() -> None:
     parser.add_argument("--table", action="store_true", help="print a table in Markdown, too")
     asked = parser.parse_args()
     head = f"{'program':10} {'robots':>7} {'hosts':>6} {'ms/timestep':>12}"
-    print(f"{head} {'cpu here':>8} {'rounds':>7}  ms/round more  echo only")
+    print(f"{head} {'cpu here':>8} {'cpu hosts':>9} {'rounds':>7}  ms/round more  echo only")
     rows: list[Row] = []
     with tempfile.TemporaryDirectory() as folder:
         for name, text in PROGRAMS.items():

@@ -48,8 +48,8 @@ Examples:
 
 
 _FOR_HOSTS: Final = (
-    *("listen", "tokens", "tls", "tls_cert", "tls_key", "start", "on_loss", "resume"),
-    *("hosts", "per_host"),
+    *("listen", "tokens", "tls", "tls_cert", "tls_key", "only_tcp", "start", "on_loss"),
+    *("resume", "hosts", "per_host"),
 )
 
 
@@ -122,6 +122,12 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     "--insecure",
     is_flag=True,
     help="Permit other machines without TLS: tokens and programs can be intercepted.",
+)
+@click.option(
+    "--only-tcp",
+    is_flag=True,
+    help="Keep hosts of this machine on the port, too: by default, those of the same user go over "
+    "a local socket once they have come, which is quicker.",
 )
 @click.option(
     "--start",

@@ -20,6 +20,7 @@ class ServeOptions(RunOptions):
         tls: whether to encrypt with a certificate made at start.
         tls_cert, tls_key: the files of a certificate and its key to encrypt with instead.
         insecure: whether to listen to other machines without TLS.
+        only_tcp: whether hosts of this machine stay on the port, too.
         start: when to begin: when `all` robots have their programs, or `now`, with the first.
         on_loss: what to do when a host is lost: `wait` for another one, `stop` its programs, or
             `restart` them here.
@@ -35,6 +36,7 @@ class ServeOptions(RunOptions):
     tls_cert: Path | None = None
     tls_key: Path | None = None
     insecure: bool = False
+    only_tcp: bool = False
     start: Literal["all", "now"] = "all"
     on_loss: Literal["wait", "stop", "restart"] = "wait"
     resume: Path | None = None

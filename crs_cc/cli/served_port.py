@@ -107,7 +107,8 @@ def _gate(
             reason += " (name another port by --listen HOST:PORT)"
         raise OSError(error.errno, reason, shown_address((host, port))) from None
     with token_left(listener.getsockname()[1], access.token("robot")):
-        gate = Gate(listener, access, roster, secure.secure if secure else lambda plain: plain)
+        encrypt = secure.secure if secure else lambda plain: plain
+        gate = Gate(listener, access, roster, encrypt, only_tcp=options.only_tcp)
         try:
             yield gate
         finally:

@@ -111,7 +111,7 @@ def view(
         check_recording_path(wanted.record)
     sources = wanted.inputs.sources
     if not sources and wanted.inputs.world is None:
-        raise click.UsageError("no C file or recording to view.")
+        raise click.UsageError("no C file, recording or HOST:PORT of a run to view.")
     if any(path.suffix.lower() == ".mcap" for path in sources):
         if len(sources) > 1 or wanted.inputs.world is not None or wanted.arguments:
             hint = "to see two side by side: crs view ONE.mcap --compare OTHER.mcap"

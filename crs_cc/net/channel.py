@@ -35,7 +35,7 @@ ALIVE_S: Final = 0.4
 MAGIC: Final = b"CRS slots\r\n\x1a"
 """The first bytes of a connection: no request of HTTP and no greeting of TLS begins so."""
 
-PROTOCOL: Final = 4
+PROTOCOL: Final = 5
 """The version of what is said here."""
 
 
@@ -57,9 +57,13 @@ class Kind(IntEnum):
     INPUT = 13  # a host: standard input
     END = 14  # the environment: the run has ended for these programs, as JSON
     STARTED = 15  # a host: it can run its programs
+    MOVED = 16  # either: what follows goes another way, see `local_way`; or that it does not
 
 
 _KINDS: Final = {int(kind): kind for kind in Kind}
+_ALIVE: Final = Kind.ALIVE
+"""A member of a class of names is looked up in Python: not for each message."""
+
 _SMALL, _LARGE = 64 * 2**10, 256 * 2**20
 _MOST: Final = {
     Kind.GRANT: _LARGE,
@@ -71,6 +75,9 @@ _MOST: Final = {
     Kind.END: 2**20,
 }
 """The largest content of a kind [bytes]; others are small. Chosen by us."""
+
+MOVES: Final = b"moves"
+"""The content of `Kind.MOVED` of a side that moves; else it stays."""
 
 _HEAD: Final = struct.Struct("<IIIII")
 """Kind, size, number, and CRC-32 of the content; then the CRC-32 of these, so that nobody waits for
@@ -116,12 +123,18 @@ class Channel:
         with contextlib.suppress(OSError):  # a socket of another family
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.is_closed = False
-        self._connection = connection
+        self._connection = self._sender = connection  # the same, but while it moves
+        self._sends_sums = self._expects_sums = True
         self.limit_silence(SILENCE_S if silence_s is None else silence_s)
         self._sending, self._receiving = threading.Lock(), threading.Lock()
         self._rest = bytearray()  # received, and not read
         self._sent = self._received = 0
         self._sent_s = self.heard_s = time.monotonic()
+
+    @property
+    def is_local(self) -> bool:
+        """Whether it has moved to another way on this machine, see `move`."""
+        return not self._expects_sums
 
     def limit_silence(self, silence_s: float) -> None:
         """Set how long the other side may say nothing [s].
@@ -142,16 +155,20 @@ class Channel:
             ConnectionLostError: it cannot be sent.
         """
         with self._sending:
-            head = _CHECKED.pack(kind, len(content), self._sent, zlib.crc32(content))
-            message = b"".join((head, _CHECKSUM.pack(zlib.crc32(head)), content))
-            self._sent = (self._sent + 1) & 0xFFFFFFFF
-            try:
-                sent = self._connection.send(message)
-                while sent < len(message):  # as long as something is taken, however slowly
-                    sent += self._connection.send(memoryview(message)[sent:])
-            except OSError as error:
-                raise ConnectionLostError(_reason(error)) from None
-            self._sent_s = time.monotonic()
+            self._send(kind, content)
+
+    def _send(self, kind: Kind, content: bytes) -> None:
+        checksum = zlib.crc32(content) if self._sends_sums else 0
+        head = _CHECKED.pack(kind, len(content), self._sent, checksum)
+        message = b"".join((head, _CHECKSUM.pack(zlib.crc32(head)), content))
+        self._sent = (self._sent + 1) & 0xFFFFFFFF
+        try:
+            sent = self._sender.send(message)
+            while sent < len(message):  # as long as something is taken, however slowly
+                sent += self._sender.send(memoryview(message)[sent:])
+        except OSError as error:
+            raise ConnectionLostError(_reason(error)) from None
+        self._sent_s = time.monotonic()
 
     def stay_alive(self) -> None:
         """Say that this side is alive, if it has said nothing lately and is not sending."""
@@ -160,14 +177,8 @@ class Channel:
         with contextlib.suppress(
             ConnectionLostError, OSError, ValueError
         ):  # who receives finds out
-            if self._is_ready(selectors.EVENT_WRITE):
+            if _is_ready(self._sender, selectors.EVENT_WRITE):
                 self.send(Kind.ALIVE)
-
-    def _is_ready(self, event: int) -> bool:
-        """Return whether receiving, or sending a short message, does not have to wait."""
-        with selectors.DefaultSelector() as selector:
-            selector.register(self._connection, event)
-            return bool(selector.select(0.0))
 
     def receive(self, *allowed: Kind, within_s: float | None = None) -> Message:
         """Wait for a message.
@@ -181,21 +192,14 @@ class Channel:
         """
         rest, end_s = self._rest, None if within_s is None else time.monotonic() + within_s
         while True:
-            content: bytes | None = None if end_s is not None or rest else self._next_message()
-            if content is not None:
-                kind, _, checksum = self._head(content, allowed)
-                content = content[_HEAD.size :]
-            else:
-                self._await(_HEAD.size, end_s)
-                kind, size, checksum = self._head(rest, allowed)
-                end = _HEAD.size + size
-                self._await(end, end_s)
-                content = bytes(rest[_HEAD.size : end])
-                del rest[:end]
-            if zlib.crc32(content) != checksum:
+            if rest or end_s is not None or (message := self._next_message()) is None:
+                message = self._assembled(allowed, end_s)
+            kind, _, checksum = self._head(message, allowed)
+            content = message[_HEAD.size :]
+            if self._expects_sums and zlib.crc32(content) != checksum:
                 raise ConnectionLostError(_DAMAGED)
             self._received = (self._received + 1) & 0xFFFFFFFF
-            if kind != Kind.ALIVE:
+            if kind != _ALIVE:
                 return Message(_KINDS[kind], content)
 
     def _head(self, message: bytes | bytearray, allowed: tuple[Kind, ...]) -> tuple[int, int, int]:
@@ -203,7 +207,7 @@ class Channel:
         kind, size, number, content_checksum, checksum = _HEAD.unpack_from(message)
         if zlib.crc32(message[: _CHECKED.size]) != checksum or number != self._received:
             raise ConnectionLostError(_DAMAGED)
-        if kind not in allowed and kind != Kind.ALIVE:
+        if kind not in allowed and kind != _ALIVE:
             raise ConnectionLostError(f"unexpected message of kind {kind}")
         if size > _MOST.get(kind, _SMALL):
             raise ConnectionLostError(f"message of {size} bytes is too long")
@@ -218,10 +222,21 @@ class Channel:
             if self._rest:  # somebody has listened meanwhile
                 return None
             part = self._part(_LEAST)
-            if len(part) >= _HEAD.size and len(part) == _HEAD.size + _HEAD.unpack_from(part)[1]:
+            size = len(part)
+            if size >= _HEAD.size and size == _HEAD.size + _HEAD.unpack_from(part)[1]:
                 return part
             self._rest += part
             return None
+
+    def _assembled(self, allowed: tuple[Kind, ...], end_s: float | None) -> bytes:
+        """Wait for the parts of a message, and return it."""
+        rest = self._rest
+        self._await(_HEAD.size, end_s)
+        end = _HEAD.size + self._head(rest, allowed)[1]
+        self._await(end, end_s)
+        message = bytes(rest[:end])
+        del rest[:end]
+        return message
 
     def _await(self, size: int, end_s: float | None) -> None:
         """Wait until so many bytes have come that are not read; memory is taken as they come."""
@@ -259,20 +274,47 @@ class Channel:
         if not self._receiving.acquire(blocking=False):
             return  # who receives finds out
         try:
-            while len(self._rest) < _CHUNK and self._is_ready(selectors.EVENT_READ):
+            while len(self._rest) < _CHUNK and _is_ready(self._connection, selectors.EVENT_READ):
                 self._rest += self._part(_CHUNK)
         except (OSError, ValueError):  # or it has been closed here
             self.close()
         finally:
             self._receiving.release()
 
+    def move(self, connection: socket.socket, *, is_told: bool) -> None:
+        """Go another way, between two processes of one machine, on which nothing is damaged.
+
+        What each side says last on the old way is that it moves; so nothing is lost or doubled,
+        though another thread may be sending. On the new way, contents have no checksums.
+
+        Args:
+            connection: the other way, which is closed with this channel.
+            is_told: whether the other side has said already that it moves.
+
+        Raises:
+            ConnectionLostError: the other side does not move.
+        """
+        with self._sending:
+            self._send(Kind.MOVED, MOVES)
+            self._sender, self._sends_sums = connection, False
+        if not is_told and self.receive(Kind.MOVED, within_s=GREETING_S).content != MOVES:
+            raise ConnectionLostError("it does not move")
+        with self._receiving:
+            if self._rest:
+                raise ConnectionLostError(_DAMAGED)
+            self._connection, old = connection, self._connection
+            self._expects_sums = False
+        self.limit_silence(self._silence_s)
+        old.close()
+
     def close(self) -> None:
         """Close the connection; who waits for it is told."""
         self.is_closed = True
-        with contextlib.suppress(OSError):
-            self._connection.shutdown(socket.SHUT_RDWR)
-        with contextlib.suppress(OSError):
-            self._connection.close()
+        for each in {self._connection, self._sender}:
+            with contextlib.suppress(OSError):
+                each.shutdown(socket.SHUT_RDWR)
+            with contextlib.suppress(OSError):
+                each.close()
 
 
 class Pulse:
@@ -307,6 +349,13 @@ class Pulse:
                     self.remove(channel)
                 else:
                     channel.stay_alive()
+
+
+def _is_ready(connection: Connection, event: int) -> bool:
+    """Return whether receiving, or sending a short message, does not have to wait."""
+    with selectors.DefaultSelector() as selector:
+        selector.register(connection, event)
+        return bool(selector.select(0.0))
 
 
 def _reason(error: OSError) -> str:

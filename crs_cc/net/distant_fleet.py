@@ -64,6 +64,7 @@ class DistantFleet(Fleet):
             link.take_part(self._rows)
         self._end_s = _NOT_YET
         self._round = 0
+        self._looked = b""  # which programs ran when hosts were last looked at, if all had begun
 
     def add(self, executable: Executable) -> int:
         """Raise ValueError: robots join before the run begins."""
@@ -77,6 +78,7 @@ class DistantFleet(Fleet):
         """Take a host that has come for robots that have had none, and have not joined."""
         link.take_part(self._rows)
         self.links.append(link)
+        self._looked = b""
 
     def table(self) -> Table:
         """Return slots and clocks, see `Fleet.table`."""
@@ -96,8 +98,8 @@ class DistantFleet(Fleet):
             self._end_s, self._round = end_s, 0
             self.dismiss()
             for link in self.links:
-                if not link.ended:
-                    self._try(link, link.shorten_log)
+                if link.is_log_long and not link.ended:
+                    self._try(link, link.memories)
         reached, is_any = self._run_hosts(end_s, is_new=is_new)
         rounds, self._round = reached - self._round, reached
         return max(rounds, int(is_any or bool(self._asks.any())))
@@ -109,13 +111,21 @@ class DistantFleet(Fleet):
         """
         rows, granted = self._rows, list[HostLink]()
         if rows.grant(end_s, is_new=is_new):
-            running = [link for link in self.links if not link.ended]
-            granted = [link for link in running if rows.is_granted(link.number)]
+            granted = [link for link in self.links if rows.is_granted(link.number)]
             for link in granted:
-                self._try(link, link.grant, end_s)
-            for link in granted:
-                if not link.ended:
-                    self._try(link, link.collect)
+                try:
+                    link.grant(end_s)
+                except HostGoneError as error:
+                    self._stop(link, str(error))
+            # First the one that was granted last: the others have run when this one has, as a
+            # rule, so this thread is woken once.
+            for link in reversed(granted):
+                if link.ended:
+                    continue
+                try:
+                    link.collect()
+                except HostGoneError as error:
+                    self._stop(link, str(error))
         while (taken := rows.take(self._round)) is None:
             for link in granted:
                 if reason := rows.error(link.number):
@@ -139,6 +149,10 @@ class DistantFleet(Fleet):
 
     def dismiss(self, *, everyone: bool = False) -> None:
         """Dismiss hosts whose programs have all ended, or everyone as the run has ended."""
+        alive = self.timing["alive"].tobytes()
+        if alive == self._looked and not everyone:
+            return  # no program has begun or ended since
+        self._looked = alive if all(link.has_run for link in self.links) else b""
         for link in self.links:
             if link.ended:
                 continue

@@ -20,6 +20,7 @@ from crs_cc.net.access import Access
 from crs_cc.net.channel import (
     GREETING_S,
     MAGIC,
+    MOVES,
     PROTOCOL,
     SILENCE_S,
     Channel,
@@ -28,6 +29,7 @@ from crs_cc.net.channel import (
     Pulse,
 )
 from crs_cc.net.handshake import Hello, Program, RefusedError
+from crs_cc.net.local_way import Offer, offered
 from crs_cc.net.roster import Roster, Seat
 from crs_cc.net.tls import Connection
 
@@ -136,6 +138,8 @@ class Gate:
         access: Access,
         roster: Roster,
         secure: Callable[[socket.socket], Connection] = lambda connection: connection,
+        *,
+        only_tcp: bool = False,
     ) -> None:
         """Listen.
 
@@ -144,12 +148,13 @@ class Gate:
             access: who may do what.
             roster: has the robots.
             secure: encrypts a connection, where the first bytes of a host have been read.
+            only_tcp: whether hosts of this machine stay on this port, too, see `local_way`.
         """
         listener.listen()
         self.port = int(listener.getsockname()[1])
         self.visitor: Visitor = tell_to_wait
         self._listener, self._access, self._roster = listener, access, roster
-        self._secure = secure
+        self._secure, self._offers = secure, not only_tcp
         self._meeting = threading.Semaphore(MAX_MEETING)
         self._visiting = threading.Semaphore(MAX_VISITORS)
         self._pulse = Pulse()
@@ -184,7 +189,7 @@ class Gate:
         try:
             connection.settimeout(GREETING_S)
             if self._is_host(connection):
-                self._meet_host(Channel(self._secure(connection), GREETING_S))
+                self._meet_host(self._secure(connection))
                 return
             visitor = self._secure(connection)
         except (OSError, ValueError):
@@ -215,8 +220,9 @@ class Gate:
             time.sleep(_LOOK_S)
         raise ConnectionLostError("too slow")
 
-    def _meet_host(self, channel: Channel) -> None:
+    def _meet_host(self, connection: Connection) -> None:
         """Take a host that may run programs; say why not otherwise."""
+        channel = Channel(connection, GREETING_S)
         seat: Seat | None = None
         self._pulse.add(channel)
         try:
@@ -224,13 +230,9 @@ class Gate:
             self._access.require("robot", hello.token)
             seat = self._roster.claim(hello)
             is_known = seat.program is not None
-            answer = {
-                "robots": seat.names,
-                "send_program": not is_known,
-                "awaited": self._roster.awaited(seat)[:MAX_SHOWN],
-                "protocol": PROTOCOL,
-            }
-            channel.send(Kind.WELCOME, json.dumps(answer).encode())
+            offer = offered(connection, hello.ends) if self._offers else None
+            with offer or contextlib.nullcontext():
+                self._welcome(channel, seat, offer, send_program=not is_known)
             program = None
             if not is_known:
                 content = channel.receive(Kind.PROGRAM, within_s=PROGRAM_S).content
@@ -244,6 +246,21 @@ class Gate:
             self._part(seat, channel)
         except (ConnectionLostError, OSError):
             self._part(seat, channel)
+
+    def _welcome(
+        self, channel: Channel, seat: Seat, offer: Offer | None, *, send_program: bool
+    ) -> None:
+        """Tell a host what it is to do, and go the way that it has been offered, if it does."""
+        answer = {
+            "robots": seat.names,
+            "send_program": send_program,
+            "awaited": self._roster.awaited(seat)[:MAX_SHOWN],
+            "protocol": PROTOCOL,
+            "offer": offer.name if offer else "",
+        }
+        channel.send(Kind.WELCOME, json.dumps(answer).encode())
+        if offer and channel.receive(Kind.MOVED, within_s=GREETING_S).content == MOVES:
+            channel.move(offer.taken(), is_told=True)
 
     def _part(self, seat: Seat | None, channel: Channel) -> None:
         if seat is not None:

@@ -42,6 +42,7 @@ class Hello:
         program: the digest of its program, see `Program.digest`.
         definition: the definition that the robots must have, see `definition_of`; empty for any.
         devices: the digest of the devices' C libraries.
+        ends: what it sees of its connection, see `local_way.ends`; empty to stay there.
         version: its version of crs.
         protocol: its version of what is said here.
     """
@@ -52,6 +53,7 @@ class Hello:
     program: str
     definition: str = ""
     devices: str = ""
+    ends: str = ""
     version: str = __version__
     protocol: int = PROTOCOL
 

@@ -42,6 +42,9 @@ LEAST_LOG_BYTES: Final = 512 * 2**10
 bytes as the memories have, at least so many; chosen by us. So fetching costs less than granting."""
 
 MAX_ROUNDS: Final = 2**24
+_GRANT, _RAN, _FAILED = Kind.GRANT, Kind.RAN, Kind.FAILED
+"""Looked up once: a class of names does so in Python, which a round can do without."""
+
 _NOT_VALID: Final = "it says what is not valid: "
 
 Replace: TypeAlias = Callable[["HostLink", str], Channel]
@@ -100,14 +103,10 @@ class HostLink:
 
     # -- rounds ----------------------------------------------------------------------------------
 
-    def shorten_log(self) -> None:
-        """Fetch the programs' memories if much has been granted since the last time.
-
-        Raises:
-            HostGoneError: the host is lost, and its programs are not to go on.
-        """
-        if self._log_bytes >= self._most_log_bytes or len(self._log) >= MAX_LOG_GRANTS:
-            self.memories()
+    @property
+    def is_log_long(self) -> bool:
+        """Whether much has been granted since the programs' memories were last fetched."""
+        return self._log_bytes >= self._most_log_bytes or len(self._log) >= MAX_LOG_GRANTS
 
     def grant(self, end_s: float) -> None:
         """Let the programs run until a time, with what has been packed for them.
@@ -123,14 +122,20 @@ class HostLink:
         self._log_bytes += len(grant)
         self._waits = True
         try:
-            self._channel.send(Kind.GRANT, grant)
+            self._channel.send(_GRANT, grant)
         except ConnectionLostError as error:
             self._renew(str(error))  # which sends this grant, too
 
     def collect(self) -> None:
         """Wait until the programs have run, and put what they have changed among the rows."""
-        self._recover(self._collect)
-        self._waits = False
+        while True:
+            try:
+                self._collect()
+            except ConnectionLostError as error:
+                self._renew(str(error))
+            else:
+                self._waits = False
+                return
 
     def collect_again(self, reason: str) -> None:
         """Give the host up, as what it has said is not valid, and wait for the next one."""
@@ -140,9 +145,9 @@ class HostLink:
 
     def _collect(self) -> None:
         while True:
-            kind, content = self._channel.receive(Kind.RAN, Kind.FAILED)
+            kind, content = self._channel.receive(_RAN, _FAILED)
             try:
-                if kind == Kind.RAN:
+                if kind is _RAN:
                     self._note(content)
                     return
                 self._note_failure(json.loads(content))

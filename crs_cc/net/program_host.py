@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from crs_cc.session.host import Input, Output, Waiting
 
 _WRITE: Final = CODES["WRITE"]
-_NOBODY: Final = np.empty(0, np.intp)
+_RAN: Final = Kind.RAN
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,18 +90,22 @@ class ProgramHost:
         Raises:
             ConnectionLostError: the environment is gone, or says what is not valid.
         """
+        grant, end = Kind.GRANT, Kind.END
         answers: dict[Kind, Callable[[bytes], tuple[Kind, bytes] | None]] = {
             Kind.RESTORE: self._restore,
-            Kind.GRANT: lambda content: self._grant(content, channel),
             Kind.SAVE: lambda _content: (Kind.SAVED, self._memories()),
             Kind.READ: lambda content: (Kind.INPUT, self._input(content)),
         }
+        allowed = grant, end, *answers
         while True:
-            kind, content = channel.receive(Kind.END, *answers)
+            kind, content = channel.receive(*allowed)
             try:
-                if kind == Kind.END:
+                if kind is end:
                     return json.loads(content)
-                answer = answers[kind](content)
+                if kind is grant:
+                    answer = self._grant(content, channel)
+                else:
+                    answer = answers[kind](content)
             except (ValueError, RecursionError) as error:
                 raise ConnectionLostError(
                     f"invalid message from the environment: {error}"
@@ -122,13 +126,13 @@ class ProgramHost:
                 self._streams.write(robot, stream, text)
         changed = memoryview(content)[GRANT.size :]
         rounds, changes, is_told = self._programs.run(changed, end_s)
-        asking = self._asking() if is_told else _NOBODY
-        self._writes = self._written(asking)
-        if not is_wanted:
-            return None
+        self._writes = []
         if is_told:
-            self._tell_failures(asking, channel)
-        return Kind.RAN, RAN.pack(number, rounds) + changes
+            asking = self._asking()
+            self._writes = self._written(asking)
+            if is_wanted:
+                self._tell_failures(asking, channel)
+        return (_RAN, RAN.pack(number, rounds) + changes) if is_wanted else None
 
     def _asking(self) -> IndexArray:
         """Return the programs that ask for anything."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import socket
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from crs_cc.net.channel import (
@@ -19,6 +19,7 @@ from crs_cc.net.channel import (
     Pulse,
 )
 from crs_cc.net.handshake import Hello, RefusedError
+from crs_cc.net.local_way import ends, take
 from crs_cc.net.tls import Connection, UntrustedError
 
 ANSWER_S: Final = 60.0
@@ -71,11 +72,17 @@ def visit(
         raise ConnectionLostError(error.strerror or str(error)) from None
     pulse.add(channel)
     try:
-        channel.send(Kind.HELLO, hello.content())
-        robots, awaited, wants_program = _welcome(channel)
-        if wants_program:
-            channel.send(Kind.PROGRAM, program)
-        channel.send(Kind.STARTED)
+        channel.send(Kind.HELLO, replace(hello, ends=ends(secured)).content())
+        robots, awaited, wants_program, offer = _welcome(channel)
+        if offer:
+            _move(channel, offer)
+        try:
+            if wants_program:
+                channel.send(Kind.PROGRAM, program)
+            channel.send(Kind.STARTED)
+        except ConnectionLostError:
+            _welcome(channel)  # raises the refusal that has come, if any
+            raise
         channel.limit_silence(SILENCE_S)
     except (ConnectionLostError, RefusedError) as error:
         pulse.remove(channel)
@@ -87,14 +94,26 @@ def visit(
     return Visit(channel, robots, awaited)
 
 
-def _welcome(channel: Channel) -> tuple[tuple[str, ...], tuple[str, ...], bool]:
-    """Return what an environment says: our robots, awaited ones, whether it wants our program."""
+def _move(channel: Channel, offer: str) -> None:
+    """Go the way that an environment offers, or tell it that this is not possible."""
+    connection = take(offer)
+    if connection is None:
+        channel.send(Kind.MOVED)
+    else:
+        channel.move(connection, is_told=False)
+
+
+def _welcome(channel: Channel) -> tuple[tuple[str, ...], tuple[str, ...], bool, str]:
+    """Return what an environment says: our robots, awaited ones, whether it wants our program.
+
+    And the name of another way, if it offers one.
+    """
     kind, content = channel.receive(Kind.WELCOME, Kind.REFUSED, within_s=ANSWER_S)
     if kind == Kind.REFUSED:
         raise RefusedError(content.decode("utf-8", "replace"))
     try:
         values = json.loads(content)
         robots, awaited = (tuple(map(str, values[each])) for each in ("robots", "awaited"))
-        return robots, awaited, bool(values["send_program"])
+        return robots, awaited, bool(values["send_program"]), str(values["offer"])
     except (ValueError, KeyError, TypeError, RecursionError):
         raise ConnectionLostError("invalid message from the environment") from None

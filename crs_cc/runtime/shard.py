@@ -21,7 +21,7 @@ from wasmtime import _bindings, _ffi
 from crs_cc.core.arrays import ByteArray, Records
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Location
-from crs_cc.runtime.driver import HEADER, MOST_SHARDS
+from crs_cc.runtime.driver import CURRENT, HEADER, MOST_SHARDS
 from crs_cc.runtime.executable import Driver, Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES, PAGE, STACK_TOP
 from crs_cc.runtime.resident_pages import CHUNK
@@ -35,6 +35,7 @@ Trapped: TypeAlias = tuple[int, Exception]
 """A robot whose program trapped, and the trap."""
 
 _HEADER: Final = struct.Struct("<10Id")  # faster than numpy
+_CURRENT_ROBOT: Final = struct.Struct("<I")
 _CURRENT, _ROUNDS, _RAN = map(HEADER.names.index, ("current", "rounds", "ran"))  # type: ignore[union-attr]
 _FUNCTIONS: Final = "round", "begin", "end"
 _MOST_PAGES: Final = 2**16  # of the mailbox: the maximum, so that it never moves
@@ -250,7 +251,8 @@ class Shard:
             the rounds after the partner was last told of any, if a robot has trapped.
         """
         size, header = robots * RECORD.itemsize, self._header
-        header["current"] = robots  # where the driver leaves it, if it is not the driver that fails
+        # Where the driver leaves it, if it is not the driver that fails.
+        _CURRENT_ROBOT.pack_into(self._raw, CURRENT, robots)
         trap = self._call(turns, turn, records, size, robots)
         if trap is None:
             return Ran(0, [], None)

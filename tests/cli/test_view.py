@@ -188,7 +188,7 @@ def test_a_recording_is_viewed_alone_and_something_must_be(
     program: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["view"]) == 2
-    assert "no C file or recording to view" in capfd.readouterr().err
+    assert "no C file, recording or HOST:PORT of a run to view" in capfd.readouterr().err
     assert main(["view", program, "run.mcap"]) == 2
 
 
