@@ -256,7 +256,7 @@ def test_options_for_hosts_are_refused_where_only_the_vendors_clients_come(
 ) -> None:
     words = [str(folder / word) if "." in word else word for word in option]
     assert main(["serve", str(folder / "world.xml"), "--nserver", "0", *words]) == 2
-    assert f"{option[0]} is for programs that join" in capfd.readouterr().err
+    assert f"{option[0]} applies to programs that join" in capfd.readouterr().err
 
 
 def test_an_environment_that_was_killed_goes_on_with_the_same_hosts(folder: Path) -> None:
