@@ -39,13 +39,17 @@ _CREDENTIALS: Final = struct.Struct("@iII")
 def ends(connection: Connection) -> str:
     """Return the addresses of both ends of a connection, in an order that both sides agree upon.
 
-    Empty if it is encrypted, as its user has asked for that, or where there is no other way.
+    Empty if it is encrypted, as its user has asked for that, where there is no other way, and if
+    the connection is gone.
     """
     if sys.platform != "linux" or type(connection) is not socket.socket:
         return ""
     if connection.family not in (socket.AF_INET, socket.AF_INET6):
         return ""
-    both = connection.getsockname()[:2], connection.getpeername()[:2]
+    try:
+        both = connection.getsockname()[:2], connection.getpeername()[:2]
+    except OSError:
+        return ""  # whoever sends or receives next finds out
     return " ".join(sorted(f"{host.removeprefix(_MAPPED)}:{port}" for host, port in both))
 
 

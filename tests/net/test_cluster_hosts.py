@@ -206,8 +206,11 @@ def test_a_host_has_robots_of_one_program_and_no_more_than_is_said() -> None:
     [
         (["roam.c", "world.xml"], "here, only with --hosts"),
         (["world.xml", "-DX"], "here, only with --hosts"),
-        (["world.xml", "--per-host", "5"], "--per-host is for hosts on a cluster"),
-        (["world.xml", "--hosts", "dask://h:1", "--nserver", "0"], "--hosts is for programs that"),
+        (["world.xml", "--per-host", "5"], "--per-host requires --hosts"),
+        (
+            ["world.xml", "--hosts", "dask://h:1", "--nserver", "0"],
+            "--hosts applies to programs that",
+        ),
         (["roam.c", "--hosts", "dask://h:1"], "no world file"),
         (["world.xml", "--hosts", "dask://h:1"], "no program"),
     ],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import socket
+import struct
 import sys
 import threading
 from collections.abc import Iterator
@@ -112,6 +113,18 @@ def test_it_stays_if_the_socket_cannot_be_reached(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr("crs_cc.net.visit.take", lambda name: take(name[::-1] + "x"))
     made = opened()
     assert not meet(("127.0.0.1", made[0].port), *made)
+
+
+def test_a_connection_that_is_gone_has_no_ends(proxy: socket.socket) -> None:
+    connection = socket.create_connection(proxy.getsockname())
+    assert local_way.ends(connection)
+    near, _ = proxy.accept()
+    near.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+    near.close()  # resets it
+    with pytest.raises(ConnectionResetError):
+        connection.recv(1)
+    assert local_way.ends(connection) == ""
+    connection.close()
 
 
 def test_other_users_do_not_take_what_is_offered(monkeypatch: pytest.MonkeyPatch) -> None:
