@@ -272,7 +272,7 @@ def test_an_environment_that_was_killed_goes_on_with_the_same_hosts(folder: Path
     options[-1] = "resumed.mcap"
     again = "--resume", "killed.mcap", "--listen", at
     with served(folder, *options, *again) as environment:
-        environment.wait_for(r"goes on at [12]\.00 s")
+        environment.wait_for(r"continues at [12]\.00 s")
         assert environment.finish()[0] == 0
         shown = outputs(hosts)
     assert [host.returncode for host in hosts] == [0, 0]
