@@ -83,7 +83,7 @@ def test_a_run_that_pages_changed_is_that_of_a_local_run_with_the_same_changes(
     again = "--resume", "killed.mcap", "--listen", at
     with served(folder, *options[:-1], "resumed.mcap", *again) as environment:
         with page_of(environment) as page:
-            environment.wait_for(r"goes on at [123]\.00 s")
+            environment.wait_for(r"continues at [123]\.00 s")
             page.ask("pause")
             change(page, LAST)
             assert page.ask("export", form="inputs")["value"]["text"].startswith(script)
