@@ -10,8 +10,8 @@ Linux and root, whatever else the machine does waits while timesteps are measure
 hosts are on the cluster of a scheduler, such as `tcp://127.0.0.1:8786`. With `--table`, the table
 of `docs/performance.md` follows.
 
-    python bench/hosts.py [--steps N] [--hosts N ...] [--real-time] [--dask ADDRESS] [--table]
-                          [ROBOTS ...]
+    python bench/hosts.py [--steps N] [--hosts N ...] [--real-time] [--only-tcp] [--dask ADDRESS]
+                          [--table] [ROBOTS ...]
 """
 
 from __future__ import annotations
@@ -139,7 +139,13 @@ def world_of(robots: int) -> WorldModel:
 
 @contextmanager
 def hosts(
-    world: WorldModel, executable: Executable, source: Path, count: int, dask: str
+    world: WorldModel,
+    executable: Executable,
+    source: Path,
+    count: int,
+    dask: str,
+    *,
+    only_tcp: bool = False,
 ) -> Iterator[Fleet]:
     """Yield a fleet on a number of hosts, on a cluster if one is named; none is a fleet here."""
     executables = [executable] * len(world.robots)
@@ -153,7 +159,7 @@ def hosts(
         return
     with ExitStack() as stack:
         roster, access = Roster(world.robots), Access.made()
-        gate = Gate(bound("127.0.0.1", 0), access, roster)
+        gate = Gate(bound("127.0.0.1", 0), access, roster, only_tcp=only_tcp)
         stack.callback(gate.close)
         names = [robot.id for robot in world.robots]
         for part in range(count):
@@ -323,7 +329,8 @@ def measure(name: str, source: Path, robots: int, asked: argparse.Namespace) -> 
         if count > robots:
             continue
         sizes: dict[Kind, list[int]] = {Kind.GRANT: [], Kind.RAN: []}
-        with hosts(world, executable, source, count, asked.dask) as fleet:
+        placed = hosts(world, executable, source, count, asked.dask, only_tcp=asked.only_tcp)
+        with placed as fleet:
             found = step_s(world, executable, fleet, steps, sizes, first=asked.real_time)
         *measured, state = found
         row = Row(name, robots, count, *measured)
@@ -371,6 +378,7 @@ def main() -> None:
     parser.add_argument("--steps", type=int, help="timesteps; by default fewer for more robots")
     parser.add_argument("--hosts", nargs="*", type=int, default=[1, 2, 4])
     parser.add_argument("--real-time", action="store_true")
+    parser.add_argument("--only-tcp", action="store_true", help="without local sockets")
     parser.add_argument("--dask", default="", help="address of a scheduler, for hosts there")
     parser.add_argument("--table", action="store_true", help="print a table in Markdown, too")
     asked = parser.parse_args()
