@@ -10,10 +10,13 @@ serial line, wheels have accelerations, contacts go through the physics. Nothing
 The same is done by Scouts, whose sonars hear in a cone and fire in turn, one every 60 ms; and by
 Scouts in the noisy setup, in which it matters what hides what.
 
-The limit is the bare ray cast: the same rays against the same things, by the same function of
-numpy, once for each timestep, and nothing else.
+The limit is the bare ray cast: the same rays against the same things, by the same function, once
+for each timestep, and nothing else.
 
-    python bench/environment.py [--seconds S] [--scouts N] [ROBOTS ...]
+Many programs, and rings, are divided among threads, which take processor time at the same time. So
+robot-steps are also counted by the clock on the wall, which says something on an idle machine only.
+
+    python bench/environment.py [--seconds S] [--scouts N] [--threads K] [ROBOTS ...]
 """
 
 from __future__ import annotations
@@ -132,11 +135,12 @@ def resident_bytes() -> int:
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """What was measured with some robots; all times are processor time.
+    """What was measured with some robots; times but one are processor time.
 
     Attributes:
         robots: how many.
         step_s: a timestep.
+        wall_s: a timestep by the clock on the wall.
         rays_s: all rays of all robots alone.
         readings: rings read by each robot in a timestep.
         speed_mps: how fast the robots went on average.
@@ -147,6 +151,7 @@ class Figures:
 
     robots: int
     step_s: float
+    wall_s: float
     rays_s: float
     readings: float
     speed_mps: float
@@ -157,14 +162,17 @@ class Figures:
     def row(self) -> str:
         step_s, rays_s = self.step_s / self.robots, self.rays_s / self.robots
         return (
-            f"{self.robots:8,}{1 / step_s:15,.0f}{step_s * 1e6:9.1f} us{rays_s * 1e6:9.1f} us"
+            f"{self.robots:8,}{self.robots / self.wall_s:15,.0f}{1 / step_s:15,.0f}"
+            f"{step_s * 1e6:9.1f} us{rays_s * 1e6:9.1f} us"
             f"{step_s / rays_s:7.1f}{self.readings:10.2f}{self.speed_mps:8.2f} m/s"
             f"{self.load_s:9.2f} s{self.make_s:8.2f} s{self.memory_bytes / 2**20:8.0f} MiB"
         )
 
 
-def measure(folder: Path, robots: int, seconds: float, setup: str = "ring") -> Figures:
-    """Run a world with some robots for a while."""
+def measure(
+    folder: Path, robots: int, seconds: float, threads: int | None, setup: str = "ring"
+) -> Figures:
+    """Run a world with some robots for a while, with some threads or the default."""
     attributes, defines = SETUPS[setup]
     world_file, program = folder / "world.xml", folder / "wander.c"
     world_file.write_text(world_text(robots, attributes))
@@ -174,22 +182,24 @@ def measure(folder: Path, robots: int, seconds: float, setup: str = "ring") -> F
     before, start = resident_bytes(), time.process_time()
     world = load_world(world_file)
     load_s, start = time.process_time() - start, time.process_time()
-    session = Session(world, [executable] * robots)
+    session = Session(world, [executable] * robots, threads=threads)
     make_s = time.process_time() - start
     for _ in range(WARM_UP):
         session.step()
-    state, times = session.environment.state, []
+    state, times, walls = session.environment.state, [], []
     readings, way_m = state.devices.infrared.count.sum(), state.distance_m.sum()
     while not times or sum(times) < seconds or len(times) % REBUILD:
-        start = time.process_time()
+        start, wall = time.process_time(), time.perf_counter()
         session.step()
         times.append(time.process_time() - start)
+        walls.append(time.perf_counter() - wall)
     if session.state.running != robots:
         sys.exit("a program has ended")
     robot_steps = robots * len(times)
     return Figures(
         robots,
         step_s=statistics.fmean(times),
+        wall_s=statistics.fmean(walls),
         rays_s=rays_s(session),
         readings=(state.devices.infrared.count.sum() - readings) / robot_steps,
         speed_mps=(state.distance_m.sum() - way_m) / (robot_steps * world.timestep_s),
@@ -225,13 +235,15 @@ def main() -> None:
     parser.add_argument(
         "--scouts", type=int, default=1000, help="how many there are (default 1000)"
     )
+    parser.add_argument("--threads", type=int, help="how many there may be (default: processors)")
     options = parser.parse_args()
-    print(f"{'robots':>8}{'robot-steps/s':>15}{'each':>12}{'rays only':>12}{'ratio':>7}"
-          f"{'readings':>10}{'speed':>12}{'world':>11}{'session':>10}{'memory':>12}")  # fmt: skip
+    print(f"{'robots':>8}{'by the clock':>15}{'robot-steps/s':>15}{'each':>12}"
+          f"{'rays only':>12}{'ratio':>7}{'readings':>10}{'speed':>12}"
+          f"{'world':>11}{'session':>10}{'memory':>12}")  # fmt: skip
     found = []
     for robots in options.robots:
         with tempfile.TemporaryDirectory() as folder:
-            found.append(measure(Path(folder), robots, options.seconds))
+            found.append(measure(Path(folder), robots, options.seconds, options.threads))
         print(found[-1].row(), flush=True)
     each_s = {figures.robots: figures.step_s / figures.robots for figures in found}
     if {100, 10_000} <= each_s.keys():
@@ -239,11 +251,12 @@ def main() -> None:
         print(f"A robot-step costs {growth:.2f} times as much among 10,000 robots as among 100.")
     for setup in ("scout", "noisy scout"):
         with tempfile.TemporaryDirectory() as folder:
-            figures = measure(Path(folder), options.scouts, options.seconds, setup)
+            figures = measure(Path(folder), options.scouts, options.seconds, options.threads, setup)
         each = figures.step_s / options.scouts
         speed = f"{1 / each:,.0f} robot-steps/s, {each * 1e6:.1f} us each"
+        speed += f", {options.scouts / figures.wall_s:,.0f} by the clock"
         print(f"{options.scouts:,} times a {setup}: {speed}")
-    print("Processor time, one core. Ratios can be compared; times are of this machine.")
+    print("Robot-steps of processor time, all threads together, but for those by the clock.")
 
 
 if __name__ == "__main__":

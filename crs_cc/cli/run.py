@@ -79,8 +79,8 @@ Examples:
     "--threads",
     type=click.IntRange(1, 64),
     metavar="N",
-    help="Run programs in up to N threads when they compute enough to be worth it; results are "
-    "the same. Default: the number of processors.",
+    help="Run programs, and measure, in up to N threads where it is worth it; results are the "
+    "same. Default: the number of processors.",
 )
 @click.option(
     "--summary/--no-summary",

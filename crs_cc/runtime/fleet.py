@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.sites import Access
 
 MEMORY_END: Final = 0xFFFFFFFF  # the largest address
-PARALLEL_S: Final = 0.0003
+PARALLEL_S: Final = 0.00015
 """Rounds that take more processor time than this on average run in several threads, which costs
 some tens of microseconds."""
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ctypes
 import struct
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -29,6 +30,9 @@ _STATE: Final = struct.Struct("<ii")
 
 _call = ctypes.PYFUNCTYPE(*CALL_TYPES)(QUICKEST_CALL)
 """The call with the interpreter's lock held: to release it takes longer than the work."""
+
+_call_aside = ctypes.CFUNCTYPE(*CALL_TYPES)(QUICKEST_CALL)
+"""The call with the lock released."""
 
 
 class KernelInstance:
@@ -80,10 +84,17 @@ class KernelInstance:
 
     def resume(self) -> None:
         """Run the program up to its next request; raise InternalError if it stops with an error."""
+        self._resume(_call)
+
+    def resume_aside(self) -> None:
+        """Do the same while other threads run Python: for what takes long."""
+        self._resume(_call_aside)
+
+    def _resume(self, call: Callable[..., int | None]) -> None:
         slot = self._slot
         _RESUME.pack_into(slot, 0, 0, 0, 0, 0, 0, 0, _FUEL)
         self._values[0].i32 = 0
-        failed = _call(*self._arguments)
+        failed = call(*self._arguments)
         _, code = _STATE.unpack_from(slot, 4)
         if failed or self._trap.value or self._values[0].i32 != SUSPENDED or not code:
             self._fail()

@@ -115,7 +115,8 @@ class Session:
             client: which of the vendor's client libraries to emulate.
             waiting: returns what can be read of their input.
             trace: is notified of every timestep.
-            threads: how many threads may run programs, see `Fleet`; results do not depend on it.
+            threads: how many threads may run programs, see `Fleet`, and measure, see
+                `Environment`; results do not depend on it.
             observer: is notified of those in which something can happen, without `slices` if
                 there is no trace. If it has a method `passed`, that is told of calm timesteps, all
                 at once, see `sim.engine.passage`.

@@ -97,10 +97,10 @@ class SessionState:
             executables: one program for each robot.
             seed: the random seed.
             host: the robots' host computers.
-            threads: how many threads may run programs, see `Fleet`.
+            threads: how many threads may run programs, see `Fleet`, and measure, see `Environment`.
             fleet: the programs, if they are loaded already.
         """
-        self.environment = Environment(world, seed)
+        self.environment = Environment(world, seed, threads)
         self.fleet = fleet or Fleet(executables, build_driver(), threads)
         self.host = host
         self.network = NetworkService(self.environment)

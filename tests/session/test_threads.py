@@ -5,13 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from crs_cc.runtime import fleet, workers
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.session import Session
 from crs_cc.session.trace import Trace
-from crs_cc.sim.files.world_xml import parse_world
+from crs_cc.sim.files.world_xml import load_world, parse_world
+from crs_cc.sim.kernels import beam_field
 from tests.session.programs import LOOP, ROAM, build
 
 COMPUTE = r"""
@@ -58,6 +60,28 @@ int main(void)
     usleep(400000);
     return 3;
 }
+"""
+LOOK = r"""
+#include <unistd.h>
+#include "Nclient.h"
+
+int main(void)
+{
+    connect_robot(1);
+    for (;;) {
+        get_ir();
+        vm(State[STATE_IR_0] < 3 ? -200 : 200, 200 - 10 * (State[STATE_IR_0 + 4] < 2), 0);
+        usleep(70000);
+    }
+}
+"""
+RING = """<robot-definition version="1" name="ring">
+  <body radius="20cm" mass="10kg"/>
+  <drive wheel-base="34cm" speed-limit="1m/s" acceleration-limit="2m/s2" speed="1m/s"
+         acceleration="2m/s2"/>
+  <sonars order=""/>
+  <infrared step="20cm"/>
+</robot-definition>
 """
 PLACES = [(x, y) for y in (2, 6, 10) for x in (2, 6, 10)]
 PRESENCE = {3: 'join="0.3s"', 6: 'leave="0.7s"', 8: 'join="0.2s" leave="0.6s"'}
@@ -167,6 +191,34 @@ def _stops(debug: Executable, threads: int) -> list[tuple[int | None, list[int]]
         stops.append((run.session.state.halted, run.session.fleet.slots["statements"].tolist()))
     assert sum(halted is not None for halted, _ in stops) > 10
     return stops
+
+
+def test_rings_measure_the_same_in_any_number_of_threads(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(beam_field, "ROBOTS_PER_THREAD", 1)
+    (tmp_path / "ring.xml").write_text(RING)
+    robots = "".join(
+        f'<robot x="{1 + n % 8}m" y="{1 + n // 8}m" heading="{37 * n % 360}deg" '
+        'definition="ring.xml"/>'
+        for n in range(64)
+    )
+    box = '<box x="4.5m" y="4.5m" length="0.4m" width="0.4m"/>'
+    area = '<area length="9m" width="9m"/>'
+    file = tmp_path / "world.xml"
+    file.write_text(f'<world version="1" timestep="100ms">{area}{box}{robots}</world>')
+    program, hashes = build(tmp_path, LOOK), set()
+    for threads in (1, 2, 3):
+        session = Session(load_world(file), [program] * 64, 5, threads=threads)
+        for _ in range(12):
+            session.step()
+        field = session.environment._running.rays._field
+        assert field is not None
+        assert len(field._sorted) == threads
+        hashes.add(session.state_hash())
+    assert len(hashes) == 1
+    readings = session.environment.state.devices.infrared.level
+    assert len(np.unique(readings)) > 5
 
 
 def test_threads_are_used_only_by_rounds_that_take_long(

@@ -48,8 +48,14 @@ class RayCaster:
         surfaces: the optical and acoustic surfaces of all objects.
     """
 
-    def __init__(self, scene: Scene, fans: Sequence[Fan]) -> None:
-        """Index the fixed objects."""
+    def __init__(self, scene: Scene, fans: Sequence[Fan], threads: int = 1) -> None:
+        """Index the fixed objects.
+
+        Args:
+            scene: all objects.
+            fans: the beams of all sensors.
+            threads: how many threads may cast rays at the same time; no result depends on it.
+        """
         reach_m = max((fan.reach_m for fan in fans), default=0.0)
         start_m = max((fan.start_m for fan in fans), default=0.0)
         moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
@@ -62,7 +68,7 @@ class RayCaster:
         self._placed = -1
         self._places = b""
         self._shapes: Shapes | None = None  # if they are few
-        self._reach_m = reach_m
+        self._reach_m, self._threads = reach_m, threads
         self._field: BeamField | None = None  # if they are many
         self._is_sorted = self._has_no_room = False
 
@@ -147,7 +153,8 @@ class RayCaster:
         segments, moving_segments, circles, moving_circles = obstacles.tables()
         pieces, moving_pieces = self._pieces.tables
         if self._field is None:
-            self._field = BeamField(self._reach_m, (segments, circles, pieces))
+            shapes = segments, circles, pieces
+            self._field = BeamField(self._reach_m, shapes, self._threads)
         self._is_sorted = self._field.place((moving_segments, moving_circles, moving_pieces))
         if not self._is_sorted:
             self._field, self._has_no_room = None, True

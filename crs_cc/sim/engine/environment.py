@@ -30,6 +30,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.host_system import available_cores
 from crs_cc.sim.comms.control import CommunicationControl
 from crs_cc.sim.comms.message_log import take
 from crs_cc.sim.devices import drive
@@ -61,17 +62,19 @@ class Environment:
 
     skips_quiet_time = True
 
-    def __init__(self, world: WorldModel, seed: int) -> None:
+    def __init__(self, world: WorldModel, seed: int, threads: int | None = None) -> None:
         """Set up a world before its first cycle.
 
         Args:
             world: the world.
             seed: the random seed; not negative.
+            threads: how many threads may measure at the same time; by default as many as there
+                are processors. No result depends on it.
 
         Raises:
             ValueError: the seed is negative.
         """
-        self._running = WorldData(world, seed)
+        self._running = WorldData(world, seed, available_cores() if threads is None else threads)
         self._dispatcher = Dispatcher(self._running)
         self._skipped = 0  # cycles that are not executed yet
         self._quiet_until: int | None = None  # None: not known

@@ -88,19 +88,20 @@ class WorldData:
         is_weary: whether a motor battery may be empty before the end of this cycle.
     """
 
-    def __init__(self, world: WorldModel, seed: int) -> None:
+    def __init__(self, world: WorldModel, seed: int, threads: int = 1) -> None:
         """Set up a world before its first cycle.
 
         Args:
             world: the world.
             seed: the random seed; not negative.
+            threads: how many threads may measure at the same time.
 
         Raises:
             ValueError: the seed is negative.
         """
         if seed < 0:
             raise ValueError(f"the seed must not be negative: {seed}")
-        self._seed = seed
+        self._seed, self._threads = seed, threads
         self.log = EventLog()
         self._packed: Packed | None = None
         self.is_weary = True
@@ -365,7 +366,7 @@ class WorldData:
         self.names = scene.names
         self.constants = replace(self.constants, scene=scene, shapes=ShapeTable.of(scene))
         self.physics = Physics(scene.world, scene, self.state.bodies)
-        self.rays = RayCaster(scene, self.devices.fans)
+        self.rays = RayCaster(scene, self.devices.fans, self._threads)
         self.goals = GoalJudge(self.world, self.names, self.constants, self._floor)
 
     def refurnish(self, moved: bool) -> None:

@@ -10,53 +10,69 @@ True
 
 from __future__ import annotations
 
-from typing import Final, TypeAlias
+import functools
+from typing import Final, NamedTuple
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray
+from crs_cc.runtime.workers import run_all
 from crs_cc.sim.kernels.program import Kernels
+from crs_cc.sim.kernels.sorted_shapes import Tables, grid_of, sort_shapes
 from crs_cc.sim.kernels.surveys import viewers_of
-from crs_cc.sim.kernels.tables import SORT, SURVEY
+from crs_cc.sim.kernels.tables import SURVEY
 
-Tables: TypeAlias = tuple[FloatArray, FloatArray, FloatArray]
-"""Rows of segments, circles and pieces, see `beams.h`."""
+ROBOTS_PER_THREAD: Final = 128
+"""A thread measures for at least so many robots, which takes it some tenths of a millisecond."""
 
 _WORK: Final = 400_000  # numbers of the arena for robots and their distances
-_HEAD: Final = 8
-_MOST_CELLS: Final = 128  # along each side of the grid
 _CELLS_PER_REACH: Final = 3
+
+
+class _Places(NamedTuple):
+    """Where shapes lie in the arena.
+
+    Attributes:
+        outlines: the place of segments and circles, 0 if there are none.
+        pieces: that of pieces.
+        end: that of what comes next, 0 if they have no room.
+    """
+
+    outlines: int
+    pieces: int
+    end: int
+
+
+_NO_PLACES: Final = _Places(0, 0, 0)
 
 
 class BeamField:
     """All shapes of a world.
 
+    Robots do not affect each other's distances, so several threads can measure those of some robots
+    each, among shapes in the memory of instances of their own.
+
     Attributes:
         fits: whether the fixed ones have room.
     """
 
-    def __init__(self, reach_m: float, fixed: Tables) -> None:
+    def __init__(self, reach_m: float, fixed: Tables, threads: int = 1) -> None:
         """Sort the shapes that stay.
 
         Args:
             reach_m: how far beams reach.
             fixed: the shapes.
+            threads: how many threads may measure at the same time; no result depends on it.
         """
-        self._kernels = Kernels(is_arena=True)
-        segments, circles, _ = fixed
-        points = np.concatenate([segments[:, 2:4], segments[:, 4:6], circles[:, 2:4]])
-        corner_m = points.min(axis=0) if len(points) else np.zeros(2)
-        extent_m = points.max(axis=0) - corner_m if len(points) else np.zeros(2)
-        cell_m = max(reach_m / _CELLS_PER_REACH, float(extent_m.max()) / _MOST_CELLS)
-        size = np.floor(extent_m / cell_m) + 1.0
-        self._grid = *corner_m, cell_m, *size
-        size_of_fixed = self._lay(_WORK, fixed)
-        self.fits = size_of_fixed > 0
-        self._moving = _WORK + size_of_fixed
+        self._reach_m, self._fixed, self._threads = reach_m, fixed, threads
+        self._moving, self._time = fixed, 0  # until shapes are placed
+        self._sorted = [_Sorted(reach_m, fixed)]
+        self.fits = self._sorted[0].fits
 
     def place(self, moving: Tables) -> bool:
         """Sort the shapes that move; return whether they have room."""
-        return self.fits and self._lay(self._moving, moving) > 0
+        self._moving, self._time = moving, self._time + 1
+        return self.fits and self._sorted[0].place(moving, self._time)
 
     def distances_m(self, fan: FloatArray, poses: FloatArray, own: IndexArray) -> FloatArray:
         """Return the distance that each beam measures, 0 for a start in or on a piece, (k, beams).
@@ -66,26 +82,73 @@ class BeamField:
             poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
             own: the number of each robot's own body, (k,).
         """
-        beams, viewers = int(fan[0]), viewers_of(poses, own)
+        found, viewers = np.empty((len(poses), int(fan[0]))), viewers_of(poses, own)
+        if not found.size:
+            return found
+        parts = max(1, min(self._threads, len(poses) // ROBOTS_PER_THREAD))
+        if parts == 1:
+            self._sorted[0].measure(fan, viewers, found)
+            return found
+        while len(self._sorted) < parts:
+            self._sorted.append(_Sorted(self._reach_m, self._fixed))
+        shares = zip(np.array_split(viewers, parts), np.array_split(found, parts), strict=True)
+        measure = functools.partial(self._measure, fan)
+        run_all([functools.partial(measure, *each) for each in enumerate(shares)])
+        return found
+
+    def _measure(self, fan: FloatArray, part: int, share: tuple[FloatArray, FloatArray]) -> None:
+        """Measure a share of all distances, in a thread."""
+        shapes = self._sorted[part]
+        if shapes.time != self._time:
+            shapes.place(self._moving, self._time)
+        shapes.measure(fan, *share)
+
+
+class _Sorted:
+    """All shapes in the memory of one instance of the kernels.
+
+    Attributes:
+        fits: whether the fixed ones have room.
+        time: a number of the last time when shapes were placed.
+    """
+
+    def __init__(self, reach_m: float, fixed: Tables) -> None:
+        self._kernels = Kernels(is_arena=True)
+        segments, circles, _ = fixed
+        points = np.concatenate([segments[:, 2:4], segments[:, 4:6], circles[:, 2:4]])
+        self._grid = grid_of(points, reach_m / _CELLS_PER_REACH)
+        self._fixed, self._moving = self._lay_apart(_WORK, fixed), _NO_PLACES
+        self.fits, self.time = self._fixed.end > 0, 0
+
+    def place(self, moving: Tables, time: int) -> bool:
+        """Sort the shapes that move; return whether they have room."""
+        self._moving, self.time = self._lay_apart(self._fixed.end, moving), time
+        return self._moving.end > 0
+
+    def measure(self, fan: FloatArray, viewers: FloatArray, found: FloatArray) -> None:
+        """Measure the distances of robots, by as many as have room at a time, see `viewers_of`."""
+        beams = found.shape[1]
         most = (_WORK - len(fan)) // (viewers.shape[1] + 2 * beams)
-        found = np.empty((len(poses), beams))
-        for first in range(0, len(poses) if beams else 0, most):
+        for first in range(0, len(viewers), most):
             some = viewers[first : first + most]
             out = len(fan) + some.size
             self._kernels.lay(fan.tobytes() + some.tobytes())
-            self._kernels.call(SURVEY, len(some), len(fan), out, _WORK, self._moving)
+            fields = *self._fixed[:2], *self._moving[:2]
+            self._kernels.call_aside(SURVEY, len(some), len(fan), out, *fields)
             distances_m = self._kernels.arena[out : out + len(some) * beams]
             found[first : first + most] = distances_m.reshape(-1, beams)
-        return found
 
-    def _lay(self, place: int, tables: Tables) -> int:
-        """Lay shapes into the arena, and sort them; return how many numbers they take, or 0."""
-        head = np.array([*map(len, tables), *self._grid])
-        content = b"".join([head.tobytes(), *(table.tobytes() for table in tables)])
-        cells = int(self._grid[-1] * self._grid[-2])
-        room = self._kernels.room - place
-        if (len(content) + 4 * (cells + 1 + sum(map(len, tables)))) // 8 >= room:
-            return 0
-        self._kernels.lay(content, place)
-        self._kernels.call(SORT, place, room)
-        return self._kernels.result
+    def _lay_apart(self, place: int, tables: Tables) -> _Places:
+        """Lay outlines and pieces into the arena, as these have to be nearer to matter."""
+        segments, circles, pieces = tables
+        places = []
+        for some in ((segments, circles, pieces[:0]), (segments[:0], circles[:0], pieces)):
+            if not any(map(len, some)):
+                places.append(0)
+                continue
+            size = sort_shapes(self._kernels, place, some, self._grid)
+            if not size:
+                return _NO_PLACES
+            places.append(place)
+            place += size
+        return _Places(places[0], places[1], place)

@@ -154,10 +154,15 @@ void __crs_scan(int count, int segments, int circles, int pieces, const double *
    0 if there is no room for these. */
 int __crs_sort(double *content, int room);
 
+#define FIELDS 4                        /* outlines and pieces that stay, and those that move */
+
 /* The distances that beams measure among sorted shapes, 0 for those that start in or on one. `out` has room
-   for two numbers of each beam. */
-void __crs_survey(int count, const double *fan, double *robots, double *out, const double *fixed,
-                  const double *moving);
+   for two numbers of each beam. A field is 0 if there is nothing in it. */
+void __crs_survey(int count, const double *fan, double *robots, double *out, const double *const *fields);
+
+/* How much room each of some discs has among sorted segments and circles, see room.c. `rooms` has the most that
+   it may have, and gets what it has. `near` gets for each segment whether a disc has less than it needs. */
+void __crs_room(int count, const double *asked, const double *content, double *rooms, int *near);
 
 /* Antennae of robots, and the fields that they smell. */
 struct antennae {

@@ -6,7 +6,7 @@
 
 /* Other numbers are those of elementwise functions. */
 enum { SETUP = 99, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
-    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM, SORT, SURVEY, ANTENNAE, TRAILS };
+    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM, SORT, SURVEY, ANTENNAE, TRAILS, ROOM };
 
 static int arguments[10];
 static double memory[MEMORY];
@@ -112,6 +112,17 @@ static void cast(const int *n)
         __crs_scan(n[1], n[2], n[3], n[9], arena, robot, out, shapes);
 }
 
+/* Cast rays among sorted shapes. */
+static void survey(const int *n)
+{
+    const double *fields[FIELDS];
+    int i;
+
+    for (i = 0; i < FIELDS; i++)
+        fields[i] = n[4 + i] ? arena + n[4 + i] : 0;
+    __crs_survey(n[1], arena, arena + n[2], arena + n[3], fields);
+}
+
 int __crs_start(void)
 {
     static struct __crs_message message;
@@ -136,7 +147,9 @@ int __crs_start(void)
         else if (n[0] == SORT)
             n[0] = __crs_sort(arena + n[1], n[2]);
         else if (n[0] == SURVEY)
-            __crs_survey(n[1], arena, arena + n[2], arena + n[3], arena + n[4], arena + n[5]);
+            survey(n);
+        else if (n[0] == ROOM)
+            __crs_room(n[1], arena, arena + n[4], arena + n[2], (int *)(arena + n[3]));
         else if (n[0] == TRAILS)
             n[0] = __crs_trails(n[1], n[2], arena, (long long *)(arena + n[3]));
         else if (n[0] == CALM)

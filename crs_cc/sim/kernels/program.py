@@ -101,7 +101,7 @@ class Kernels:
 
         instance = KernelInstance(executable(checked=checked))
         self._place, self._memory = int(instance.message[0]), instance.memory.data
-        self._resume = instance.resume
+        self._resume, self._resume_aside = instance.resume, instance.resume_aside
         sizes = _ARENA if is_arena else _WORLD if holds_world else _AT_ONCE
         third, robots, bodies, kinds = sizes
         self.call(SETUP, third, robots, bodies, kinds)
@@ -131,6 +131,11 @@ class Kernels:
         """Run a kernel, by its number in `main.c`, with its other arguments."""
         _ARGUMENTS[len(arguments)].pack_into(self._memory, self._place, *arguments)
         self._resume()
+
+    def call_aside(self, *arguments: int) -> None:
+        """Run a kernel that takes long, while other threads run Python."""
+        _ARGUMENTS[len(arguments)].pack_into(self._memory, self._place, *arguments)
+        self._resume_aside()
 
     @property
     def result(self) -> int:

@@ -1,53 +1,7 @@
 /* Beams among many shapes, which lie in the arena sorted by the cells of a grid, see `beam_field.py`. Each
    cell lists all shapes whose bounding boxes it meets; those beyond the grid are in cells at its edge. */
 #include "beams.h"
-
-/* What lies in the arena for shapes that stay, and again for those that move: then rows of segments,
-   circles and pieces; then integers: where the list of each cell begins, the last robot that has met each
-   shape, and the lists. */
-struct field {
-    double segments, circles, pieces;   /* how many */
-    double x, y, cell;                  /* corner of the grid, and size of its cells [m] */
-    double columns, rows;
-};
-
-struct box {
-    double left, right, low, high;
-};
-
-struct view {
-    const struct segment *segments;
-    const struct circle *circles;
-    const struct piece *pieces;
-    int *first, *met, *lists;
-    int columns, rows, cells, circle, piece, shapes;    /* numbers of the first circle and piece */
-};
-
-static struct view view;
-
-static void open_field(const struct field *field)
-{
-    view.circle = (int)field->segments;
-    view.piece = view.circle + (int)field->circles;
-    view.shapes = view.piece + (int)field->pieces;
-    view.columns = (int)field->columns;
-    view.rows = (int)field->rows;
-    view.cells = view.columns * view.rows;
-    view.segments = (const struct segment *)(field + 1);
-    view.circles = (const struct circle *)(view.segments + view.circle);
-    view.pieces = (const struct piece *)(view.circles + (view.piece - view.circle));
-    view.first = (int *)(view.pieces + (view.shapes - view.piece));
-    view.met = view.first + view.cells + 1;
-    view.lists = view.met + view.shapes;
-}
-
-static void stretch(struct box *box, double x, double y, double by)
-{
-    box->left = x - by < box->left ? x - by : box->left;
-    box->right = x + by > box->right ? x + by : box->right;
-    box->low = y - by < box->low ? y - by : box->low;
-    box->high = y + by > box->high ? y + by : box->high;
-}
+#include "grid.h"
 
 static void bound(int shape, struct box *box)
 {
@@ -65,24 +19,13 @@ static void bound(int shape, struct box *box)
     } else {
         const struct piece *piece = &view.pieces[shape - view.piece];
 
-        stretch(box, piece->middle.x, piece->middle.y, piece->half_length + piece->half_width);
+        double cosine = __builtin_fabs(piece->along.x), sine = __builtin_fabs(piece->along.y);
+        double x = cosine * piece->half_length + sine * piece->half_width;
+        double y = sine * piece->half_length + cosine * piece->half_width;
+
+        stretch(box, piece->middle.x - x, piece->middle.y - y, 0);
+        stretch(box, piece->middle.x + x, piece->middle.y + y, 0);
     }
-}
-
-static int place_of(double at, double corner, double cell, int count)
-{
-    double place = (at - corner) / cell;
-
-    return place < 0 ? 0 : place < count ? (int)place : count - 1;
-}
-
-/* The first and last column and row of the cells that meet a box. */
-static void meet(const struct field *field, const struct box *box, int *range)
-{
-    range[0] = place_of(box->left, field->x, field->cell, view.columns);
-    range[1] = place_of(box->right, field->x, field->cell, view.columns);
-    range[2] = place_of(box->low, field->y, field->cell, view.rows);
-    range[3] = place_of(box->high, field->y, field->cell, view.rows);
 }
 
 int __crs_sort(double *content, int room)
@@ -118,56 +61,85 @@ int __crs_sort(double *content, int room)
     return (int)((double *)(view.lists + total + 1) - content) + 1;
 }
 
-/* Try all shapes of a field with a robot. */
-static void look(const struct field *field, int number)
+/* Whether no beam of a robot at a place can hit a shape, by a test that is quick. */
+static int is_behind(const struct segment *segment, double x, double y, double start)
 {
-    const struct robot *robot = &robots[number];
+    double cross = (segment->start.x - x) * (segment->end.y - y)
+        - (segment->start.y - y) * (segment->end.x - x);
+
+    return cross > start * segment->length;
+}
+
+static int is_beyond(const struct circle *circle, double x, double y, double reach)
+{
+    double away_x = circle->middle.x - x, away_y = circle->middle.y - y;
+    double radius = circle->radius + reach;
+
+    return away_x * away_x + away_y * away_y > radius * radius;
+}
+
+/* Try the shapes of the field that is open with a robot, as far as they can concern it. */
+static void look(const struct field *field, int number, double reach)
+{
+    struct view all = view;
+    double x = robots[number].place.x, y = robots[number].place.y, start = fan->start;
     struct box box;
     int range[4], row, k, last;
 
-    open_field(field);
-    box.left = box.right = robot->place.x;
-    box.low = box.high = robot->place.y;
-    stretch(&box, robot->place.x, robot->place.y, fan->reach * (1 + SLACK));
+    box.left = box.right = x;
+    box.low = box.high = y;
+    stretch(&box, x, y, reach);
     meet(field, &box, range);
     for (row = range[2]; row <= range[3]; row++) {
-        k = view.first[row * view.columns + range[0]];
-        last = view.first[row * view.columns + range[1] + 1];
+        k = all.first[row * all.columns + range[0]];
+        last = all.first[row * all.columns + range[1] + 1];
         for (; k < last; k++) {
-            int shape = view.lists[k];
+            int shape = all.lists[k];
 
-            if (view.met[shape] == number)
+            if (all.met[shape] == number)
                 continue;
-            view.met[shape] = number;
-            if (shape < view.circle)
-                try_segment(number, &view.segments[shape], 0);
-            else if (shape < view.piece)
-                try_circle(number, &view.circles[shape - view.circle], 0);
-            else
-                try_piece(number, &view.pieces[shape - view.piece]);
+            all.met[shape] = number;
+            if (shape < all.circle) {
+                if (!is_behind(&all.segments[shape], x, y, start))
+                    try_segment(number, &all.segments[shape], 0);
+            } else if (shape < all.piece) {
+                if (!is_beyond(&all.circles[shape - all.circle], x, y, reach))
+                    try_circle(number, &all.circles[shape - all.circle], 0);
+            } else {
+                try_piece(number, &all.pieces[shape - all.piece]);
+            }
         }
     }
 }
 
-void __crs_survey(int count, const double *fan_table, double *robot_table, double *out,
-                  const double *fixed, const double *moving)
+/* Try the shapes of a field with all robots. Pieces, which have fields of their own, matter to robots whose
+   beams may start on them. */
+static void look_around(const struct field *field, int count)
 {
-    const struct field *fields[2];
-    int i, k;
+    double reach = fan->start + 4 * ON;
+    int i;
 
-    fields[0] = (const struct field *)fixed;
-    fields[1] = (const struct field *)moving;
+    open_field(field);
+    if (view.piece > 0)
+        reach = fan->reach * (1 + SLACK);
+    for (i = 0; i < view.shapes; i++)
+        view.met[i] = -1;
+    for (i = 0; i < count; i++)
+        look(field, i, reach);
+}
+
+void __crs_survey(int count, const double *fan_table, double *robot_table, double *out,
+                  const double *const *fields)
+{
+    int i;
+
     take_fan(fan_table, robot_table);
     distances = out;
     objects = out + count * beam_count;
     prepare(count, count * beam_count, 1);
-    for (k = 0; k < 2; k++) {
-        open_field(fields[k]);
-        for (i = 0; i < view.shapes; i++)
-            view.met[i] = -1;
-        for (i = 0; i < count; i++)
-            look(fields[k], i);
-    }
+    for (i = 0; i < FIELDS; i++)
+        if (fields[i])
+            look_around((const struct field *)fields[i], count);
     for (i = 0; i < count * beam_count; i++)
         if (objects[i] >= 0)
             distances[i] = 0;

@@ -20,7 +20,8 @@ HELD_UP: Final = 3
 (
     SETUP, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
     CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM, SORT, SURVEY, ANTENNAE, TRAILS,
-) = range(99, 121)  # fmt: skip
+    ROOM,
+) = range(99, 122)  # fmt: skip
 """The numbers of kernels, as in `main.c`."""
 
 ROBOTS: Final = 11000

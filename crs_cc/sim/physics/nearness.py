@@ -19,12 +19,10 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray, IndexArray
-from crs_cc.sim.geometry.cell_list import CellList
-from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.scene import Scene, own_corners_m
 from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels.room_field import RoomField
 from crs_cc.sim.model.world import Cylinder, Thing
 
 LOOK: Final = 8
@@ -54,13 +52,10 @@ class Nearness:
         self._owners = np.concatenate(owners)
         self._look_m = LOOK * need_m
         self._room_m = np.zeros(len(self._robots))
-        largest_m = float(self._radius_m.max(initial=0.0))
-        self._reach_m = self._look_m + 2 * largest_m
         circles = scene.fixed.circles
-        self._ends_m = np.concatenate([scene.fixed.segments[:, :4], circles[:, [0, 1, 0, 1]]])
-        flat = np.zeros(len(scene.fixed.segments))
-        self._thick_m = np.concatenate([flat, circles[:, 2]])
-        self._grid = Grid(self._ends_m, self._thick_m, self._look_m + largest_m)
+        ends_m = np.concatenate([scene.fixed.segments[:, :4], circles[:, [0, 1, 0, 1]]])
+        thick_m = np.concatenate([np.zeros(len(scene.fixed.segments)), circles[:, 2]])
+        self._field = RoomField(ends_m, thick_m, self._look_m)
 
     def find(self, position_m: FloatArray, need_m: float) -> IndexArray:
         """Return the present robots with less room than they need, and near fixed solids, rising.
@@ -89,21 +84,9 @@ class Nearness:
 
     def _measure(self, position_m: FloatArray, which: IndexArray, need_m: float) -> IndexArray:
         """Measure the room of robots, by their places in `_robots`; return near solids, rising."""
-        x_m, y_m = np.ascontiguousarray(position_m[self._bodies].T)
-        own_m, x, y = self._radius_m[which], x_m[which], y_m[which]
-        queries, others = CellList(x_m, y_m, self._reach_m).near(x, y)
-        away_x, away_y = x[queries] - x_m[others], y[queries] - y_m[others]
-        gap_m = np.sqrt(away_x * away_x + away_y * away_y) - self._radius_m[others] - own_m[queries]
-        gap_m[others == which[queries]] = np.inf
-        room_m = np.full(len(which), self._look_m)
-        np.minimum.at(room_m, queries, gap_m)
-        queries, shapes = self._grid.near(x + 1j * y)
-        ax, ay, bx, by = self._ends_m[shapes].T
-        gap_m = segment.distance(x[queries] - ax, y[queries] - ay, bx - ax, by - ay)
-        gap_m -= self._thick_m[shapes] + own_m[queries]
-        np.minimum.at(room_m, queries, gap_m)
-        self._room_m[which] = room_m
-        return np.unique(self._owners[shapes[gap_m < need_m]])
+        discs = np.column_stack([position_m[self._bodies], self._radius_m])
+        self._room_m[which], near = self._field.measure(discs, which, need_m)
+        return np.unique(self._owners[near])
 
 
 def _reach_m(obj: Thing) -> float:

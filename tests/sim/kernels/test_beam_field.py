@@ -59,6 +59,54 @@ def test_distances_are_those_of_pairs(beams, things):
         state.cycle += 1
 
 
+@pytest.mark.parametrize("threads", [2, 3])
+def test_threads_measure_the_same_whenever_shapes_have_moved(monkeypatch, threads):
+    monkeypatch.setattr(beam_field, "ROBOTS_PER_THREAD", 1)
+    state, scene, poses = crowd()
+    fan, own = Fan.of(BEAMS), np.arange(ROBOTS)
+    rays = RayCaster(scene, [fan], threads)
+    before = None
+    for cycle in range(6):
+        expected = by_pairs(rays, state, fan, poses)
+        assert before is None or not np.array_equal(expected[1::2], before[1::2])
+        few = 2 if cycle == 3 else ROBOTS  # then shapes are sorted in some instances only
+        found = rays.distances_m(state, fan, poses[:few], own[:few])
+        assert found.tobytes() == expected[:few].tobytes()
+        before = expected
+        state.bodies.position_m[:] += 0.3
+        state.cycle += 1
+    assert len(rays._field._sorted) == threads
+
+
+def test_few_robots_are_measured_in_one_thread():
+    state, scene, poses = crowd()
+    fan = Fan.of(BEAMS)
+    rays = RayCaster(scene, [fan], 2)
+    rays.distances_m(state, fan, poses, np.arange(ROBOTS))
+    assert len(rays._field._sorted) == 1
+
+
+def test_beams_that_are_not_tried_hit_nothing():
+    """A beam that is as wide as that makes the kernel try all beams with all shapes."""
+    rng = np.random.default_rng(3)
+    things = "".join(
+        f'<cylinder x="{x:.2f}m" y="{y:.2f}m" radius="{radius:.3f}m"/>'
+        f'<box x="{y:.2f}m" y="{x:.2f}m" length="{2 * radius:.3f}m" width="5cm" heading="{x:.1f}"/>'
+        for x, y, radius in rng.uniform((0, 0, 0.01), (10, 10, 0.8), (40, 3))
+    )
+    state, scene, poses = crowd(things)
+    slow, rays = (RayCaster(scene, [Fan.of(BEAMS)]) for _ in range(2))
+    wide = (0.0, 0.0, 1.0, 1.0, 4.0)
+    own, fans = np.arange(ROBOTS), (Fan.of(BEAMS), Fan.of([*BEAMS, wide]))
+    for turn_rad in np.linspace(0.0, 7.0, 15):
+        poses[:, 2] += turn_rad
+        found, expected = (
+            each.distances_m(state, fan, poses, own)
+            for each, fan in zip((rays, slow), fans, strict=True)
+        )
+        assert found.tobytes() == np.ascontiguousarray(expected[:, : len(BEAMS)]).tobytes()
+
+
 def test_robots_are_divided_if_their_beams_have_no_room(monkeypatch):
     state, scene, poses = crowd()
     fan = Fan.of(BEAMS)

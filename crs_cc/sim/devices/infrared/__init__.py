@@ -216,10 +216,16 @@ class InfraredRing:
         if constants.degradations.concern(state, self._row.name):
             distance_m = constants.degradations.alter(state, self._row.name, rows, distance_m, at_s)
             distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
-        new = np.minimum(np.maximum(_steps(distance_m, step_m), 0.0), FARTHEST)
-        share = ring.share[mine, None]
-        level = share * ring.level[mine] + (1.0 - share) * new
-        ring.level[mine] = np.where(ring.on[mine], level, FARTHEST)
+        level = _steps(distance_m, step_m)
+        np.minimum(np.maximum(level, 0.0, out=level), FARTHEST, out=level)
+        share, on = ring.share[mine, None], ring.on.take(mine, axis=0)
+        if share.any():
+            level = share * ring.level.take(mine, axis=0) + (1.0 - share) * level
+        else:
+            level += 0.0  # as the sum would be: there is no -0
+        if not all_of(on):
+            level = np.where(on, level, FARTHEST)
+        ring.level[mine] = level
         ring.count[mine] += 1
         ring.measured.note(mine, at_s, configuration(state, constants, rows))
 
@@ -318,6 +324,8 @@ class InfraredRing:
 
 def _steps(distance_m: FloatArray, step_m: FloatArray) -> FloatArray:
     """Return readings; a black object reads as nothing, unless the sensor touches it."""
+    if all_of(step_m > 0.0):
+        return np.asarray(distance_m / step_m)
     none = np.where(distance_m > 0.0, np.inf, 0.0)
     return np.divide(distance_m, step_m, out=none, where=step_m > 0.0)
 
