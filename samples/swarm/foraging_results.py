@@ -7,13 +7,14 @@ from dataclasses import replace
 from typing import Final
 
 from crs_cc.sweeps.experiment import Value
-from crs_cc.sweeps.report.results import Results, results
+from crs_cc.sweeps.report.results import Group, Results, results
 from crs_cc.sweeps.rows import Row
 
 _MEASURE: Final = "items_per_min"
 _CHANNEL: Final = "world.communication/channel"
 _SOUND: Final = "ideal"
 """The setup of robots without a fault: the definition itself."""
+_NONE: Final = "none"
 
 
 def with_trails(rows: Sequence[Row]) -> Results:
@@ -33,10 +34,29 @@ def with_faults(rows: Sequence[Row]) -> Results:
     def named(given: Mapping[str, Value]) -> dict[str, Value]:
         fault = given["world.faulty.setup"]
         if fault == _SOUND:
-            return {"faulty": 0, "fault": "none"}
+            return {"faulty": 0, "fault": _NONE}
         return {"faulty": given["world.faulty.count"], "fault": fault}
 
-    return _renamed(rows, named)
+    found = _renamed(rows, named)
+    return replace(found, groups=tuple(sorted(found.groups, key=_by_fault)))
+
+
+def from_none(found: Results) -> Results:
+    """Return results in which each fault begins with the robots that have none, for a figure."""
+    sound = [group for group in found.groups if group.parameters["fault"] == _NONE]
+    faulty = [group for group in found.groups if group.parameters["fault"] != _NONE]
+    faults = dict.fromkeys(group.parameters["fault"] for group in faulty)
+    begun = [
+        replace(group, parameters={**group.parameters, "fault": fault})
+        for fault in faults
+        for group in sound
+    ]
+    return replace(found, groups=(*begun, *faulty))
+
+
+def _by_fault(group: Group) -> tuple[bool, str, int]:
+    fault, count = group.parameters["fault"], group.parameters["faulty"]
+    return fault != _NONE, str(fault), int(count)
 
 
 def with_losses(rows: Sequence[Row]) -> Results:

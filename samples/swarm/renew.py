@@ -21,7 +21,7 @@ import maze_model
 import tour_model
 from bridge_results import of_leader, of_short, of_very_short
 from clustering_results import of_clusters
-from foraging_results import with_faults, with_losses, with_trails
+from foraging_results import from_none, with_faults, with_losses, with_trails
 from means import with_means
 from path_results import of_paths
 from ways_results import over_shortest
@@ -55,7 +55,7 @@ SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
     "clustering": (of_clusters, "values"),
     "detour": (of_short, "curve"),
     "far_detour": (of_very_short, "curve"),
-    "faults": (with_faults, "values"),
+    "faults": (with_faults, "curve"),
     "foraging": (partial(results, measure="items_per_min"), "curve"),
     "heat": (partial(results, measure="goal.cool.at_s"), "survival"),
     "maze": (_beside(maze_model), "curve"),
@@ -68,6 +68,9 @@ SHOWN: Final[dict[str, tuple[Callable[[Sequence[Row]], Results], str]]] = {
 
 WITH_MEANS: Final = {"detour", "far_detour"}
 """Experiments in which most values are at either end, so that medians say little."""
+
+FROM_NONE: Final = {"faults"}
+"""Experiments in whose figures each line begins where nothing is wrong."""
 
 _COLLISIONS: Final = "collisions_per_robot_min"
 
@@ -100,7 +103,8 @@ def write(name: str, rows: Sequence[Row]) -> None:
         writer.writerow([*table.heading, "collisions per robot and minute"])
         for cells, group in zip(table.rows, found.groups, strict=True):
             writer.writerow([*cells, collisions(group)])
-    (FIGURES / f"swarm-{name}.svg").write_text(drawn(found)[figure], "utf-8")
+    shown = from_none(found) if name in FROM_NONE else found
+    (FIGURES / f"swarm-{name}.svg").write_text(drawn(shown)[figure], "utf-8")
 
 
 def collisions(group: Group) -> str:

@@ -85,6 +85,31 @@ def test_faults_cost_foragers_items_or_collisions(tmp_path: Path) -> None:
     assert sound["collisions"] == 0 < blind["collisions"]
 
 
+def test_each_fault_begins_with_the_robots_that_have_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(SWARM)
+    shown = import_module("foraging_results")
+    cases = [("ideal", 4, 9.0), ("weak", 8, 4.0), ("blind", 12, 8.0), ("weak", 4, 6.0)]
+    rows = [
+        {
+            "run": run,
+            "parameters": {"world.faulty.setup": setup, "world.faulty.count": count},
+            "status": "ended",
+            "measures": {"items_per_min": items},
+        }
+        for run, (setup, count, items) in enumerate(cases)
+    ]
+    found = shown.with_faults(rows)
+    assert [tuple(group.parameters.values()) for group in found.groups] == [
+        (0, "none"),
+        (12, "blind"),
+        (4, "weak"),
+        (8, "weak"),
+    ]
+    lines = [(*group.parameters.values(), *group.values) for group in shown.from_none(found).groups]
+    assert lines[:2] == [(0, "blind", 9.0), (0, "weak", 9.0)]
+    assert lines[2:] == [(12, "blind", 8.0), (4, "weak", 6.0), (8, "weak", 4.0)]
+
+
 def test_robots_gather_if_they_stay_where_others_are(tmp_path: Path) -> None:
     alone, together = (
         row["measures"]["largest_group"]
