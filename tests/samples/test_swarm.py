@@ -234,8 +234,9 @@ def test_ants_without_bodies_choose_the_short_branch_more_often(bridge_model: Mo
     assert equal + 0.05 < share(bridge_model.DETOUR) < share(bridge_model.FAR_DETOUR)
 
 
-def test_the_share_of_the_short_branch_agrees_with_theory() -> None:
-    with (SWARM / "results" / "far_detour.csv").open(encoding="utf-8", newline="") as file:
+@pytest.mark.parametrize("bridge", ["detour", "far_detour"])
+def test_the_share_of_the_short_branch_agrees_with_theory(bridge: str) -> None:
+    with (SWARM / "results" / f"{bridge}.csv").open(encoding="utf-8", newline="") as file:
         rows = {(row["minute"], row["colony"]): row for row in csv.DictReader(file)}
     for minute in "123":
         low, high = map(float, rows[minute, "robots"]["95 % interval of the mean"].split(" to "))
