@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import signal
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -86,6 +87,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    # A shell's job in the background ignores it, and so would all commands that tests interrupt.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     # Most programs of tests run once. What users get, commands in processes of their own show.
     executable.settings = fast_settings
     # Quick runs start too few commands for a process that imports all to be worth its time.

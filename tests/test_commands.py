@@ -7,6 +7,7 @@ import resource
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -179,7 +180,10 @@ def test_the_time_of_commands_is_counted() -> None:
     before_s = commands.processor_s()
     code = "import time\nwhile time.process_time() < 0.1: pass"
     subprocess.run(commands.python("-c", code), check=True)
-    assert commands.processor_s() - before_s > 0.08
+    until_s = time.monotonic() + 20.0
+    while commands.processor_s() - before_s < 0.08:  # it is counted when the server takes notice
+        assert time.monotonic() < until_s
+        time.sleep(0.01)
 
 
 def test_an_option_has_all_be_processes_of_their_own(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -72,7 +72,7 @@ def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
             assert "value" in page.ask("edit", text=text), page.told["answer"]
             asked = [threads.submit(left.state_call, 15), threads.submit(right.state_call, 7)]
             assert all(each.result() for each in asked)
-        assert "robots are not added" in page.error("edit", text="join new like left to 1 1")
+        assert "robots cannot be added" in page.error("edit", text="join new like left to 1 1")
         page.ask("pause")
         page.take_until(lambda: not page.told["state"]["playing"])
         paused_s = page.told["state"]["t"]

@@ -189,10 +189,10 @@ def test_until_leaves_loops(loop: Debugger) -> None:
 
 
 def test_advance_stops_at_its_location_or_in_the_caller(loop: Debugger) -> None:
-    loop.advance("6")
+    loop.advance(loop.stop_points.add_breakpoint("6", temporary=True, robot=loop.view.robot))
     assert line(loop) == 6
     assert not list(loop.stop_points.breakpoints)
-    loop.advance("16")
+    loop.advance(loop.stop_points.add_breakpoint("16", temporary=True, robot=loop.view.robot))
     assert line(loop) == 13
 
 
@@ -220,7 +220,9 @@ def test_ignored_hits_and_log_points(loop: Debugger) -> None:
     said: list[str] = []
     loop.stop_points.say = said.append
     loop.stop_points.add_breakpoint("14", ignore=1)
-    loop.stop_points.add_breakpoint("7", log="{what} twice is {result}, not {nothing}")
+    loop.stop_points.add_breakpoint("7", log="{what} twice is {result}, {total}")
+    with pytest.raises(DebugError, match="nothing"):
+        loop.stop_points.add_breakpoint("7", log="{nothing}")
     loop.resume()
     assert loop.view.look_up("i").number == 1
     assert [text.partition(", ")[0] for text in said] == ["0 twice is 0", "1 twice is 2"]
