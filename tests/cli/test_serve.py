@@ -149,9 +149,9 @@ def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path)
         environment.wait_for("the run begins")
         for number, signal_ in enumerate((signal.SIGKILL, signal.SIGSTOP)):
             time.sleep(0.3)
+            count = environment.text.count("is lost")
             others[-1].send_signal(signal_)
             began_s = time.monotonic()
-            count = environment.text.count("is lost")
             while environment.text.count("is lost") == count:
                 assert time.monotonic() - began_s < MOST_S
                 time.sleep(0.01)
