@@ -81,7 +81,6 @@ class VariantLoader:
         """
         self._experiment, self._folder = experiment, folder
         self._compiled: dict[object, tuple[Executable, dict[Path, bytes]]] = {}
-        self._robot_texts: dict[str, str] = {}
 
     @cached_property
     def scatters(self) -> bool:

@@ -179,7 +179,6 @@ _CALLED: Final = "|".join(sorted(set(_FUNCTIONS) - _VALUES, key=len, reverse=Tru
 _USE: Final = re.compile(
     rf"{_STRING}|\$(?:(?P<call>{_CALLED})\s*(?P<opened>\()|(?P<value>{'|'.join(_VALUES)})\b)"
 )
-FUNCTION_NAMES: Final = tuple(sorted(_FUNCTIONS))
 
 
 def calls_in(text: str) -> list[Call]:

@@ -35,7 +35,7 @@ class ArmedStops:
 
     @property
     def has_marks(self) -> bool:
-        """Whether marks alone say where programs stop, and not whether they are stepping."""
+        """Return whether marks alone decide where programs stop, so no program is stepping."""
         return not (self.request.all or self.request.everywhere)
 
     def arm(self, request: StopRequest, sites: Sequence[int]) -> None:

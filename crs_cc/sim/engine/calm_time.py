@@ -48,7 +48,7 @@ _DEVIATES: Final = 3  # of a firing
 
 
 class CalmOutcome(NamedTuple):
-    """What has happened in calm time.
+    """The outcome of a passage of calm time.
 
     Attributes:
         verdict: why the kernel has returned, see `kernels.calm`.

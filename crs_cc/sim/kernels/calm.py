@@ -88,7 +88,7 @@ _TOLD: Final = struct.Struct("<iid")
 
 
 class Changed(NamedTuple):
-    """What the kernel changes of what it is told, as in `calm.h`.
+    """The numbers that the kernel changes, as in `calm.h`.
 
     Attributes:
         cycle: the current cycle.
