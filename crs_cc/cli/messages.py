@@ -64,7 +64,12 @@ def show_before_run(diagnostics: Sequence[Diagnostic]) -> None:
         return
     left_out = set(map(id, warnings[WARNINGS_BEFORE_RUN:]))
     show([each for each in diagnostics if id(each) not in left_out])
-    say(f"... and {len(left_out)} more warnings; crs check shows them all")
+    say(left_out_text(len(left_out)))
+
+
+def left_out_text(count: int) -> str:
+    """Return what is said of a number of warnings that are not shown before a run."""
+    return f"... and {count} more warning{'s' * (count > 1)}; crs check shows all"
 
 
 def render(diagnostic: Diagnostic, *, coloured: bool) -> str:

@@ -10,7 +10,7 @@ import click
 
 from crs_cc.cli.load import load
 from crs_cc.cli.make_debugger import end_at, make_debugger
-from crs_cc.cli.messages import WARNINGS_BEFORE_RUN, render, say
+from crs_cc.cli.messages import WARNINGS_BEFORE_RUN, left_out_text, render, say
 from crs_cc.cli.start_debugger import given_input
 from crs_cc.core.loopback import LEAST_TOKEN, new_token
 from crs_cc.core.source import Diagnostics
@@ -78,8 +78,7 @@ def _open(options: DebugOptions, output: Output, tell: Callable[[str], None]) ->
     for message in messages[:WARNINGS_BEFORE_RUN]:
         tell(render(message, coloured=False))
     if len(messages) > WARNINGS_BEFORE_RUN:
-        left_out = len(messages) - WARNINGS_BEFORE_RUN
-        tell(f"... and {left_out} more warnings; crs check shows them all")
+        tell(left_out_text(len(messages) - WARNINGS_BEFORE_RUN))
     read, waiting = given_input(options)
     debugger = make_debugger(loaded, options, output, read or no_input, waiting=waiting)
     end_at(debugger, options.max_time_s or loaded.world.duration_s)

@@ -18,6 +18,7 @@ from lxml import etree
 
 import crs_cc.sim
 from crs_cc.cli.main import main
+from crs_cc.cli.messages import left_out_text
 from tests.commands import crs
 from tests.processes import wait_until_it_waits
 
@@ -521,7 +522,8 @@ def test_a_run_shows_a_few_warnings_and_check_shows_all(
     assert main(["run", "old.c"]) == 0
     shown = capfd.readouterr().err
     assert shown.count("warning:") == 2
-    assert "... and 8 more warnings; crs check shows them all" in shown
+    assert "... and 8 more warnings; crs check shows all" in shown
+    assert left_out_text(1) == "... and 1 more warning; crs check shows all"
     assert main(["check", "old.c"]) == 0
     assert "".join(capfd.readouterr()).count("warning:") == 10
 
