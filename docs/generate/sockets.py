@@ -15,12 +15,12 @@ def limits() -> str:
     """Return the table of limits."""
     rows = [
         ("sockets of a program", f"{MOST_SOCKETS}", "`EMFILE`"),
-        ("connections that wait at a socket", f"{LONGEST_BACKLOG}", "`ECONNREFUSED`"),
-        ("bytes sent on a connection and not yet read", f"{BUFFER:,}", "`send` waits"),
+        ("connections queued at a listening socket", f"{LONGEST_BACKLOG}", "`ECONNREFUSED`"),
+        ("bytes sent on a connection and not yet read", f"{BUFFER:,}", "`send` blocks"),
         ("bytes of a datagram", f"{LONGEST_DATAGRAM:,}", "`EMSGSIZE`"),
-        ("bytes of datagrams that wait to be read", f"{BUFFER:,}", "further ones are lost"),
+        ("bytes of datagrams waiting to be read", f"{BUFFER:,}", "further ones are lost"),
     ]
-    return table(("what", "at most", "beyond"), rows)
+    return table(("quantity", "limit", "beyond it"), rows)
 
 
 FILLERS: Fillers = {"limits": limits}

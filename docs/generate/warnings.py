@@ -7,9 +7,9 @@ from docs.generate import Fillers, cell, table
 
 
 def warnings() -> str:
-    """Return the table of names and what they are about."""
+    """Return the table of names and their meanings."""
     rows = [(f"`-W{name}`", cell(WARNINGS[name])) for name in sorted(WARNINGS)]
-    return table(("name", "about"), rows)
+    return table(("name", "meaning"), rows)
 
 
 FILLERS: Fillers = {"warnings": warnings}

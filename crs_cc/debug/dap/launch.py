@@ -50,7 +50,7 @@ ATTRIBUTES: Final = (
     LaunchAttribute(
         "token",
         "string",
-        "What `crs debug --dap PORT` demands of its clients; not used with `stdio`.",
+        "The token that `crs debug --dap PORT` requires; not used with `stdio`.",
     ),
     LaunchAttribute("args", "array", "Arguments of the program, after `argv[0]`."),
     LaunchAttribute(
@@ -93,7 +93,7 @@ ATTRIBUTES: Final = (
         "Files that the programs can read, each as `FILE` or `NAME=FILE`.",
         "--file",
     ),
-    LaunchAttribute("input", "string", "A file of what is typed at simulated times.", "--input"),
+    LaunchAttribute("input", "string", "A file of input lines with simulated times.", "--input"),
     LaunchAttribute("stdin", "string", "The standard input of the programs.", "--stdin"),
     LaunchAttribute("include", "array", "Directories searched by `#include`.", "--include"),
     LaunchAttribute(

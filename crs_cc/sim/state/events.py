@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from typing import Final
 
 KINDS: Final = {
-    "message": "one was sent, arrived or was lost; an outage began or ended",
-    "degradation": "one was added, changed or removed; it began, began to fade or ended",
+    "message": "a message was sent, arrived or was lost; an outage began or ended",
+    "degradation": "a degradation was added, changed, removed, started, began to fade or ended",
     "join": "a robot joined, or had to wait because its place was occupied",
     "leave": "a robot left",
     "fall": "the ground under a robot dropped away",

@@ -1,4 +1,4 @@
-/* abort() stops the program at once; what was written before has come out or not. */
+/* abort() stops the program at once; buffered output may be lost. */
 #include <stdlib.h>
 
 static void give_up(void)

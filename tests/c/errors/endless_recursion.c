@@ -1,4 +1,4 @@
-/* Example: recursion without end. */
+/* Example: endless recursion. */
 #include <stdio.h>
 
 static int deeper(int n) // error: stack overflow

@@ -1,4 +1,4 @@
-/* A failed assertion says what failed, on stderr. */
+/* A failed assertion prints its condition to stderr. */
 #include <assert.h>
 #include <stdio.h>
 

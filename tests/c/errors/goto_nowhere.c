@@ -1,4 +1,4 @@
-/* A computed goto to what is no label's address. */
+/* A computed goto to an address that is not a label's. */
 int main(int argc, char **argv)
 {
     void *table[] = {&&end, 0};

@@ -1,4 +1,4 @@
-/* The function that called setjmp was left by another jump. */
+/* The function that called setjmp has been left by another longjmp. */
 #include <setjmp.h>
 
 static jmp_buf outer, inner;

@@ -1,4 +1,4 @@
-/* No setjmp ever. */
+/* setjmp is never called. */
 #include <setjmp.h>
 
 static jmp_buf env;

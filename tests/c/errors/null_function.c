@@ -1,4 +1,4 @@
-/* Example: Calling a null function pointer. */
+/* Example: a call through a null function pointer. */
 #include <stdio.h>
 
 static int (*handler)(int);

@@ -1,4 +1,4 @@
-/* Example: a signal for which the program has made no arrangement. */
+/* Example: a signal for which the program has no handler. */
 #include <signal.h>
 #include <stdio.h>
 

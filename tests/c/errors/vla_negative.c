@@ -1,4 +1,4 @@
-/* The length of an array is a mistake of whoever computed it. */
+/* The computed length of an array is negative. */
 #include <string.h>
 
 static int sum(int n)

@@ -1,4 +1,4 @@
-/* Example: a pointer far behind the end of memory. */
+/* Example: a pointer far beyond the end of memory. */
 #include <stdio.h>
 
 int main(void)

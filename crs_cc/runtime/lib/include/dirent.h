@@ -1,4 +1,4 @@
-/* POSIX dirent.h: the folders of the run's disk. Entries come in the order of their names. */
+/* POSIX dirent.h: the directories of the simulated disk. Entries are sorted by name. */
 #ifndef _DIRENT_H
 #define _DIRENT_H
 

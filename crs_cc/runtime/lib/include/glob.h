@@ -1,4 +1,4 @@
-/* POSIX glob.h: names of files by patterns. */
+/* POSIX glob.h: file names that match a pattern. */
 #ifndef _GLOB_H
 #define _GLOB_H
 

@@ -1,4 +1,4 @@
-/* POSIX threads for a program of one: locks, once, its own identity. None can be created. */
+/* POSIX threads for single-threaded programs: locks, pthread_once, pthread_self. None can be created. */
 #ifndef _PTHREAD_H
 #define _PTHREAD_H
 

@@ -1,4 +1,4 @@
-/* A constant count that is too large. */
+/* A constant shift count that is too large. */
 int main(void)
 {
     volatile unsigned u = 1;

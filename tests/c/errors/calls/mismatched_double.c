@@ -1,4 +1,4 @@
-/* A pointer to a function of an int is called with a double. */
+/* A function that takes an int is called with a double. */
 static int twice(int n) { return 2 * n; }
 
 int main(void)

@@ -1,4 +1,4 @@
-/* Example: a whole number is passed where a double is read. */
+/* Example: an int is passed where a double is read. */
 #include <stdarg.h>
 #include <stdio.h>
 

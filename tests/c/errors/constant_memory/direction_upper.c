@@ -1,4 +1,4 @@
-/* Example: a string literal is no place to write to. */
+/* Example: a string literal cannot be modified. */
 #include <ctype.h>
 #include <stdio.h>
 

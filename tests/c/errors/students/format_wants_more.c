@@ -1,4 +1,4 @@
-/* Example: two numbers are announced, one is given. */
+/* Example: the format expects two numbers, the call passes one. */
 #include <stdio.h>
 
 int main(void)

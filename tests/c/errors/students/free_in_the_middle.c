@@ -1,4 +1,4 @@
-/* Example: the pointer that malloc gave has moved on. */
+/* Example: the pointer that malloc returned has been advanced. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* Example: nobody has set the counters to 0. */
+/* Example: some of the counters were never set. */
 #include <stdio.h>
 
 int main(void)

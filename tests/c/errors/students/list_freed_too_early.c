@@ -1,4 +1,4 @@
-/* Example: the way to the next node lies in the node that was just freed. */
+/* Example: the pointer to the next node is in the node that was just freed. */
 #include <stdlib.h>
 
 struct node {

@@ -1,4 +1,4 @@
-/* Example: the length of a part whose end is in another array. */
+/* Example: the length of a range whose end is in another array. */
 #include <stdio.h>
 
 static int left[4] = {1, 2, 3, 4};

@@ -1,4 +1,4 @@
-/* Deep below the stack. */
+/* An address far below the stack. */
 static int sum, *p;
 
 int main(void)

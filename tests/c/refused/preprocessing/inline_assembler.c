@@ -1,4 +1,4 @@
-/* Machine code cannot be compiled for another machine. */
+/* Inline assembler cannot be translated for another machine. */
 int main(void)
 {
     __asm__("cli"); // error: assembly

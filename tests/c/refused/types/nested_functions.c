@@ -1,4 +1,4 @@
-/* What nested functions cannot do. */
+/* Invalid uses of nested functions. */
 #include <stdarg.h>
 int search(int n)
 {

@@ -1,4 +1,4 @@
-/* Bit-field layout: zero widths, units of several types, arrays of them, bytes seen through. */
+/* Bit-field layout: zero widths, units of several types, arrays of them, seen as bytes. */
 #include <stdio.h>
 #include <string.h>
 

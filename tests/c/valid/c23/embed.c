@@ -1,4 +1,4 @@
-/* #embed: a file as numbers. */
+/* #embed: the bytes of a file as a list of numbers. */
 // without gcc: gcc 12 has no #embed
 #include <stdio.h>
 static const unsigned char d[] = {

@@ -1,4 +1,4 @@
-/* What C23 adds: keywords, attributes, constexpr, auto, empty initialisers, and more. */
+/* Additions of C23: keywords, attributes, constexpr, auto, empty initialisers, and more. */
 // without gcc: gcc 12 has only half of C23
 // gcc options: -std=c23
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Complex numbers: exact products and quotients, and every place where they can stand. */
+/* Complex numbers: exact products and quotients, and every place where they can be used. */
 // without gcc: for -m32 its library divides in the extended precision of the x87
 #include <stdio.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* _Generic over qualifiers, arrays, functions, structs, and what is not chosen is not evaluated. */
+/* _Generic over qualifiers, arrays, functions, structs, expressions not selected are not evaluated. */
 #include <stdio.h>
 
 struct point { int x; };

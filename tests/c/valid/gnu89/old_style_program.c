@@ -1,7 +1,7 @@
 /*
- * A program as they were: everything global, tentative definitions,
- * macros with arguments, register pointers, printf without prototype.
- */
+   A program in the style of the time: everything global, tentative definitions,
+   macros with arguments, register pointers, printf without prototype.
+*/
 #include <stdio.h>
 
 # define MAXLINE   80

@@ -1,4 +1,4 @@
-/* Inline functions of gnu89, with the real definition behind. */
+/* Inline functions of gnu89, followed by the real definition. */
 // gcc options: -std=gnu89
 #include <stdio.h>
 extern inline int twice(int x) {

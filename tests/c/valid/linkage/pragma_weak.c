@@ -1,4 +1,4 @@
-/* `#pragma weak`: names that need no definition, and other names of functions and objects. */
+/* `#pragma weak`: names that need no definition, and aliases of functions and objects. */
 #include <stdio.h>
 
 #pragma weak hook

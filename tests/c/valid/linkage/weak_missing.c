@@ -1,4 +1,4 @@
-/* What is declared `weak` and defined nowhere has the address 0. */
+/* Symbols that are declared `weak` and not defined have the address 0. */
 #include <stdio.h>
 
 __attribute__((weak)) void hook(void);

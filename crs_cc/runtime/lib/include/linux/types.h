@@ -1,4 +1,4 @@
-/* Linux linux/types.h: integers of a size. */
+/* Linux linux/types.h: integers of fixed sizes. */
 #ifndef _LINUX_TYPES_H
 #define _LINUX_TYPES_H
 

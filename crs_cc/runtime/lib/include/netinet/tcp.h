@@ -1,4 +1,4 @@
-/* POSIX netinet/tcp.h: options that change nothing here. */
+/* POSIX netinet/tcp.h: options without effect. */
 #ifndef _NETINET_TCP_H
 #define _NETINET_TCP_H
 

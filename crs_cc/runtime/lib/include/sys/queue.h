@@ -1,4 +1,4 @@
-/* BSD sys/queue.h: lists and queues whose links lie in the elements. */
+/* BSD sys/queue.h: intrusive lists and queues. */
 #ifndef _SYS_QUEUE_H
 #define _SYS_QUEUE_H
 
