@@ -54,7 +54,7 @@ CONNECTION: Final = Group("Connection", (
     ),
     Function(
         "int real_robot(void)", "requests a real robot", posts=("REAL_ROBOT",), source=_BOTH,
-        under_ndirect=_NOTHING, chosen="There is none: nothing happens.",
+        under_ndirect=_NOTHING, chosen="There is no real robot: no effect.",
     ),
     Function(
         "int simulated_robot(void)", "requests a simulated robot", posts=("SIMULATED_ROBOT",),
@@ -88,8 +88,8 @@ MOTION: Final = Group("Motion", (
     ),
     Function(
         "int pa(int trans, int steer, int turret)", "returns FALSE, sends nothing",
-        under_ndirect="on a Nomad 200 turns steering and turret to angles; its translation is"
-                      " not known here, and ignored",
+        under_ndirect="on a Nomad 200 turns steering and turret to absolute angles; the"
+                      " effect on the translation is unknown, and not simulated",
         source=(SOURCE,), declared=False,
     ),
     Function(
@@ -206,7 +206,7 @@ CONFIGURATION: Final = Group("Configuration", (
         "sets the speed of the serial line, 4800, 9600, 19200 or 38400; FALSE on a Nomad 200; not"
         " declared in any header",
         units="-, baud", refreshes=ALL, posts=("CONF_SER",), source=(SOURCE,), declared=False,
-        chosen="Nclient has no such function, ours behaves the same; the port is ignored.",
+        chosen="Nclient lacks this function; ours behaves like Ndirect's. The port is ignored.",
     ),
     Function(
         "int ct(void)", "sends Smask, which becomes the active mask",

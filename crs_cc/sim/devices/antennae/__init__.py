@@ -2,13 +2,13 @@
 
 The ends of the antennae are on a circle around the centre of the mount, in front of it, at equal
 angles, numbered counter-clockwise: of two antennae, 0 is the right one. Each smells the amount in
-the cell of the field under its end:
+the field's cell under its end:
 
     reading = amount * (1 + noise * normal deviate), at least 0; an amount below the threshold is 0
 
 The gradient is that of the plane that fits the readings best (least squares); along directions in
-which the antennae do not differ, it is 0. So two antennae tell left from right only, three or four
-tell ahead from behind, too.
+which the antennae do not differ, it is 0. Two antennae therefore only distinguish left from right;
+three or four also distinguish ahead from behind.
 
 All fields are measured at once: on request, at most at the rate, or by the timer. Degradation
 (`antennae`): element 1.2 is antenna 2 in field 1; a dropped reading is 0. The model was chosen by
@@ -58,7 +58,7 @@ class Antennae:
     )
     apart_rad: float = attribute("apart", ANGLE, "40deg", "Angle between neighbouring antennae.")
     threshold: float = attribute(
-        "threshold", AMOUNT, "0", "Smallest amount that they smell; smaller ones read 0."
+        "threshold", AMOUNT, "0", "Smallest amount detected; smaller ones read 0."
     )
     noise: float = attribute(
         "noise", FRACTION, "0", "Standard deviation of a reading, as a fraction of it."

@@ -3,17 +3,17 @@
     reading = direction of the mount + offset + (deviation * sin(direction) until it is calibrated)
 
 in 0.1 degree, 0 to 3599 (vendor header `Nclient.h` 1.29). The direction is that of the turret, or
-of a robot without one, in the world frame: counter-clockwise from the world's x axis, like all
-angles of the robot; the offset of a definition sets another north. `conf_cp` switches it on and
-off: while it is off, the reading does not change, initially 0. `conf_cp(2)` calibrates it: the
-turret makes one turn, as slowly as the definition specifies (about three minutes, vendor header).
-Meanwhile the program continues; it should wait and not move the turret. Then the deviation, which
-is caused by iron on the robot, is removed. On a robot without a turret nothing turns. All numbers
-except the format were chosen by us.
+of the robot if it has none, in the world frame: counter-clockwise from the world's x axis, like all
+angles of the robot; the offset of a definition selects a different north. `conf_cp` switches the
+compass on and off: while it is off, the reading, initially 0, does not change. `conf_cp(2)`
+calibrates it: the turret makes one turn, as slowly as the definition specifies (about three
+minutes, vendor header). Meanwhile the program continues; it should wait and not move the turret.
+Then the deviation, which is caused by iron on the robot, is removed. A robot without a turret does
+not turn. All numbers except the format were chosen by us.
 
-It measures when a reply contains its reading, at most ten times a second (vendor header), or on its
-timer (`timers`). A normal deviate with the definition's noise is added. Degradation (`compass`): if
-a value is dropped, the reading does not change.
+The compass measures when a reply contains its reading, at most ten times a second (vendor header),
+or on its timer (`timers`). A normal deviate with the definition's noise is added. Degradation
+(`compass`): if a value is dropped, the reading does not change.
 """
 
 from __future__ import annotations

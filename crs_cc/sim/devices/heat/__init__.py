@@ -5,10 +5,10 @@
 
 The distance of an object is that of its nearest point from the robot's centre. Direction and
 obstacles have no effect: the purpose of the sensor is "to find the density of objects with heat in
-an area" (report, 4.3.3). So an object of heat 1 without a spread reads 1 anywhere in the range; one
-with a spread can be found by following the gradient. The formula was chosen by us, the report has
-none. Objects are at their positions at the start of the timestep. It measures on request, or on its
-timer. Degradation (`heat`): a dropped or negative value reads 0.
+an area" (report, 4.3.3). An object of heat 1 without a spread therefore reads 1 anywhere in the
+range; one with a spread can be found by following the gradient. The formula was chosen by us; the
+report has none. Objects are at their positions at the start of the timestep. The sensor measures on
+request, or on its timer. Degradation (`heat`): a dropped or negative value reads 0.
 """
 
 from __future__ import annotations

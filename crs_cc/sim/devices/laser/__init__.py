@@ -5,7 +5,7 @@
 
 Directions are counter-clockwise, from right to left, centred on the front of the turret; a
 direction without an object in range has no point. Points are x and y in 0.1 inch, forward and left
-of the centre of the turret (vendor header `Nclient.h` 1.29; that the frame is that of the turret,
+of the centre of the turret (vendor header `Nclient.h` 1.29; the frame of the turret,
 which carries the sensor, was chosen by us). `conf_ls` can request fewer points than the 482 of the
 vendor's array. Modes are the vendor's: bit 0 on, bit 1 points instead of segments; the rest of its
 client (`Nclient.c` 2.7) accepts 19 and 51 for points, and 1 and 33 for segments. The other modes
@@ -17,11 +17,11 @@ Segments are computed from the points by split and merge (`segments`), with the 
 selects, unless the mask excludes the laser. A laser that is off returns nothing. The returned
 readings are kept for the pages (LASER_PAGE) that the client requests.
 
-It measures when a reply contains its readings, at most thirty times a second (vendor header), or on
-its timer (`timers`). Noise: a normal deviate is added to each distance; its standard deviation is
-the definition's noise at 1 m and grows with the square of the distance, as for triangulation;
-averaging p pixels divides it by sqrt(p). Degradation (`laser`) applies to the distances; a dropped
-distance has no point.
+The laser measures when a reply contains its readings, at most thirty times a second (vendor
+header), or on its timer (`timers`). Noise: a normal deviate is added to each distance; its standard
+deviation is the definition's noise at 1 m and grows with the square of the distance, as for
+triangulation; averaging p pixels divides it by sqrt(p). Degradation (`laser`) applies to the
+distances; a dropped distance has no point.
 """
 
 from __future__ import annotations

@@ -35,7 +35,7 @@ class Radio:
     """
 
     rate_hz: float = rate("10Hz")
-    range_m: float = attribute("range", LENGTH, "30m", "How far away it finds robots.")
+    range_m: float = attribute("range", LENGTH, "30m", "Maximum distance of a detected robot.")
     noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation of the distance's error.")
     period_s: float = period()
 
@@ -57,7 +57,7 @@ DEVICE = number_sensor(
     summary="Measures the distance to the nearest other robot",
     does="measures the distance to the nearest other robot",
     model=Radio,
-    values=(Value("distance", "distance between the middles of the robots"),),
+    values=(Value("distance", "distance between the centres of the robots"),),
     kind=LENGTH,
     measure=measure,
     nothing="no robot in range: the request fails",
