@@ -100,7 +100,6 @@ def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
     except OSError as error:
         return {"status": "crashed", "error": f"{error.filename}: {error.strerror}"}
     except MemoryError:
-        limit_memory(None)
         most = loaded.experiment.limits.memory_mib
         return {"status": "limit", "error": f"needed more than {most} MiB of memory"}
     except Exception as error:  # one run must not end the sweep
@@ -143,8 +142,10 @@ def _run(job: dict[str, Any], loaded: _Loaded, variant: Variant) -> dict[str, An
     session = single_run.create(loaded.experiment, variant, job["seed"])
     # Programs have their memory now, of which they use a small part: the rest of it is not limited.
     limit_memory(loaded.experiment.limits.memory_mib * _MIB)
-    ending = single_run.run(loaded.experiment, session)
-    limit_memory(None)
+    try:
+        ending = single_run.run(loaded.experiment, session)
+    finally:
+        limit_memory(None)
     wall_s = time.monotonic() - started_s
     status, text = ending.status, ending.text
     measured = _measured(job, loaded, variant, session)

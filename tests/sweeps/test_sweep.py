@@ -209,6 +209,23 @@ def test_limits_end_a_run_and_are_its_status(folder: Path) -> None:
     assert rows[1]["error"] == "computed more than 1,000,000 instructions"
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="memory is limited on Linux only")
+def test_a_run_that_raises_leaves_no_limit_of_memory_behind(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import resource
+
+    def failing(*_: object) -> None:
+        assert resource.getrlimit(resource.RLIMIT_DATA) != before
+        raise OSError(errno.ENOSPC, "no space", "run.mcap")
+
+    before = resource.getrlimit(resource.RLIMIT_DATA)
+    monkeypatch.setattr("crs_cc.sweeps.single_run.run", failing)
+    (row, *_) = rows_of(swept(write(folder), folder / "out"))
+    assert row["error"] == "run.mcap: no space"
+    assert resource.getrlimit(resource.RLIMIT_DATA) == before
+
+
 def test_measures_are_functions_of_a_session_or_a_recording(folder: Path) -> None:
     path = write(folder, 'measures = "measures.py"\n')
     (folder / "measures.py").write_text(
