@@ -60,6 +60,20 @@ def put_into(folder: Path, name: str = "crs", module: str = "crs_cc") -> None:
     command.chmod(0o700)
 
 
+def left_behind() -> str:
+    """Return what a test has changed for good, because of which commands are no longer forks."""
+    if real or not _servers:
+        return ""
+    status = _servers[0].process.poll()
+    if status is not None:
+        _servers.clear()
+        return f"the process whose forks run commands has ended with {status}"
+    now = _surroundings()
+    changed = [f"{name}: {now[name]}" for name in now if now[name] != _servers[0].around[name]]
+    _servers[0].around = now
+    return ", ".join(changed)
+
+
 def processor_s() -> float:
     """Return the processor time of all commands that forks have run to their ends [s]."""
     if not _servers:
@@ -73,10 +87,12 @@ class Server:
 
     Attributes:
         address: where its socket is.
+        around: what it has from this process, and what commands must have, too.
         process: itself.
     """
 
     def __init__(self) -> None:
+        self.around = _surroundings()
         self.address = str(Path(tempfile.mkdtemp(prefix="crs-tests-")) / "socket")
         with socket.socket(socket.AF_UNIX) as listener:
             listener.bind(self.address)
@@ -87,6 +103,12 @@ class Server:
                 env=_ENVIRONMENT, cwd=SERVER.parent, pass_fds=[listener.fileno()],
                 start_new_session=True,
             )  # fmt: skip
+
+
+def _surroundings() -> dict[str, object]:
+    from tests.fork_client import surroundings  # which imports what only Unix has
+
+    return surroundings()
 
 
 _servers: list[Server] = []

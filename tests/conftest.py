@@ -108,6 +108,14 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         config.hook.pytest_deselected(items=others)
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_teardown() -> Iterator[None]:
+    yield
+    changed = commands.left_behind()
+    if changed:
+        pytest.fail(f"this test has left behind what later ones would meet: {changed}")
+
+
 def pytest_collection_finish() -> None:
     gc.freeze()  # modules and tests stay until the end: collections need not go through them
 

@@ -176,6 +176,22 @@ def test_the_server_has_one_thread(folder: Path) -> None:
     assert len(list(Path(f"/proc/{process}/task").iterdir())) == 1
 
 
+def test_what_a_test_changes_for_good_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    server = commands.server()
+    assert commands.left_behind() == ""
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    try:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (soft - 1, hard))
+        assert commands.left_behind().startswith("limits: ")
+    finally:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+    assert commands.left_behind().startswith("limits: ")  # they have changed again
+    assert commands.left_behind() == ""
+    monkeypatch.setattr(server.process, "poll", lambda: -9)
+    monkeypatch.setattr(commands, "_servers", [server])
+    assert "has ended with -9" in commands.left_behind()
+
+
 def test_the_time_of_commands_is_counted() -> None:
     before_s = commands.processor_s()
     code = "import time\nwhile time.process_time() < 0.1: pass"
