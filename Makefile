@@ -47,7 +47,7 @@ test: install-dev
 check: install-dev
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
-	@log=$$(mktemp); echo "$(BIN)/mypy"; $(BIN)/mypy >"$$log" 2>&1 & types=$$!; \
+	@log=$$(mktemp); echo "mypy"; $(BIN)/python -m tests.check_types >"$$log" 2>&1 & types=$$!; \
 	echo "$(PYTEST) --quick"; $(PYTEST) --quick; tests=$$?; \
 	wait $$types; types=$$?; cat "$$log"; rm "$$log"; [ $$types = 0 ] && [ $$tests = 0 ]
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from crs_cc.core.arrays import BoolArray
 from crs_cc.debug.world.robot_rows import activity
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.sim.devices.bumper.state import bumper_state
@@ -100,7 +101,8 @@ def _fails(environment: Environment, robot: int) -> list[str]:
     table = environment.last_state.degradation.table
     if not len(table):
         return []
-    acting = (table["robot"] == robot) & np.isin(table["phase"], (ACTS, FADES))
+    mine: BoolArray = table["robot"] == robot
+    acting = mine & np.isin(table["phase"], (ACTS, FADES))
     model = environment.world.robots[robot].model
     return [described(degradation_of(each, ""), model) for each in table[acting]]
 

@@ -27,7 +27,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, ComplexArray, IndexArray, Records
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.core.keyed_random import KeyedUniform
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.comms.inbox import Transit
@@ -124,11 +124,14 @@ class ChannelModel:
         Broadcasts and messages to groups go to the robots with `hears`, (robots,).
         """
         robots = np.flatnonzero(hears & state.presence.present)
-        one = np.flatnonzero(packets["to"] != EVERYBODY)
-        found = [(one, packets["to"][one].astype(np.intp))]
-        for channel in np.unique(packets["channel"][packets["to"] == EVERYBODY]).tolist():
-            many = np.flatnonzero((packets["to"] == EVERYBODY) & (packets["channel"] == channel))
-            from_ = place[packets["sender"][many]]
+        to: Int32Array = packets["to"]
+        on: Int32Array = packets["channel"]
+        senders: Int32Array = packets["sender"]
+        one = np.flatnonzero(to != EVERYBODY)
+        found = [(one, to[one].astype(np.intp))]
+        for channel in np.unique(on[to == EVERYBODY]).tolist():
+            many = np.flatnonzero((to == EVERYBODY) & (on == channel))
+            from_ = place[senders[many]]
             reach_m = float(self._channels.range_m[channel])
             cells = CellList(place[robots].real, place[robots].imag, reach_m)
             sender, hearer = cells.near(from_.real, from_.imag)
@@ -149,8 +152,10 @@ class ChannelModel:
     ) -> BoolArray:
         """Return which broadcasts and group messages have any of the robots `which` in range."""
         robots = np.flatnonzero(which & state.presence.present)
-        range_m = self._channels.range_m[packets["channel"]]
-        away = place[robots] - place[packets["sender"]][:, None]
+        channel: Int32Array = packets["channel"]
+        senders: Int32Array = packets["sender"]
+        range_m = self._channels.range_m[channel]
+        away = place[robots] - place[senders][:, None]
         near = exact.magnitude(away) <= range_m[:, None]
         near &= _is_meant(state, packets[:, None], robots)
         return np.asarray((packets["to"] == EVERYBODY) & near.any(axis=1))
@@ -164,7 +169,7 @@ class ChannelModel:
         fate: npt.NDArray[np.int8],
     ) -> None:
         channels, bad = self._channels, state.messages.bursts
-        channel = packets["channel"]
+        channel: Int32Array = packets["channel"]
         lossy = (channels.loss > 0.0) | (channels.burst_begin > 0.0)
         reached = np.flatnonzero((fate == Fate.DELIVERED) & lossy[channel[packet]])
         if not len(reached):
@@ -191,8 +196,9 @@ class ChannelModel:
     ) -> tuple[Records, Records]:
         """Return messages, also corrupted copies, and the arrivals of those that were not lost."""
         channels = self._channels
-        channel = packets["channel"][packet]
-        sent_s = packets["begins_s"] + channels.duration_s(packets)
+        channel: Int32Array = packets["channel"][packet]
+        begins_s: FloatArray = packets["begins_s"]
+        sent_s = begins_s + channels.duration_s(packets)
         arrives_s = sent_s[packet] + channels.delay_s[channel]
         names = packets["sender"][packet], packets["number"][packet], receiver
         if channels.jitter_s.any():
@@ -204,8 +210,9 @@ class ChannelModel:
 
     def _corrupted(self, packets: Records, coming: Records) -> Records:
         """Return the messages, followed by the corrupted copies that arrive instead."""
-        packet = coming["packet"]
-        share = self._channels.corruption[packets["channel"][packet]]
+        packet: Int32Array = coming["packet"]
+        channel: Int32Array = packets["channel"]
+        share = self._channels.corruption[channel[packet]]
         noisy = np.flatnonzero(share)
         if not len(noisy):
             return packets
@@ -227,7 +234,7 @@ class ChannelModel:
 
 def _is_meant(state: EnvState, packets: Records, receiver: IndexArray) -> BoolArray:
     """Return whether broadcasts address robots: sent by another one, and to a group of theirs."""
-    group = packets["group"]
+    group: Int32Array = packets["group"]
     bit = np.uint32(1) << np.maximum(group, 0).astype(np.uint32)
     meant = (group == NO_GROUP) | (state.messages.groups[receiver] & bit != 0)
     return np.asarray(meant & (receiver != packets["sender"]))

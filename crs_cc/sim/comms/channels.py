@@ -7,7 +7,7 @@ from typing import Final, Self
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, Int32Array, Int64Array, Records
 from crs_cc.sim.model.communication import HEAD_BYTES, Communication
 
 _FARTHEST_M: Final = 1e5  # no world is larger
@@ -56,5 +56,6 @@ class Channels:
 
     def duration_s(self, packets: Records) -> FloatArray:
         """Return the duration of each message's transmission [s], shape (k,)."""
-        size = packets["size"] + HEAD_BYTES
-        return np.asarray(size / self.bandwidth_bps[packets["channel"]])
+        size: Int32Array = packets["size"]
+        channel: Int32Array = packets["channel"]
+        return np.asarray((size + HEAD_BYTES) / self.bandwidth_bps[channel])

@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array, Records
 from crs_cc.sim.comms.message_log import Fate, note
 from crs_cc.sim.geometry.cell_list import expand
 from crs_cc.sim.state.messages import ARRIVED, COMING, GONE, MessageState
@@ -34,8 +34,8 @@ class Transit:
         self._messages = messages
         self._packets, self._receptions = [messages.packets], [messages.receptions]
         self._count = len(messages.packets)
-        left = messages.receptions["status"] != GONE
-        receivers = messages.receptions["receiver"][left]
+        left: BoolArray = messages.receptions["status"] != GONE
+        receivers: Int32Array = messages.receptions["receiver"][left]
         self.held = np.bincount(receivers, minlength=len(messages.sent))
 
     def full(self) -> BoolArray:
@@ -50,7 +50,7 @@ class Transit:
             coming: their receivers and arrival times, of dtype `RECEPTION`; `packet` is a row of
                 `packets`. If there are too many, the last ones are lost.
         """
-        receiver = coming["receiver"]
+        receiver: Int32Array = coming["receiver"]
         more = np.bincount(receiver, minlength=len(self.held))
         if (self.held + more > COMING_MOST).any():
             many = self.held[receiver] + _rank(receiver) >= COMING_MOST
@@ -99,7 +99,7 @@ class Inboxes:
             bounds = np.searchsorted(receiver, np.arange(robots + 1))
             self._head, self._coming = bounds[:-1].copy(), bounds[:-1].copy()
             self._end = bounds[1:]
-            on_way = receiver[table["status"] == COMING]
+            on_way: Int32Array = receiver[table["status"] == COMING]
             self._coming = self._end - np.bincount(on_way, minlength=robots)
         return table
 
@@ -139,7 +139,8 @@ class Inboxes:
         came = table[place]
         fate = np.where(came["corrupted"], int(Fate.CORRUPTED), int(Fate.DELIVERED))
         fate = np.where(fits, fate, int(Fate.INBOX)).astype(np.int8)
-        packets = messages.packets[came["packet"]]
+        came_as: Int32Array = came["packet"]
+        packets = messages.packets[came_as]
         note(messages, fate, packets, came["arrives_s"], came["receiver"])
 
     def count(self, messages: MessageState, rows: IndexArray) -> Int64Array:
@@ -159,7 +160,8 @@ class Inboxes:
         have = have[table["status"][head[have]] == ARRIVED]
         taken = head[have]
         table["status"][taken] = GONE
-        return have, messages.packets[table["packet"][taken]], table["arrives_s"][taken]
+        packet: Int32Array = table["packet"][taken]
+        return have, messages.packets[packet], table["arrives_s"][taken]
 
     def first_s(self, messages: MessageState, rows: IndexArray) -> FloatArray:
         """Return when each robot's first message arrives or has arrived, infinite for none."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, IndexArray, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.model.communication import ANY
 from crs_cc.sim.state.events import EventLog
@@ -35,9 +35,13 @@ def reopen(
 ) -> bool:
     """End the outage with these numbers at a time, now or later; return whether there was one."""
     rows = messages.shuts
-    same = (rows["channel"] == channel) & (rows["sender"] == sender)
-    same &= (rows["receiver"] == receiver) & (rows["until_s"] > np.maximum(rows["at_s"], now_s))
-    rows["until_s"][same] = np.maximum(rows["at_s"], at_s)[same]
+    from_s: FloatArray = rows["at_s"]
+    until_s: FloatArray = rows["until_s"]
+    same: BoolArray = rows["channel"] == channel
+    same &= rows["sender"] == sender
+    same &= rows["receiver"] == receiver
+    same &= until_s > np.maximum(from_s, now_s)
+    until_s[same] = np.maximum(from_s, at_s)[same]
     return bool(same.any())
 
 
@@ -58,9 +62,12 @@ def is_shut(
     found = np.zeros(len(packet), dtype=np.bool_)
     if not len(messages.shuts) or not len(packet):
         return found
-    begins_s, channel = packets["begins_s"], packets["channel"]
+    begins_s: FloatArray = packets["begins_s"]
+    channel: Int32Array = packets["channel"]
     rows = messages.shuts
-    rows = rows[(rows["at_s"] <= begins_s.max()) & (rows["until_s"] > begins_s.min())]
+    starts_s: FloatArray = rows["at_s"]
+    ends_s: FloatArray = rows["until_s"]
+    rows = rows[(starts_s <= begins_s.max()) & (ends_s > begins_s.min())]
     for at_s, until_s, on, sender, to in rows.tolist():
         meant = (begins_s >= at_s) & (begins_s < until_s)
         meant &= (on == ANY) | (channel == on)
@@ -80,8 +87,10 @@ def log_changes(
 ) -> None:
     """Log the outages that started and ended between two times."""
     rows = messages.shuts
-    changed = (rows["at_s"] >= from_s) & (rows["at_s"] < to_s)
-    changed |= (rows["until_s"] >= from_s) & (rows["until_s"] < to_s)
+    starts_s: FloatArray = rows["at_s"]
+    ends_s: FloatArray = rows["until_s"]
+    changed = (starts_s >= from_s) & (starts_s < to_s)
+    changed |= (ends_s >= from_s) & (ends_s < to_s)
     for row in rows[changed].tolist():
         for time_s, change in zip(row[:2], ("shut", "opened"), strict=True):
             if from_s <= time_s < to_s and row[0] < row[1]:

@@ -17,7 +17,7 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, Int32Array, Int64Array, Records
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.comms.message_log import Fate, note
 from crs_cc.sim.state.messages import PACKET, MessageState
@@ -36,13 +36,14 @@ def post(messages: MessageState, channels: Channels, packets: Records) -> BoolAr
     Returns:
         which were not dropped, shape (k,).
     """
-    senders = packets["sender"]
+    senders: Int32Array = packets["sender"]
+    channel: Int32Array = packets["channel"]
     packets["number"], packets["begins_s"] = messages.sent[senders], np.nan
     messages.sent[senders] += 1
     note(messages, Fate.SENT, packets, packets["sent_s"])
     held = np.bincount(messages.outbox["sender"], minlength=len(messages.sent))[senders]
     full = held >= MOST
-    limited = np.isfinite(channels.bandwidth_bps[packets["channel"]]) & ~full
+    limited = np.isfinite(channels.bandwidth_bps[channel]) & ~full
     if limited.any():
         full |= _make_room(messages, channels, packets, limited)
     note(messages, Fate.QUEUE, packets[full], packets["sent_s"][full])
@@ -54,7 +55,7 @@ def depart(messages: MessageState, channels: Channels, end_s: float) -> Records:
     """Remove and return the messages whose transmission begins before a time, in that order."""
     if not len(messages.outbox):
         return np.zeros(0, PACKET)
-    keys = messages.outbox["sender"].astype(np.int64) * len(channels) + messages.outbox["channel"]
+    keys = _keys(messages.outbox, channels)
     by_s = np.full(messages.free_s.size, np.nextafter(end_s, 0.0))
     _begin(messages, channels, keys, by_s)
     gone = np.isfinite(messages.outbox["begins_s"])
@@ -66,7 +67,8 @@ def depart(messages: MessageState, channels: Channels, end_s: float) -> Records:
 
 def clear(messages: MessageState, present: BoolArray, now_s: float) -> None:
     """Remove the unsent messages of robots that are not `present` in the world."""
-    absent = ~present[messages.outbox["sender"]]
+    senders: Int32Array = messages.outbox["sender"]
+    absent = ~present[senders]
     left = messages.outbox[absent]
     note(messages, Fate.ABSENT, left, np.full(len(left), now_s))
     messages.outbox = messages.outbox[~absent]
@@ -76,18 +78,20 @@ def _make_room(
     messages: MessageState, channels: Channels, packets: Records, which: BoolArray
 ) -> BoolArray:
     """Drop the oldest message where the channel says so; return where the queue is still full."""
-    box, count = messages.outbox, len(channels)
-    keys = box["sender"].astype(np.int64) * count + box["channel"]
-    mine = packets["sender"].astype(np.int64) * count + packets["channel"]
+    box = messages.outbox
+    keys, mine = _keys(box, channels), _keys(packets, channels)
+    channel: Int32Array = packets["channel"]
+    sent_s: FloatArray = packets["sent_s"]
+    begins_s: FloatArray = box["begins_s"]
     by_s = np.full(messages.free_s.size, -np.inf)
-    by_s[mine[which]] = packets["sent_s"][which]
+    by_s[mine[which]] = sent_s[which]
     _begin(messages, channels, keys, by_s)
-    waits = np.isnan(box["begins_s"])
+    waits = np.isnan(begins_s)
     waiting = np.bincount(keys[waits], minlength=messages.free_s.size)[mine]
     # A free transmitter has no queue.
-    busy = messages.free_s.ravel()[mine] > packets["sent_s"]
-    full = which & busy & (waiting >= channels.queue[packets["channel"]])
-    drops = full & channels.drops_oldest[packets["channel"]]
+    busy = messages.free_s.ravel()[mine] > sent_s
+    full = which & busy & (waiting >= channels.queue[channel])
+    drops = full & channels.drops_oldest[channel]
     if drops.any():
         waiting_rows = np.flatnonzero(waits & np.isin(keys, mine[drops]))
         found, first = np.unique(keys[waiting_rows], return_index=True)
@@ -98,26 +102,35 @@ def _make_room(
     return np.asarray(full & ~drops)
 
 
+def _keys(packets: Records, channels: Channels) -> Int64Array:
+    """Return the transmitter of each message: robot * number of channels + channel."""
+    sender: Int32Array = packets["sender"]
+    channel: Int32Array = packets["channel"]
+    return sender.astype(np.int64) * len(channels) + channel
+
+
 def _begin(messages: MessageState, channels: Channels, keys: Int64Array, by_s: FloatArray) -> None:
     """Start the transmissions that are due.
 
     Args:
         messages: changed in place.
         channels: the channels.
-        keys: robot * number of channels + channel, of each message in the outbox.
+        keys: the transmitter of each message in the outbox.
         by_s: the time limit by key, (robots * channels,).
     """
     box, free_s = messages.outbox, messages.free_s.ravel()
     duration_s = channels.duration_s(box)
-    waiting = np.flatnonzero(np.isnan(box["begins_s"]) & (by_s[keys] > -np.inf))
+    posted_s: FloatArray = box["sent_s"]
+    begun_s: FloatArray = box["begins_s"]
+    waiting = np.flatnonzero(np.isnan(begun_s) & (by_s[keys] > -np.inf))
     while len(waiting):
         mine, first = np.unique(keys[waiting], return_index=True)
         head = waiting[first]
-        begins_s = np.maximum(box["sent_s"][head], free_s[mine])
+        begins_s = np.maximum(posted_s[head], free_s[mine])
         soon = begins_s <= by_s[mine]
         if not soon.any():
             break
         head, mine, begins_s = head[soon], mine[soon], begins_s[soon]
-        box["begins_s"][head] = begins_s
+        begun_s[head] = begins_s
         free_s[mine] = begins_s + duration_s[head]
-        waiting = waiting[np.isnan(box["begins_s"][waiting])]
+        waiting = waiting[np.isnan(begun_s[waiting])]

@@ -122,17 +122,22 @@ class DegradationState:
         table = self.table
         if others:
             present = np.zeros(len(degradables()), dtype=np.bool_)
-            present[table["device"][table["phase"] != OVER]] = True
+            devices: Int64Array = table["device"]
+            present[devices[table["phase"] != OVER]] = True
             self.present = present
         self.next_s = float(np.min(turns_s(table), initial=np.inf))
 
 
 def turns_s(table: Records) -> FloatArray:
     """Return the times at which degradations enter their next phase, infinite for never, (n,)."""
-    end_s = table["onset_s"] + table["duration_s"]
+    onset_s: FloatArray = table["onset_s"]
+    duration_s: FloatArray = table["duration_s"]
+    recovery_s: FloatArray = table["recovery_s"]
+    phase: Int64Array = table["phase"]
+    end_s = onset_s + duration_s
     never_s = np.full(len(table), np.inf)
-    choices = np.stack([table["onset_s"], end_s, end_s + table["recovery_s"], never_s])
-    return np.asarray(choices[table["phase"], np.arange(len(table))])
+    choices = np.stack([onset_s, end_s, end_s + recovery_s, never_s])
+    return np.asarray(choices[phase, np.arange(len(table))])
 
 
 def record(degradation: Degradation, robot: int, serial: int) -> Records:
