@@ -1,9 +1,9 @@
 """Stands for Python in a test: has its command run by a fork of the server in `fork_server.py`.
 
 Called with the path of the server's socket and with Python's arguments. It passes its streams, its
-folder and its environment, forwards signals, and ends as the fork ends. If it is killed, the server
-kills the fork. Where a fork would differ from a process of its own (a terminal, other limits,
-another network), or no server answers, it becomes that process.
+folder, its environment, and the network and mounts that it sees, forwards signals, and ends as the
+fork ends. If it is killed, the server kills the fork. Where a fork would differ from a process of
+its own (a terminal, other limits), or no server answers, it becomes that process.
 
 It runs without site packages, and imports as little as possible: all tests wait for its start.
 """
@@ -17,19 +17,18 @@ import sys
 
 FORWARDED = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGUSR1", "SIGUSR2", "SIGWINCH")
 
+NAMESPACES = ("mnt", "net")
+"""What a fork can enter."""
+
 LIMITS = [each for each in vars(resource) if each.startswith("RLIMIT_")]
 
 
 def surroundings() -> dict[str, object]:
     """Return what a process has from its parent, and what no fork of another can take over."""
-    namespaces = "/proc/self/ns"
     return {
         "user": (os.getuid(), os.geteuid(), os.getgroups()),
         "limits": [resource.getrlimit(getattr(resource, each)) for each in LIMITS],
-        "namespaces": [  # pathlib would have to be imported
-            os.readlink(f"{namespaces}/{each}")  # noqa: PTH115
-            for each in ("mnt", "net", "pid")
-        ],
+        "processes": os.readlink("/proc/self/ns/pid"),  # noqa: PTH115 - pathlib takes long to import
     }
 
 
@@ -52,11 +51,13 @@ def ask(address: str, words: list[str]) -> _socket.socket:
     server = _socket.socket(_socket.AF_UNIX, _socket.SOCK_STREAM)
     server.connect(address)
     content = request(words)
-    folder = os.open(".", os.O_RDONLY)
-    streams = b"".join(each.to_bytes(4, sys.byteorder) for each in (folder, 0, 1, 2))
-    sent = server.sendmsg([content], [(_socket.SOL_SOCKET, _socket.SCM_RIGHTS, streams)])
+    places = [".", *(f"/proc/self/ns/{each}" for each in NAMESPACES)]
+    opened = [os.open(each, os.O_RDONLY) for each in places]
+    passed = b"".join(each.to_bytes(4, sys.byteorder) for each in (*opened, 0, 1, 2))
+    sent = server.sendmsg([content], [(_socket.SOL_SOCKET, _socket.SCM_RIGHTS, passed)])
     server.sendall(content[sent:])
-    os.close(folder)
+    for each in opened:
+        os.close(each)
     return server
 
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import array
 import contextlib
+import ctypes
 import gc
 import importlib
 import io
@@ -28,12 +29,14 @@ from pathlib import Path
 from types import ModuleType
 from typing import Final
 
-from fork_client import FORWARDED, surroundings
+from fork_client import FORWARDED, NAMESPACES, surroundings
 
 PACKAGE: Final = Path(__file__).parents[1] / "crs_cc"
 
 STREAMS: Final = 3
-"""What is passed besides the folder."""
+
+PASSED: Final = 1 + len(NAMESPACES) + STREAMS
+"""What comes with a request: the folder, the namespaces, and the streams."""
 
 MOST_FILES: Final = 1024
 """A server has fewer open: one for each client, and one for each fork."""
@@ -77,7 +80,7 @@ def receive(client: socket.socket) -> tuple[bytes, list[int]]:
     with contextlib.ExitStack() as failed:
         failed.callback(close, passed)  # who reads or writes their other ends would wait
         while len(content) < 4 or len(content) < 4 + int.from_bytes(content[:4], "little"):
-            more, extra, _, _ = client.recvmsg(1 << 20, socket.CMSG_SPACE((1 + STREAMS) * 4))
+            more, extra, _, _ = client.recvmsg(1 << 20, socket.CMSG_SPACE(PASSED * 4))
             for _, _, data in extra:
                 passed.frombytes(data)
             if not more:
@@ -116,13 +119,22 @@ def kill_all_of(process: int) -> None:
             kill(process, signal.SIGKILL)
 
 
+def enter(own: str, namespace: int) -> None:
+    """Enter the namespace of a client if it is another one; whoever made that may do so."""
+    if not os.path.sameopenfile(os.open(own, os.O_RDONLY), namespace):
+        library = ctypes.CDLL(None, use_errno=True)  # `os.setns` is there since Python 3.12
+        if library.setns(namespace, 0):
+            raise OSError(ctypes.get_errno(), f"cannot enter the namespace of {own}")
+
+
 class Command:
     """What a client wants to be run: Python's arguments, and what a process has from its parent."""
 
     def __init__(self, content: bytes, passed: list[int]) -> None:
         words, self._environment, self._mask, self._ignored, self._around = marshal.loads(content)
         self._words = [os.fsdecode(each) for each in words]
-        self._folder, *self._streams = passed
+        self._folder, *others = passed
+        self._namespaces, self._streams = others[: len(NAMESPACES)], others[len(NAMESPACES) :]
 
     def can_run(self, environment: dict[bytes, bytes], around: dict[str, object]) -> bool:
         """Return whether a fork of this process would do what a process of its own does."""
@@ -135,7 +147,7 @@ class Command:
 
     def close(self) -> None:
         """Close what was passed."""
-        close([self._folder, *self._streams])
+        close([self._folder, *self._namespaces, *self._streams])
 
     def run(self) -> None:
         """Make this process the one that the client stands for, and run the command."""
@@ -159,6 +171,8 @@ class Command:
 
     def _take_over(self) -> None:
         os.setsid()
+        for name, namespace in zip(NAMESPACES, self._namespaces, strict=True):
+            enter(f"/proc/self/ns/{name}", namespace)
         os.fchdir(self._folder)
         for number, stream in enumerate(self._streams):
             os.dup2(stream, number)

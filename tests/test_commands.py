@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from tests import commands
+from tests.cli.machines import has_namespaces, machines
 
 pytestmark = pytest.mark.skipif(commands.real, reason="all commands are processes of their own")
 
@@ -161,6 +162,20 @@ def test_what_a_fork_would_do_otherwise_is_a_process_of_its_own(options: dict[st
     (_, real, _), (_, started, _) = both(["-c", code], **options)
     assert started == real
     assert int(real.split()[0]) == os.getpid()
+
+
+@pytest.mark.skipif(not has_namespaces(), reason="needs network namespaces")
+def test_a_command_on_another_machine_sees_its_network_and_mounts(tmp_path: Path) -> None:
+    code = (
+        "import os, socket; print(socket.gethostbyname('far'), os.getcwd(), socket.if_nameindex())"
+    )
+    with machines(tmp_path, "far", 1) as (_, other):
+        for command in ([sys.executable], commands.python()):
+            words = [*other.prefix, *command, "-c", f"{code}; print(os.getppid())"]
+            done = subprocess.run(words, check=True, capture_output=True, text=True, cwd=tmp_path)
+            seen, parent = done.stdout.splitlines()
+            assert seen == f"10.77.1.1 {tmp_path} [(1, 'lo'), (2, 'wire1')]"
+    assert int(parent) == commands.server().process.pid
 
 
 def test_a_closed_stream_is_closed(tmp_path: Path) -> None:

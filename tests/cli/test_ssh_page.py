@@ -22,6 +22,7 @@ import pytest
 
 from crs_cc.recording.recording import Recording
 from tests.cli.machines import Machine, has_namespaces, machines
+from tests.commands import put_into
 
 PAGE: Final = Path(__file__).parents[2] / "docs" / "cluster.md"
 SSHD: Final = shutil.which("sshd", path=f"{os.environ['PATH']}{os.pathsep}/usr/sbin")
@@ -44,8 +45,8 @@ def commands(folder: Path) -> Path:
     """Return a folder with the commands of the page; those of SSH use our keys."""
     found = folder / "bin"
     found.mkdir()
+    put_into(found)
     lines = {
-        "crs": f'exec "{sys.executable}" -m crs_cc "$@"',
         "dask": f'exec "{sys.executable}" -m dask "$@"',
         "ssh": f'exec {shutil.which("ssh")} -F "{folder}/ssh_config" "$@"',
         "scp": f'exec {shutil.which("scp")} -S "{found}/ssh" "$@"',
@@ -66,10 +67,13 @@ def served(folder: Path, machine: Machine, path: str) -> Iterator[Path]:
         words = ("-q", "-t", "ed25519", "-N", "", "-f", str(folder / name))
         subprocess.run(["ssh-keygen", *words], check=True)
     shutil.copy(folder / "own.pub", home / ".ssh" / "authorized_keys")
+    # What Python reads at its start must be as here for `crs` to be a fork.
+    same = {name: each for name, each in os.environ.items() if name.startswith(("PYTHON", "LANG"))}
+    there = {**same, "PATH": path, "PYTHONPATH": str(PAGE.parents[1])}
     (folder / "sshd_config").write_text(
         f"Port {PORT}\nHostKey {folder}/host\nPidFile none\nUsePAM no\nStrictModes no\n"
         f"PermitRootLogin prohibit-password\nSubsystem sftp internal-sftp\n"
-        f"SetEnv PATH={path} PYTHONPATH={PAGE.parents[1]}\n"
+        f"SetEnv {' '.join(f'{name}={each}' for name, each in there.items())}\n"
     )
     (folder / "ssh_config").write_text(
         f"Host {NAME}\n HostName {ADDRESS}\n Port {PORT}\n IdentityFile {folder}/own\n"
