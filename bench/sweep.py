@@ -6,12 +6,17 @@ resumed; and with --dask on a cluster of three workers, one of which is killed. 
 time for each run, the most memory of the process that runs the sweep, and whether the table has
 the bytes of the first one. With --measures, runs have measures of one's own, too.
 
+At the end: the processor time of a run that does not fail, of what a sweep takes before its first
+run, and of a run that fails, with its recording. A run is taken apart into its simulation, which is
+measured in a process that does nothing else, and the rest.
+
     python bench/sweep.py [--dask] [--measures] [--programs N] [RUNS]
 """
 
 from __future__ import annotations
 
 import argparse
+import gc
 import os
 import random
 import resource
@@ -25,9 +30,11 @@ from contextlib import suppress
 from pathlib import Path
 
 from crs_cc.jobs.pool import Worker
+from crs_cc.sweeps import single_run
 from crs_cc.sweeps.experiment_file import parse
 from crs_cc.sweeps.plan import runs_of
 from crs_cc.sweeps.sweep import Progress, Sweep
+from crs_cc.sweeps.variant import VariantLoader
 
 WORLD = """<world version="1" duration="0.2s"><area length="6m" width="4m"/>
 <robot id="a" x="1m" y="1m" setup="noisy"/><robot id="b" x="1m" y="3m" setup="noisy"/></world>
@@ -47,13 +54,15 @@ MEASURES = """def west_m(session):
 JOBS = 2
 
 
-def experiment(folder: Path, runs: int, programs: int, *, measures: bool) -> Path:
+def experiment(
+    folder: Path, runs: int, programs: int, *, measures: bool, fails: bool = True
+) -> Path:
     """Write an experiment of so many runs, each of one of so many programs; return its file."""
     folder.mkdir()
     (folder / "hall.xml").write_text(WORLD)
     (folder / "drive.c").write_text(PROGRAM)
     path = folder / "trial.toml"
-    speeds = [10 * number for number in range(1, programs + 1)]
+    speeds = [10 * number + 5 * (not fails) for number in range(1, programs + 1)]
     path.write_text(
         f'world = "hall.xml"\nprograms = ["drive.c"]\nseeds = {max(1, runs // programs)}\n'
         + ('measures = "measures.py"\n' if measures else "")
@@ -118,6 +127,64 @@ def on_dask(path: Path, out: Path) -> None:
         Sweep(path, out).run(1, dask=cluster.scheduler_address, report=kill)
 
 
+# -- what it takes -------------------------------------------------------------------------------
+
+
+def costs(folder: Path, runs: int, programs: int, *, measures: bool) -> None:
+    """Print the processor time of a run and of its parts."""
+
+    def sweep_s(name: str, count: int, *, fails: bool = False) -> float:
+        path = experiment(folder / name, count, programs, measures=measures, fails=fails)
+        before_s = _processor_s()
+        Sweep(path, path.parent / "out").run(JOBS)
+        return _processor_s() - before_s
+
+    few_s = sweep_s("few", programs)
+    many_s = sweep_s("many", runs)
+    failing_s = sweep_s("failing", runs, fails=True)
+    run_ms = 1e3 * (many_s - few_s) / (runs - programs)
+    creating_ms, running_ms = simulation_ms(folder / "many" / "trial.toml")
+    failed = min(runs // programs, 100)
+    print("processor time [ms]")
+    print(f"  a run                  {run_ms:8.1f}")
+    print(f"    its simulation       {running_ms:8.1f}")
+    print(f"    overhead             {run_ms - running_ms:8.1f}")
+    print(f"      creating a session {creating_ms:8.1f}")
+    print(f"      all else           {run_ms - running_ms - creating_ms:8.1f}")
+    print(f"  before the first run   {1e3 * few_s - programs * run_ms:8.0f}")
+    print(f"  more for a failed run  {1e3 * (failing_s - many_s) / failed:8.1f}")
+
+
+def simulation_ms(path: Path, runs: int = 60) -> tuple[float, float]:
+    """Return the processor time of creating a session, and of running it [ms]."""
+    before = Path.cwd()
+    os.chdir(path.parent)  # as processes that run a sweep do
+    try:
+        wanted = parse(path.read_text(), path)
+        loader = VariantLoader(wanted, path.parent / "robots")
+        creating_s = running_s = 0.0
+        first = next(iter(runs_of(wanted)))
+        variant = loader.load(first.parameters)
+        for seed in range(-10, runs):  # the first ones load what comes later
+            started_s = time.process_time()
+            session = single_run.create(wanted, variant, seed + 10)
+            created_s = time.process_time()
+            single_run.run(wanted, session)
+            if seed >= 0:
+                creating_s += created_s - started_s
+                running_s += time.process_time() - created_s
+            del session
+            gc.collect()
+    finally:
+        os.chdir(before)
+    return 1e3 * creating_s / runs, 1e3 * running_s / runs
+
+
+def _processor_s() -> float:
+    """Return the processor time of this process and of those that have ended [s]."""
+    return sum(os.times()[:4])
+
+
 def _runs(path: Path) -> int:
     return sum(1 for _ in runs_of(parse(path.read_text(), path)))
 
@@ -134,11 +201,15 @@ def main() -> None:
     parser.add_argument("--programs", type=int, default=10, help="of the runs (default 10)")
     parser.add_argument("--dask", action="store_true", help="also on a Dask cluster")
     parser.add_argument("--measures", action="store_true", help="with measures of one's own")
+    parser.add_argument("--costs", action="store_true", help="only what a run takes")
     options = parser.parse_args()
     ways: list[Callable[[Path, Path], None]] = [local, workers_killed, resumed]
     if options.dask:
         ways.append(on_dask)
-    print("way               ms a run   rows   memory MiB   same table")
+    if options.costs:
+        ways = []
+    if ways:
+        print("way               ms a run   rows   memory MiB   same table")
     tables = []
     with tempfile.TemporaryDirectory() as folder:
         for way in ways:
@@ -156,6 +227,7 @@ def main() -> None:
             memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
             same = "yes" if tables[-1] == tables[0] else "NO"
             print(f"{way.__name__:16} {run_ms:9.1f} {_rows(out):6} {memory:12.0f}   {same}")
+        costs(Path(folder), options.runs, options.programs, measures=options.measures)
 
 
 if __name__ == "__main__":

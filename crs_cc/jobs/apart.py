@@ -8,9 +8,12 @@ import os
 import signal
 import threading
 from collections.abc import Callable
-from typing import TypeVar
+from typing import Final, TypeVar
 
 _T = TypeVar("_T")
+
+IS_APART: Final = hasattr(os, "fork")
+"""Whether processes can be copied here."""
 
 
 def apart(compute: Callable[[], _T]) -> _T:
@@ -20,7 +23,7 @@ def apart(compute: Callable[[], _T]) -> _T:
     a result, so does this process, in the same way; if this process is killed, the copy ends, too.
     Where processes cannot be copied (Windows), the function is just called.
     """
-    if not hasattr(os, "fork"):
+    if not IS_APART:
         return compute()
     results, our_results = os.pipe()
     life, our_life = os.pipe()

@@ -53,7 +53,7 @@ def serve(
     """Run jobs until standard input ends.
 
     Args:
-        work: does a job, in a child; one with an `error` in its result does no more.
+        work: does a job, in a child; one with a true `is_last` in its result does no more.
         load: loads for a job, in this process, what later jobs may need as well; trusted, and it
             does not raise.
         alike: says which jobs can be done by one child, one after the other; by default none.
@@ -144,7 +144,7 @@ def _do_jobs(
     with open(jobs, "rb") as lines:
         for number, line in enumerate(lines, 1):
             result = work(json.loads(line))
-            if number == most or result.get("error"):
+            if number == most or result.get("is_last"):
                 return
             gc.collect()  # what has been frozen is not looked at
             os.write(answers, b"\n")

@@ -29,6 +29,8 @@ Row = dict[str, Any]
 
 ROWS: Final = "rows.jsonl"
 TABLE: Final = "runs.csv"
+PART: Final = ".mcap.part"
+"""How the names of recordings end that are needed for measures only."""
 
 
 class RowFile:

@@ -11,20 +11,22 @@ import os
 import time
 from collections.abc import Callable, Collection, Generator, Iterable, Iterator, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Self
 
 from crs_cc import __version__
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Location
+from crs_cc.jobs.apart import IS_APART
 from crs_cc.jobs.pool import Outcome, Pool, Task
 from crs_cc.recording.description import versions
 from crs_cc.recording.recording import Recording
+from crs_cc.sweeps.batches import MOST, Batches
 from crs_cc.sweeps.experiment import Experiment, ExperimentError
 from crs_cc.sweeps.experiment_file import parse, read_text
 from crs_cc.sweeps.plan import Parameters, PlannedRun, names_of, runs_of, shown, to_check
-from crs_cc.sweeps.rows import ROWS, TABLE, Row, RowFile, read_rows, replace_text, table_text
+from crs_cc.sweeps.rows import PART, ROWS, TABLE, Row, RowFile, read_rows, replace_text, table_text
 
 if TYPE_CHECKING:
     from crs_cc.jobs.cluster import Cluster
@@ -44,6 +46,9 @@ _SHOWN: Final = 10
 _CHECK_S: Final = 300.0
 _RETRIES: Final = 2
 """How often a run is tried again whose process was killed."""
+
+_TOGETHER_S: Final = 20.0
+"""Real time of a run in a batch, which should take less than a second: then it is run alone."""
 
 RunTasks = Callable[[Iterable[Task], int], Generator[Outcome, None, None]]
 """Yields what becomes of tasks, so many of which are tried again when their process crashes."""
@@ -156,11 +161,18 @@ class Sweep:
         replace_text(self.folder / _PLAN, json.dumps(plan, indent=1))
         with RowFile(self.folder) as rows:
             self.rows = rows.rows
+            self._tidy()
             try:
                 self._run_planned(pool, rows, report)
                 self._record_failed(pool)
             finally:
+                self._tidy()
                 self.write_table()
+
+    def _tidy(self) -> None:
+        """Remove what measures needed whose process was killed."""
+        for path in self.folder.glob(f"run-*{PART}"):
+            path.unlink(missing_ok=True)
 
     def write_table(self) -> None:
         """Write the table of the rows that there are."""
@@ -251,7 +263,7 @@ class Sweep:
 
     # -- the runs --------------------------------------------------------------------------------
 
-    def _task(self, do: str, run: PlannedRun, **more: str) -> Task:
+    def _task(self, do: str, run: PlannedRun, **more: object) -> Task:
         job = {
             "do": do,
             "experiment": self._text,
@@ -264,6 +276,11 @@ class Sweep:
             **more,
         }
         return Task(job, _CHECK_S, self.experiment.limits.wall_s, "loading")
+
+    def _batch_task(self, batch: Sequence[PlannedRun]) -> Task:
+        task = self._task("run", batch[0], runs=[(run.number, run.seed) for run in batch])
+        is_alone = len(batch) == 1
+        return task if is_alone else replace(task, run_s=min(task.run_s, _TOGETHER_S))
 
     def _run_planned(
         self, pool: RunTasks, rows: RowFile, report: Callable[[Progress], None]
@@ -295,18 +312,46 @@ class Sweep:
     def _rows_of(
         self, pool: RunTasks, runs: Iterable[PlannedRun], done: Collection[int]
     ) -> Iterator[Row]:
-        """Yield the rows of runs that are not done yet, as they end."""
-        planned: dict[int, PlannedRun] = {}
+        """Yield the rows of runs that are not done yet, as they end.
+
+        What may be the fault of another run of a batch is found out by running each of them alone.
+        """
+        alone: list[PlannedRun] = []
+        batches = Batches((each for each in runs if each.number not in done), self._most_in_batch)
+        yield from self._rows_of_batches(pool, batches, alone)
+        if alone:
+            alone.sort(key=lambda run: run.number)
+            yield from self._rows_of_batches(pool, Batches(alone, 1), None)
+
+    @property
+    def _most_in_batch(self) -> int:
+        """The user's measures of several runs would meet where they are not computed apart."""
+        return MOST if IS_APART or self.experiment.measures is None else 1
+
+    def _rows_of_batches(
+        self, pool: RunTasks, batches: Batches, alone: list[PlannedRun] | None
+    ) -> Iterator[Row]:
+        """Yield the rows of runs, as they end; those that have to run alone are put in a list.
+
+        Without such a list they are alone, and tried again if their process crashes.
+        """
+        planned: dict[int, list[PlannedRun]] = {}
 
         def tasks() -> Iterator[Task]:
-            missing = (each for each in runs if each.number not in done)
-            for number, each in enumerate(missing):
-                planned[number] = each
-                yield self._task("run", each)
+            for number, batch in enumerate(batches):
+                planned[number] = batch
+                yield self._batch_task(batch)
 
-        with closing(pool(tasks(), _RETRIES)) as outcomes:
+        with closing(pool(tasks(), 0 if alone is not None else _RETRIES)) as outcomes:
             for outcome in outcomes:
-                yield row_of(planned.pop(outcome.number), outcome)
+                batch = planned.pop(outcome.number)
+                rows = rows_of(batch, outcome)
+                if alone is not None and (len(rows) < len(batch) or outcome.kind == "crashed"):
+                    alone += batch
+                    continue
+                for row in rows:
+                    batches.took(row.get("wall_s"))
+                    yield row
 
     def _record_failed(self, pool: RunTasks) -> None:
         """Run the first runs that failed once more, and record them."""
@@ -361,7 +406,13 @@ def _pool(jobs: int, dask: str) -> Pool | Cluster:
     return Cluster(_MODULE, dask)
 
 
-def row_of(run: PlannedRun, outcome: Outcome) -> Row:
-    """Return the row of a run that has ended, or whose process has."""
-    found = outcome.result or {"status": outcome.kind, "error": outcome.text}
-    return {"run": run.number, "parameters": dict(run.parameters), "seed": run.seed, **found}
+def rows_of(batch: Sequence[PlannedRun], outcome: Outcome) -> list[Row]:
+    """Return the rows of runs that have ended, or whose process has; fewer if that is not sure."""
+    if outcome.result is not None:
+        found = outcome.result["rows"]
+    else:
+        found = [{"status": outcome.kind, "error": outcome.text}] * (len(batch) == 1)
+    return [
+        {"run": run.number, "parameters": dict(run.parameters), "seed": run.seed, **each}
+        for run, each in zip(batch, found, strict=False)
+    ]

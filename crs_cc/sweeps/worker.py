@@ -9,6 +9,7 @@ import time
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
@@ -24,6 +25,7 @@ from crs_cc.sweeps import single_run
 from crs_cc.sweeps.experiment import Experiment
 from crs_cc.sweeps.experiment_file import parse
 from crs_cc.sweeps.measures import OURS, Measure, MeasureError, load_measures
+from crs_cc.sweeps.rows import PART
 from crs_cc.sweeps.variant import Variant, VariantLoader, unused_macros
 
 _KEPT: Final = 16
@@ -85,25 +87,52 @@ def _load(job: dict[str, Any]) -> None:
 
 def _alike(job: dict[str, Any]) -> str:
     """Return the variant that is run: a run depends on none before it in the same process."""
-    return repr(job["parameters"]) if job["do"] == "run" else ""
+    return "" if job["do"] == "check" else repr(job["parameters"])
 
 
 def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
-    do = {"check": _check, "run": _run, "record": _record}[job["do"]]
+    if job["do"] == "run":
+        return _batch(job, prepared)
+    do = {"check": _check, "record": _record}[job["do"]]
+    return _guarded(job, lambda: do(job, prepared))
+
+
+def _batch(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
+    """Run some runs of a variant; return their rows, or none if each has to be run alone.
+
+    Measures come last: copying a process costs it a page fault for each page that it writes
+    afterwards, some thousands in the next run.
+    """
+    runs: list[_Run] = []
+    rows: list[dict[str, Any]] = []
+    for number, seed in job["runs"]:
+        runs.append(_Run({**job, "number": number, "seed": seed}))
+        rows.append(_guarded(job, partial(runs[-1].run, prepared)))
+        if "is_last" in rows[-1] and len(job["runs"]) > 1:
+            return {"rows": [], "is_last": True}
+    for place, run in enumerate(runs):
+        if run.session is not None:
+            if place:
+                prepared()  # each may take as long as a run
+            rows[place] = _guarded(job, partial(run.measured, rows[place]))
+    ends = [row.pop("is_last", False) for row in rows]
+    return {"rows": rows, "is_last": any(ends)}
+
+
+def _guarded(job: dict[str, Any], do: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """Return what a function returns, or what it raised: one run must not end the sweep."""
     try:
-        loaded = _of(job)
-        variant = loaded.variant(job)
-        prepared()
-        return do(job, loaded, variant)
+        return do()
     except CrsError as error:
-        return {"status": "crashed", "error": _message(error, job)}
+        found = {"status": "crashed", "error": _message(error, job)}
     except OSError as error:
-        return {"status": "crashed", "error": f"{error.filename}: {error.strerror}"}
+        found = {"status": "crashed", "error": f"{error.filename}: {error.strerror}"}
     except MemoryError:
-        most = loaded.experiment.limits.memory_mib
-        return {"status": "limit", "error": f"needed more than {most} MiB of memory"}
-    except Exception as error:  # one run must not end the sweep
-        return {"status": "crashed", "error": f"{type(error).__name__}: {error}"}
+        most = _of(job).experiment.limits.memory_mib
+        found = {"status": "limit", "error": f"needed more than {most} MiB of memory"}
+    except Exception as error:
+        found = {"status": "crashed", "error": f"{type(error).__name__}: {error}"}
+    return {**found, "is_last": True}
 
 
 def _message(error: CrsError, job: dict[str, Any]) -> str:
@@ -114,8 +143,11 @@ def _message(error: CrsError, job: dict[str, Any]) -> str:
     return f"{first.text}\n    hint: {first.hint}" if first.hint else first.text
 
 
-def _check(job: dict[str, Any], loaded: _Loaded, variant: Variant) -> dict[str, Any]:
+def _check(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
     """Return what a variant was loaded from, or what is wrong with it."""
+    loaded = _of(job)
+    variant = loaded.variant(job)
+    prepared()
     single_run.end_s(loaded.experiment, variant)
     unused = list(unused_macros(job["parameters"], variant))
     files = dict(variant.files)
@@ -136,73 +168,94 @@ def _check(job: dict[str, Any], loaded: _Loaded, variant: Variant) -> dict[str, 
     }
 
 
-def _run(job: dict[str, Any], loaded: _Loaded, variant: Variant) -> dict[str, Any]:
-    """Run a variant with a seed; return its row, without what planned it."""
-    started_s = time.monotonic()
-    session = single_run.create(loaded.experiment, variant, job["seed"])
-    # Programs have their memory now, of which they use a small part: the rest of it is not limited.
-    limit_memory(loaded.experiment.limits.memory_mib * _MIB)
-    try:
-        ending = single_run.run(loaded.experiment, session)
-    finally:
-        limit_memory(None)
-    wall_s = time.monotonic() - started_s
-    status, text = ending.status, ending.text
-    measured = _measured(job, loaded, variant, session)
-    if status == "ended" and measured["error"]:
-        status, text = "measure error", measured["error"]
-    return {
-        "status": status,
-        "error": text,
-        **_results(session.result(), measured["values"]),
-        "wall_s": round(wall_s, 6),
-    }
+class _Run:
+    """One run of a batch.
 
-
-def _measured(
-    job: dict[str, Any], loaded: _Loaded, variant: Variant, session: Session
-) -> dict[str, Any]:
-    """Return the values of the user's measures, and what was wrong with one.
-
-    They are computed apart: what their code keeps or changes reaches no other run.
+    Attributes:
+        session: its session, until the user's measures have been computed; None if there are none.
     """
-    measures = loaded.measures
-    if not measures:
-        return {"values": {}, "error": ""}
-    if all(measure.of == "session" for measure in measures):
-        return apart(lambda: _values(measures, session))
-    path = Path(job["out"], f"run-{job['number']}.mcap.part")
-    try:
-        single_run.record(loaded.experiment, variant, job["seed"], path)
-        return apart(lambda: _values(measures, session, path))
-    finally:
-        path.unlink(missing_ok=True)
+
+    def __init__(self, job: dict[str, Any]) -> None:
+        self._job = job
+        self.session: Session | None = None
+
+    def run(self, prepared: Callable[[], None]) -> dict[str, Any]:
+        """Run it; return its row without the user's measures, and without what planned it."""
+        loaded = _of(self._job)
+        variant = loaded.variant(self._job)
+        prepared()
+        started_s = time.monotonic()
+        session = single_run.create(loaded.experiment, variant, self._job["seed"])
+        # Programs have their memory now, of which they use a small part: it is not limited.
+        limit_memory(loaded.experiment.limits.memory_mib * _MIB)
+        try:
+            ending = single_run.run(loaded.experiment, session)
+        finally:
+            limit_memory(None)
+        wall_s = round(time.monotonic() - started_s, 6)
+        if loaded.measures:
+            self.session = session
+        row = {"status": ending.status, "error": ending.text}
+        return {**row, **_results(session.result()), "wall_s": wall_s}
+
+    def measured(self, row: dict[str, Any]) -> dict[str, Any]:
+        """Return its row with the user's measures; what they looked at is given up.
+
+        They are computed apart: what their code keeps or changes reaches no other run.
+        """
+        loaded, session, self.session = _of(self._job), self.session, None
+        assert session is not None
+        measures, experiment = loaded.measures, loaded.experiment
+        started_s = time.monotonic()
+        most = experiment.limits.memory_mib * _MIB
+        path = None
+        if any(measure.of == "recording" for measure in measures):
+            path = Path(self._job["out"], f"run-{self._job['number']}{PART}")
+        try:
+            if path is not None:
+                variant = loaded.variant(self._job)
+                single_run.record(experiment, variant, self._job["seed"], path)
+            found = apart(lambda: _values(measures, session, path, most))
+        finally:
+            if path is not None:
+                path.unlink(missing_ok=True)
+        wall_s = round(row["wall_s"] + time.monotonic() - started_s, 6)
+        row = {**row, "measures": {**row["measures"], **found["values"]}, "wall_s": wall_s}
+        if row["status"] == "ended" and found["error"]:
+            row |= {"status": "measure error", "error": found["error"]}
+        return row
 
 
 def _values(
-    measures: Sequence[Measure], session: Session, path: Path | None = None
+    measures: Sequence[Measure], session: Session, path: Path | None, most: int
 ) -> dict[str, Any]:
     """Return the values of measures up to the first that fails, and what was wrong with it."""
     values: dict[str, Any] = {}
+    limit_memory(most)
     try:
         for measure in sorted(measures, key=lambda each: each.of == "recording"):
             subject = session if path is None or measure.of == "session" else Recording(path)
             values[measure.name] = measure.value(subject)
     except MeasureError as error:
         return {"values": values, "error": str(error)}
+    finally:
+        limit_memory(None)
     return {"values": values, "error": ""}
 
 
-def _results(result: RunResult, values: dict[str, Any]) -> dict[str, Any]:
+def _results(result: RunResult) -> dict[str, Any]:
     return {
         "simulated_s": round(result.simulated_s, 9),
         "goals": {goal.id: {"status": goal.status, "at_s": goal.at_s} for goal in result.goals},
-        "measures": {**{name: of(result) for name, (_, of) in OURS.items()}, **values},
+        "measures": {name: of(result) for name, (_, of) in OURS.items()},
         "state_hash": result.state_hash,
     }
 
 
-def _record(job: dict[str, Any], loaded: _Loaded, variant: Variant) -> dict[str, Any]:
+def _record(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
+    loaded = _of(job)
+    variant = loaded.variant(job)
+    prepared()
     path = Path(job["record"])
     path.parent.mkdir(parents=True, exist_ok=True)
     return asdict(single_run.record(loaded.experiment, variant, job["seed"], path))

@@ -16,7 +16,7 @@ def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
         os.kill(os.getpid(), signal.SIGKILL)
     if job.get("how") == "raises":
         raise ValueError
-    return {"pid": os.getpid(), "error": job.get("how", "")}
+    return {"pid": os.getpid(), "is_last": job.get("how") == "wrong"}
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ import crs_cc
 from crs_cc.cli.main import main
 from crs_cc.jobs.pool import Worker
 from crs_cc.recording.recording import Recording
+from crs_cc.sweeps import sweep as sweep_module
 from crs_cc.sweeps.experiment import ExperimentError
 from crs_cc.sweeps.rows import RowFile
 from crs_cc.sweeps.sweep import Sweep
@@ -270,6 +271,52 @@ def test_what_measures_keep_and_change_reaches_no_other_run(folder: Path) -> Non
     assert [row["measures"]["kept"] for row in rows] == [1, 1, 1]
     assert len({row["measures"]["process"] for row in rows}) == 1
     assert [row["state_hash"] for row in rows] == [row["state_hash"] for row in plain]
+
+
+TROUBLE = """import os, signal, time
+def odd(session):
+    if session.seed == 2:
+        time.sleep(600)
+    if session.seed == 3:
+        os._exit(3)
+    if session.seed == 4:
+        os.kill(os.getpid(), signal.SIGABRT)
+    if session.seed == 5:
+        bytearray(2**32)
+    if session.seed == 6:
+        raise SystemExit
+    return session.seed
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="memory is limited on Linux only")
+def test_what_a_measure_does_to_its_process_costs_its_own_row_only(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sweep_module, "_TOGETHER_S", 1.0)
+    plain = rows_of(swept(write(folder, "", EXPERIMENT.replace("3", "8")), folder / "plain"))
+    more = 'measures = "measures.py"\n[limits]\nwall_s = 6\nmemory_mib = 1000\n'
+    path = write(folder, more, EXPERIMENT.replace("3", "8"))
+    (folder / "measures.py").write_text(TROUBLE)
+    sweep = Sweep(path, folder / "out")
+    sweep.run(1)
+    rows = rows_of(sweep)
+    ends = ["ended", "time out", *["crashed"] * 2, "measure error", "crashed", *["ended"] * 2]
+    assert [row["status"] for row in rows] == ends
+    assert "by signal 6" in rows[3]["error"]
+    assert rows[4]["error"] == "odd: line 10: MemoryError()"
+    assert [row["measures"]["odd"] for row in (rows[0], *rows[6:])] == [1, 7, 8]
+    assert [row["state_hash"] for row in (rows[0], *rows[6:])] == [
+        row["state_hash"] for row in (plain[0], *plain[6:])
+    ]
+
+
+def test_recordings_of_measures_that_were_killed_are_removed(folder: Path) -> None:
+    path, out = write(folder), folder / "out"
+    swept(path, out)
+    (out / "run-2.mcap.part").write_bytes(b"half of it")
+    swept(path, out, resume=True)
+    assert not list(out.glob("*.part"))
 
 
 # -- the same table however it comes to be -------------------------------------------------------
