@@ -108,8 +108,8 @@ _OPTIONS = (
     ),
     click.option(
         "--root", metavar="DIR", type=click.Path(path_type=Path, exists=True, file_okay=False),
-        help="The folder of the whole project: its C files may include its other files, as with "
-        "'../include/x.h'. By default the current directory, for programs inside it.",
+        help="The root folder of the project: C files may include files anywhere in it, as with "
+        "'../include/x.h'. Default: the current directory, for programs inside it.",
     ),
     click.option(
         "-D", "--define", "defines", metavar="NAME[=VALUE]", multiple=True,
@@ -127,9 +127,9 @@ _OPTIONS = (
     ),
     click.option(
         "-W", "warnings", metavar="[no-|error=]NAME", multiple=True, callback=_selection,
-        help="Select warnings as gcc does: -Wno-NAME hides one, -Wno-unused all that start so, "
-        "-Wno-all (or -w) hides all, -Werror makes errors of them, -Werror=NAME of one. By "
-        "default all are shown. Options of gcc such as -O2, -g and -lm are accepted, and ignored.",
+        help="Select warnings as in gcc: -Wno-NAME disables one, -Wno-unused all whose names "
+        "start with unused-, -Wno-all (or -w) all; -Werror turns them into errors, -Werror=NAME "
+        "one. By default all are enabled. Options of gcc such as -O2, -g and -lm are ignored.",
     ),
     click.option(
         "--dialect", type=click.Choice(DIALECTS),

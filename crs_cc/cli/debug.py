@@ -25,7 +25,7 @@ Examples:
   crs debug wander.c room.xml -- 500
   crs debug --batch -x crash.dbg wander.c room.xml
   crs debug -ex "break turn if speed > 100" -ex continue wander.c room.xml
-  crs debug run.mcap --at 12.5s                  a run that was recorded
+  crs debug run.mcap --at 12.5s                  a recorded run
   crs debug --dap stdio                          serve an editor, see docs/editors.md
 """
 

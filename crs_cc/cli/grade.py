@@ -64,7 +64,9 @@ class _Targets:
 @click.argument("files", nargs=-1, required=True, metavar="SUBMISSIONS... WORLD.xml...")
 @written_file("--csv", "Write a table, with a line for each submission and a column for each goal.")
 @click.option(
-    "--excel", is_flag=True, help="Begin the table with a byte order mark: Excel knows UTF-8 by it."
+    "--excel",
+    is_flag=True,
+    help="Start the table with a byte order mark, so that Excel detects UTF-8.",
 )
 @written_file("--html", "Write a page with the table, and a picture of each run.")
 @written_folder("--runs", "Write a picture and a recording of each run to DIR.")
@@ -110,7 +112,7 @@ class _Targets:
     default=2_000_000_000,
     show_default=True,
     metavar="N",
-    help="Instructions that a program may compute.",
+    help="Instructions that a program may execute.",
 )
 @click.option(
     "--max-output",
@@ -118,7 +120,7 @@ class _Targets:
     default=1_000_000,
     show_default=True,
     metavar="BYTES",
-    help="What a program may print.",
+    help="Bytes that a program may print.",
 )
 @click.option(
     "--max-memory",
@@ -159,10 +161,10 @@ def grade(
     SUBMISSIONS are folders: each C file and each folder in one is a submission, a folder being one
     program of several files. C files can be named, too. Each submission runs in each world with
     each seed, in a process of its own, as the program of the robots for which the world names none.
-    Links are not followed, and nothing outside of a submission can be read but what --file names.
+    Links are not followed, and outside a submission, only files named by --file can be read.
 
     The same submissions get the same grades on every machine, unless a limit of real time, the last
-    resort, ends a run; the grade then says so. The exit status is 0 whatever the grades are.
+    resort, ends a run; the grade then reports it. The exit status is 0 whatever the grades are.
     """
     from crs_cc.cli.grading.grading import Settings
     from crs_cc.cli.grading.job import Limits, Robots

@@ -32,7 +32,7 @@ Examples:
   crs run wander.c room.xml --plot path.svg      plot the robot's path
   crs view wander.c room.xml                     watch, steer and debug in the browser
   crs debug wander.c room.xml                    debug, forward and in reverse
-  crs replay run.mcap                            what happened in a run that was recorded
+  crs replay run.mcap                            what happened in a recorded run
   crs check wander.c room.xml                    report errors, run nothing
   crs grade submissions/ course.xml              grade many programs by a world's goals
   crs sweep trial.toml --out runs                run an experiment over parameters and seeds

@@ -79,7 +79,7 @@ def _forwards(
 _OPTIONS: Final = (
     click.option(
         "--connect", "ways", multiple=True, metavar="NAME[:PORT]=HOST:PORT", callback=_ways,
-        help="Let programs connect to NAME, which leads to PORT of HOST in the real network; may "
+        help="Let programs connect to NAME, forwarded to PORT of HOST in the real network; may "
         "be repeated. See docs/sockets.md.",
     ),
     click.option(

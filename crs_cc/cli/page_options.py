@@ -26,5 +26,5 @@ def page_options(command: _Command) -> _Command:
         type=click.IntRange(0, 65535),
         default=0,
         metavar="PORT",
-        help="Serve the page on this port of this machine. Default: any that is free.",
+        help="Serve the page on this port of this machine. Default: any free port.",
     )(command)

@@ -27,7 +27,7 @@ Examples:
 
 @click.command(
     epilog=_EXAMPLES,
-    short_help="Show, export, verify, compare or mend recordings.",
+    short_help="Show, export, verify, compare or recover recordings.",
     options_metavar="[OPTIONS]",
 )
 @click.argument("path", type=click.Path(path_type=Path), metavar="RUN.mcap")

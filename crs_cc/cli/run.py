@@ -50,7 +50,7 @@ Examples:
     "changes",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Change the run at simulated times, by the debugger's commands: '12.5s: degrade robot0 "
+    help="Change the run at simulated times, with debugger commands: '12.5s: degrade robot0 "
     "sonar.3 dead'. crs view writes such files.",
 )
 @written_file(
@@ -79,8 +79,8 @@ Examples:
     "--threads",
     type=click.IntRange(1, 64),
     metavar="N",
-    help="Run programs, and measure, in up to N threads where it is worth it; results are the "
-    "same. Default: the number of processors.",
+    help="Run programs and sensors in up to N threads where it saves time; results do not "
+    "change. Default: the number of processors.",
 )
 @click.option(
     "--summary/--no-summary",
@@ -104,7 +104,7 @@ Examples:
     type=click.IntRange(0, 65535),
     metavar="[PORT]",
     help="Show the run in the browser as well, as crs view does: print an address on this machine, "
-    "on PORT or any that is free. Pages may pause it and set its speed.",
+    "on PORT or any free port. Pages may pause it and set its speed.",
 )
 @record_options
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")

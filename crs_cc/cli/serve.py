@@ -126,8 +126,8 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
 @click.option(
     "--only-tcp",
     is_flag=True,
-    help="Keep hosts of this machine on the port, too: by default, those of the same user go over "
-    "a local socket once they have come, which is quicker.",
+    help="Also use TCP for hosts on this machine: by default, those of the same user switch to a "
+    "local socket once connected, which is faster.",
 )
 @click.option(
     "--start",
@@ -150,7 +150,7 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE.mcap",
     help="Continue a run that was killed, from its recording: repeat it up to the end of the "
-    "recording, compare the hashes, and go on. Give the same other options and programs.",
+    "recording, compare the hashes, and continue. The other options and programs must be the same.",
 )
 @click.option(
     "--view/--no-view",
@@ -205,8 +205,8 @@ def serve(
     With --hosts, programs run on a Dask cluster, and lost hosts are restarted. The programs are
     named before the world, or in it; their standard input and output are those of this command.
 
-    With --nserver, --serial or --tcp-robot, all robots are driven by programs that are linked with
-    the vendor's own client libraries, in real time unless --speed is given.
+    With --nserver, --serial or --tcp-robot, all robots are controlled by programs that are linked
+    with the vendor's client libraries, in real time unless --speed is given.
     """
     if outputs is not None:
         make_folder(outputs)

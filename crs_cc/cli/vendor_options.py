@@ -48,7 +48,7 @@ _OPTIONS: Final = (
     click.option(
         "--nserver", type=click.IntRange(0, 65535), metavar="PORT",
         help="Serve programs that are linked with the vendor's Nclient, as the vendor's Nserver "
-        "does on port 7019: each gets the robot of its number or the next free one.",
+        "does on port 7019: each gets the robot whose number it names, or the next free one.",
     ),
     click.option(
         "--serial", "terminals", multiple=True, metavar="ROBOT",
@@ -57,8 +57,8 @@ _OPTIONS: Final = (
     ),
     click.option(
         "--tcp-robot", "tcp_robots", multiple=True, metavar="[ROBOT=]PORT", callback=_robot_ports,
-        help="The same over TCP, which Ndirect uses if the device is the name of a machine; it "
-        "connects to port 65001. ROBOT defaults to the first one.",
+        help="The same over TCP, which Ndirect uses if its device is a host name; it connects to "
+        "port 65001. ROBOT defaults to the first one.",
     ),
 )  # fmt: skip
 

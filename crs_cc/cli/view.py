@@ -27,12 +27,12 @@ _EXAMPLES: Final = """
 Examples:
   crs view wander.c room.xml                     watch, steer and debug a run
   crs view convoy.c platoon.xml --speed 5        five times as fast as real time
-  crs view run.mcap                              look at a run that was recorded
+  crs view run.mcap                              view a recorded run
   crs view new.mcap --compare old.mcap           where two recorded runs differ
   crs view wander.c room.xml --compare old.mcap  where a run differs from a recorded one
   crs view wander.c room.xml --no-open           print the address only
-  crs view 127.0.0.1:8700                        one more page of a run that is shown there
-  crs view procyon:8000 --token TOKEN            a run that crs serve has on another machine
+  crs view 127.0.0.1:8700                        another page of a run that is served there
+  crs view procyon:8000 --token TOKEN            a run of crs serve on another machine
 """
 
 
@@ -81,7 +81,7 @@ class _View(WithProgramArguments):
 @click.option(
     "--token",
     metavar="TOKEN",
-    help="The token for looking at a run that crs serve has on another machine.",
+    help="The token for viewing a run of crs serve on another machine.",
 )
 def view(
     port: int,

@@ -23,7 +23,7 @@ Examples:
   crs world array room.xml shelf --columns 5 --x 1.2m
   crs world group room.xml top leg0 leg1 --name table
   crs world copy canteen.xml p1 | crs world paste room.xml -
-  crs world import office.xml plan.svg            a new world of a floor plan
+  crs world import office.xml plan.svg            a new world from a floor plan
   crs world export room.xml room.sdf              for Gazebo
   crs world turn room.xml table --angle 30deg --diff
 """
@@ -33,8 +33,8 @@ Examples:
 def world() -> None:
     """Edit a world file, a robot definition or a file of definitions.
 
-    Comments, order, spaces and units stay as they are; only what is changed is rewritten. The
-    file is replaced when the result is valid, as crs check says, and in one step. Elements are
+    Comments, order, spaces and units stay as they are; only what is changed is rewritten. The file
+    is replaced in one step, and only if the result is valid (crs check). Elements are
     named by their ids, or by their paths: crate, surface/ramp[1], define[table]/leg0.
     """
 

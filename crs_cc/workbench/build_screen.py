@@ -153,7 +153,7 @@ class BuildScreen:
             client.put(refusal(number, unknown("command", name[:40], list(self._do))))
             return
         if client.role != "control" and name not in _LOOKS:
-            client.put(refusal(number, "this page may look only"))
+            client.put(refusal(number, "this page is view-only"))
             return
         try:
             client.put(answer(number, do(command)))
@@ -200,7 +200,7 @@ class BuildScreen:
             return displayed(str(self.builder.save()))
         path = Path(str(name))
         if path.name != str(name) or path.suffix != ".xml":
-            raise ValueError("the name must be that of a file (.xml), without a folder")
+            raise ValueError("the name must be a file name (.xml) without a folder")
         return displayed(str(self.builder.save(path)))
 
     def _read(self, _: dict[str, Any]) -> None:
@@ -293,7 +293,7 @@ def _area(world: WorldModel) -> dict[str, float]:
 def _text(given: dict[str, Any], name: str) -> str:
     value = given.get(name)
     if not isinstance(value, str) or len(value) > _LONGEST:
-        raise ValueError(f"{name!r} must be a text")
+        raise ValueError(f"{name!r} must be a string")
     return value
 
 

@@ -83,7 +83,7 @@ def _point(screen: Context, robot: int, x_m: float, y_m: float, heading_deg: flo
 def _frames(screen: Context, block: int) -> bytes:
     content = screen.feed.frames.content(block) or screen.others.block(block)
     if content is None:
-        raise ValueError(f"no block {block}: the run has taken another course")
+        raise ValueError(f"no block {block}: the run has changed since")
     return block_message(block, content)
 
 

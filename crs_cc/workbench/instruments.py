@@ -47,7 +47,7 @@ _LONGEST: Final = 120  # characters of a value
 _LATEST_S: Final = 1.0  # frames are more frequent while anything moves
 
 NO_ECHO: Final = "no echo"
-NOT_ASKED: Final = "programs are asked in runs of crs view only"
+NOT_ASKED: Final = "values of programs are available only in runs of crs view"
 
 Value = float | str
 """A number, or why there is none."""
@@ -104,7 +104,7 @@ def history(
 ) -> dict[str, Any]:
     """Return what is known of expressions of a robot over time; null for those of its program."""
     if not 1 <= count <= MAX_SAMPLES:
-        raise DebugError(f"at most {MAX_SAMPLES} instants")
+        raise DebugError(f"at most {MAX_SAMPLES} times")
     found: list[Samples | None] = []
     for each in _listed(expressions):
         if each.startswith(APART):

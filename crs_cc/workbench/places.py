@@ -36,5 +36,5 @@ def position_of(debugger: Debugger, text: str) -> Position:
     position = Position(*map(int, found.groups()))
     known = Past(debugger.view, debugger.stop_points).whole().end
     if position > known or position.robot >= len(debugger.names):
-        raise DebugError("the run has not been there: it has taken another course")
+        raise DebugError("the run has not been there, or has changed since")
     return position

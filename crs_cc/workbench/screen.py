@@ -208,11 +208,11 @@ class Screen:
         if row is None:
             return unknown("command", name[:40], list(TABLE))
         if row.controls and client.role != "control":
-            return "this page may look only: open the address with the token for control"
+            return "this page is view-only: open the address with the token for control"
         if row.needs and row.needs not in self.run.can:
             return f"'{name}' is not possible here: {WHY_NOT[row.needs]}"
         if self._waiting >= MAX_WAITING:
-            return "the run is busy: too many commands wait for it"
+            return "the run is busy: too many commands are pending"
         return ""
 
     def _job(self, client: Client, row: Command, command: dict[str, Any]) -> Callable[[], None]:
@@ -243,8 +243,8 @@ class Screen:
 
 WHY_NOT: Final = {
     "play": "it runs by itself",
-    "seek": "it only goes forward; times that were seen can be looked at",
-    "change": "nothing can change it",
+    "seek": "it only goes forward; times already shown can be viewed",
+    "change": "it cannot be changed",
     "debug": "it was not started by crs view, which compiles programs so that they can be stepped",
 }
 """Why some runs cannot do something."""

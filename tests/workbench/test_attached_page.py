@@ -56,7 +56,7 @@ def test_a_served_run_is_changed_in_the_page(browser: Any, tmp_path: Path) -> No
         page.wait_for_selector(".change:nth-child(3)")
         done = page.locator(".change code").all_inner_texts()
         assert done == ["shut all", "degrade left sonar bias 0.5m", "move left to 3 1 0"]
-        assert not page.locator("button:has-text('Take back')").count()
+        assert not page.locator("button:has-text('Undo')").count()
         looking = opened(browser, looks, wrong)
         looking.click("#tab-faults")
         looking.wait_for_selector("#panel-faults h3:has-text('In force (1)')")

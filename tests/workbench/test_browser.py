@@ -142,7 +142,7 @@ def trails_need_no_block_of_frames_while_the_run_is_watched(page: Any) -> None:
 def a_button_goes_ten_seconds_back(page: Any) -> None:
     page.evaluate("crs.timeline.seek(10.5)")
     wait(page, "Math.abs(crs.model.state.t - 10.5) < 1e-6 && !crs.model.state.busy")
-    page.click("[title^='Ten seconds back']")
+    page.click("[title^='Back ten seconds']")
     wait(page, "Math.abs(crs.model.state.t - 0.5) < 1e-6 && !crs.model.state.busy")
 
 
@@ -259,12 +259,12 @@ def who_may_only_look_cannot_steer_and_hears_the_end(
     looker.wait_for_selector(".robot b")
     wait(looker, "document.querySelector('.transport .primary').disabled")
     said = looker.evaluate("crs.model.channel.ask('play').catch((error) => error.message)")
-    assert "may look only" in said
+    assert "view-only" in said
     screen.player.end()
     screen.server.close()
     for each in (page, looker):
         wait(each, "document.querySelector('.chip.state').textContent === 'not connected'")
-        assert "start it again" in each.locator("#note").inner_text()
+        assert "restart it" in each.locator("#note").inner_text()
     looker.close()
 
 

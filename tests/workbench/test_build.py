@@ -304,7 +304,7 @@ def the_ground_is_raised_by_a_brush_and_read_from_a_picture(hand: Hand, folder: 
     hand.press("Control+z")
     wait(hand.page, "!crs.model.thing('surface/heightmap')")
     Image.linear_gradient("L").save(folder / "grey.png")
-    hand.page.set_input_files("[aria-label='picture of heights']", folder / "grey.png")
+    hand.page.set_input_files("[aria-label='image of heights']", folder / "grey.png")
     hand.has("surface/heightmap")
     wait(hand.page, "crs.model.shapes('surface/heightmap')[0].rows.at(-1)[0] > 0.9")
     hand.press("Control+z", "Escape")
@@ -449,7 +449,7 @@ def a_unit_is_chosen_for_what_is_drawn(hand: Hand) -> None:
 def the_line_below_and_the_list_of_keys_say_what_to_do(hand: Hand) -> None:
     said = hand.page.locator(".status .said")
     hand.press("r")
-    said.get_by_text("Robot: click where it starts").wait_for()
+    said.get_by_text("Robot: click its initial position").wait_for()
     hand.click(1.0, 1.0)  # it selects the one that is there
     wait(hand.page, "crs.model.selection.has('robot0') && !crs.model.thing('robot1')")
     hand.to(2.0, 1.0)
@@ -462,7 +462,7 @@ def the_line_below_and_the_list_of_keys_say_what_to_do(hand: Hand) -> None:
     assert hand.page.locator(".property:has([aria-label=heat])").inner_text() == "heat no unit"
     hand.page.locator("canvas").first.focus()
     hand.press("Escape", "Escape", "?")
-    hand.page.locator("dialog[open]").get_by_text("make an object of the selection").wait_for()
+    hand.page.locator("dialog[open]").get_by_text("group the selection into an object").wait_for()
     hand.press("Delete", "?")  # it does nothing while the list is open
     hand.page.locator("dialog[open]").wait_for(state="detached")
     wait(hand.page, "crs.model.thing('robot0')")
@@ -593,7 +593,7 @@ def test_a_first_world_is_drawn_in_a_few_steps(browser: Any, tmp_path: Path) -> 
         hand.press("Enter")
         wait(page, "crs.model.thing('robot2').attributes.program === 'go.c'")
         hand.click(-0.05, 3.0)  # the edge
-        page.locator(".said", has_text="The area and the wall around it").wait_for()
+        page.locator(".said", has_text="The area and the walls around it").wait_for()
         wait(page, "crs.model.selection.has('area')")
         page.locator("canvas").first.focus()
         hand.press("Control+s")
@@ -607,7 +607,7 @@ def test_a_file_of_definitions_says_where_they_are_drawn(browser: Any, tmp_path:
     path = tmp_path / "lib.xml"
     path.write_text('<definitions version="1"><material name="wood" colour="red"/></definitions>')
     with building(path, None, 0) as screen, page_in(browser, screen, 1200, 750) as page:
-        page.get_by_text("Definitions have no floor").wait_for()
+        page.get_by_text("definitions but no floor").wait_for()
         page.locator(".thing", has_text="material[wood]").click()
         page.fill(".property [aria-label=colour]", "blue")
         page.keyboard.press("Enter")

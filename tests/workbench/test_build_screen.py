@@ -97,7 +97,7 @@ def test_problems_name_their_elements_and_prevent_saving(screen: BuildScreen) ->
         ("fly", {}, "!unknown command 'fly'"),
         ("apply", {}, "!'steps' must be a list"),
         ("apply", {"steps": [1]}, "!'steps' must be a list"),
-        ("apply", {"steps": [{}]}, "!'operation' must be a text"),
+        ("apply", {"steps": [{}]}, "!'operation' must be a string"),
         ("apply", step("fly"), "!unknown operation 'fly'"),
         ("apply", step("move", "sledge", x=True), "!values must be an object of numbers"),
         ("apply", step("move", "sledge", x=[1]), "!values must be an object of numbers"),
@@ -112,7 +112,7 @@ def test_problems_name_their_elements_and_prevent_saving(screen: BuildScreen) ->
         ("apply", {"steps": [{"operation": "move", "names": [1]}]}, "!'names' must be a list"),
         ("copy", {"names": ["nobody"]}, "!unknown element 'nobody'"),
         ("paste", {"clip": "<!DOCTYPE a><clip/>"}, "!a document type declaration"),
-        ("properties", {"name": 1}, "!'name' must be a text"),
+        ("properties", {"name": 1}, "!'name' must be a string"),
     ],
 )
 def test_what_cannot_be_done_is_refused_and_changes_nothing(
@@ -146,7 +146,7 @@ def step_of_heat(name: str, **attributes: Any) -> dict[str, Any]:
 
 def test_a_page_that_may_look_only_changes_nothing(screen: BuildScreen) -> None:
     for do in ("apply", "undo", "save", "copy", "try", "read"):
-        assert ask(screen, do, "view") == "!this page may look only"
+        assert ask(screen, do, "view") == "!this page is view-only"
 
 
 def test_a_new_world_is_saved_below_a_plain_name_only(
@@ -156,7 +156,7 @@ def test_a_new_world_is_saved_below_a_plain_name_only(
     made = BuildScreen(WorldBuilder.new(4, 3), no_run)
     try:
         for name in ("../a.xml", "/tmp/a.xml", "a.txt"):
-            assert ask(made, "save", file=name).startswith("!the name must be that of a file")
+            assert ask(made, "save", file=name).startswith("!the name must be a file name")
         assert ask(made, "save", file="a.xml") == "!no robot in the world"
         ask(made, "apply", steps=[
             {"operation": "add", "values": {"kind": "robot"}, "attributes": {"x": 1, "y": 1}}

@@ -62,7 +62,9 @@ def test_a_page_tells_that_its_server_was_killed_and_one_of_the_next_server_work
         process.kill()
         process.wait()
         wait(page, "document.querySelector('.chip.state').textContent === 'not connected'")
-        wait(page, "document.querySelector('#note').textContent.startsWith('no run answers')")
+        wait(
+            page, "document.querySelector('#note').textContent.startsWith('no response from a run')"
+        )
     port = int(address.split(":")[2].split("/")[0])
     with served(tmp_path, port) as (_, anew):
         opened = browser.new_page()
@@ -70,7 +72,7 @@ def test_a_page_tells_that_its_server_was_killed_and_one_of_the_next_server_work
         wait(opened, "crs.model.isConnected && crs.model.state.t > 0.5")
         # The token of the page before is that of the killed server: it cannot steer this one.
         assert not page.evaluate("crs.model.isConnected")
-        assert "open the address that crs has printed" in page.locator("#note").inner_text()
+        assert "open the address that crs printed" in page.locator("#note").inner_text()
         opened.close()
         page.close()
 

@@ -102,7 +102,7 @@ def a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page: Any, debugger:
     wait(page, "Math.abs((crs.model.scene.body(1)?.x ?? 0) - 3) < 1e-3")
     assert changes(debugger) == ["move bob to 3 2.50 0"]
     click(page, "Hold", ".actions")
-    page.wait_for_selector(".actions button:has-text('Let go')")
+    page.wait_for_selector(".actions button:has-text('Release')")
 
 
 def a_sonar_is_degraded_and_reads_otherwise(page: Any, debugger: Debugger) -> None:
@@ -229,7 +229,7 @@ def changes_are_listed_taken_back_and_written_out(page: Any, debugger: Debugger)
     xml = page.evaluate("crs.model.channel.ask('export', { form: 'xml' })")["text"]
     assert 'id="hold-bob"' in xml
     assert 'from="bob"' in xml
-    click(page, "Take back", ".change:has-text('move bob')")
+    click(page, "Undo", ".change:has-text('move bob')")
     wait(page, "document.querySelectorAll('.change').length === 0")
     wait(page, "Math.abs(crs.model.scene.body(1).x - 1) < 1e-3")
     assert changes(debugger) == []

@@ -144,7 +144,7 @@ def test_a_place_that_the_run_has_not_been_at_is_refused(
 
 def test_a_page_that_may_look_only_asks_nothing(screen: Screen) -> None:
     with page_of(screen, "view") as page:
-        assert "look only" in page.error("why", expression="speed")
+        assert "view-only" in page.error("why", expression="speed")
 
 
 def test_in_a_recording_the_past_is_all_that_was_recorded(recorded: Path) -> None:

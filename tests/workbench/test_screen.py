@@ -108,7 +108,7 @@ def test_the_token_for_viewing_steers_nothing(live: Screen) -> None:
     with page_of(live, "view") as page:
         for name, row in TABLE.items():
             if row.controls:
-                assert "may look only" in page.error(name), name
+                assert "view-only" in page.error(name), name
         assert page.told["hello"]["role"] == "view"
 
 

@@ -85,9 +85,9 @@ def what_can_be_pushed_is_outlined(page: Any) -> None:
         return data.filter((each, at) => at % 4 === 3 && each).length;
     })()"""
     before = page.evaluate(drawn)
-    page.click("text=What can be pushed")
+    page.click("text=Movable objects")
     wait(page, f"{drawn} < {before}")
-    page.click("text=What can be pushed")
+    page.click("text=Movable objects")
 
 
 def what_sensors_have_measured_is_drawn(page: Any) -> None:

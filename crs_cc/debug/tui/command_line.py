@@ -11,7 +11,7 @@ from textual.message import Message
 from textual.suggester import Suggester
 from textual.widgets import Input
 
-_HINT: Final = "a command; Enter repeats the last, F1 helps"
+_HINT: Final = "a command; Enter repeats the last one, F1 shows help"
 
 Complete = Callable[[str], Sequence[str]]
 """Returns the completions of a line."""

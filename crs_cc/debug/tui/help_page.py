@@ -15,15 +15,15 @@ from crs_cc.debug.tui.keys import help_rows
 
 _MORE = """
 Letters work outside the command line: Escape leaves it, ":" returns to it. \
-Tab goes from pane to pane, the arrow keys move in it, Enter unfolds or picks.
+Tab moves between panes, the arrow keys within a pane; Enter expands or selects.
 
-In the gutter of the source a click sets a breakpoint. The time line is dragged; its arrow keys go \
-by timesteps, with Shift from event to event.
+Click in the gutter of the source to set a breakpoint. Drag the time line to go to a time; its \
+arrow keys move by timesteps, with Shift by events.
 
-"/text" in the command line goes to the next line of the source with this text, "/" to the one \
-after it; "list" scrolls the source. Ctrl-R searches the commands typed before.
+"/text" on the command line finds the next source line with this text, "/" repeats the search; \
+"list" scrolls the source. Ctrl-R searches the command history.
 
-"help" in the command line explains the commands. Escape closes this page.
+"help" on the command line explains the commands. Escape closes this page.
 """
 
 

@@ -21,10 +21,10 @@ export function actions(model, page) {
   const below = el("div.action-form");
   const name = () => model.selected.id;
   const faults = () => model.panel?.faults ?? [];
-  const hold = button({ text: "Hold", title: "Keep its motors from turning, or let go", onclick: () =>
+  const hold = button({ text: "Hold", title: "Hold the motors, or release them", onclick: () =>
     changeOrSay(model, `${isHeld() ? "release" : "hold"} ${name()}`) });
   const isHeld = () => faults().some((each) => each.id === `hold-${name()}`);
-  const drive = button({ text: "Drive", title: "Drive it by the arrow keys, W A S D or a gamepad", onclick: () => driving.toggle() });
+  const drive = button({ text: "Drive", title: "Drive it with the arrow keys, W A S D or a gamepad", onclick: () => driving.toggle() });
   const plain = (text, title, line) => button({ text, title, onclick: () => changeOrSay(model, line()) });
   const opened = { id: "" };
   const open = (form, opener) => {
@@ -43,11 +43,11 @@ export function actions(model, page) {
   const mayAdd = model.run.can.includes("debug"); // programs are compiled where they are debugged
   const add = mayAdd ? [opener({ id: "add", title: "Add a robot", make: () => addForm(model) })] : [];
   const bar = el("div.actions", {}, drive,
-    plain("Stop", "Stop its motors now", () => `drive ${name()} 0 0`), hold, ...simple,
+    plain("Stop", "Stop the motors now", () => `drive ${name()} 0 0`), hold, ...simple,
     plain("Wake", "Wake its program", () => `wake ${name()}`),
     plain("Remove", "Remove it from the world", () => `remove ${name()}`), ...add);
   const show = () => {
-    hold.querySelector("span").textContent = isHeld() ? "Let go" : "Hold";
+    hold.querySelector("span").textContent = isHeld() ? "Release" : "Hold";
     drive.setAttribute("aria-pressed", String(driving.isOn));
     drive.querySelector("span").textContent = driving.isOn ? "Stop driving" : "Drive";
   };
@@ -84,9 +84,9 @@ function addForm(model) {
   const program = el("select");
   const file = el("input", { type: "file", accept: ".c" });
   const programs = [...new Set(model.status.robots.map((each) => each.program).concat(model.uploads ?? []))];
-  setOptions(program, [["", "the same"], ...programs.map((each) => [each, each])]);
+  setOptions(program, [["", "that robot's"], ...programs.map((each) => [each, each])]);
   const fields = [
-    field("name", entry({ value: free() })), field("kind of", like), field("program", program), field("or a C file", file),
+    field("name", entry({ value: free() })), field("same type as", like), field("program", program), field("or a C file", file),
     field("x", entry({ value: String(Number(x) + 1) }), "m"), field("y", entry({ value: y }), "m"), field("heading", entry({ value: heading }), "°"),
   ];
   const [named, , , uploaded, ...pose] = fields;

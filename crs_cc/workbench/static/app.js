@@ -44,7 +44,7 @@ page.goTo = ([time, , robot, , , , , place]) => (place && model.can("debug") ? p
 
 /** The run that a page holds which was written to a file; empty where a server runs it. */
 const held = part("run").textContent.trim();
-const start = button({ icon: "play", text: held ? "Play" : "Run", title: held ? "Play the recording" : "Let the run begin", className: "start", onclick: () => model.ask("play") });
+const start = button({ icon: "play", text: held ? "Play" : "Run", title: held ? "Play the recording" : "Start the run", className: "start", onclick: () => model.ask("play") });
 start.hidden = true;
 part("world").append(start);
 

@@ -11,7 +11,7 @@ export async function change(model, text) {
     const { text: done } = await model.channel.ask("edit", { text });
     const { t } = model.state;
     const isPast = model.can("seek") && end - t > model.run.timestep_s * 1.5;
-    const rest = ` (another run begins at ${t.toFixed(2)} s; Changes has the one before)`;
+    const rest = ` (a new run starts at ${t.toFixed(2)} s; Changes keeps the previous one)`;
     model.say(isPast ? done + rest : done);
     return "";
   } catch (error) {

@@ -56,7 +56,7 @@ export class SocketChannel {
   }
 
   lose(event) {
-    for (const { reject } of this.asked.values()) reject(new Error("the connection is lost"));
+    for (const { reject } of this.asked.values()) reject(new Error("connection lost"));
     this.asked.clear();
     this.blocks.clear();
     const isOver = event.code === 1001;

@@ -40,7 +40,7 @@ export class Driving {
     this.isOn = true;
     this.told = "0 0";
     this.note.hidden = false;
-    this.note.textContent = `Driving ${this.name}: arrows or W A S D, Shift for twice the speed, Esc ends. Its program's own commands go on; let it sleep to have the robot for yourself.`;
+    this.note.textContent = `Driving ${this.name}: arrows or W A S D, Shift for twice the speed, Esc ends. Its program still sends commands; suspend it with Sleep to control the robot alone.`;
     /** @type {HTMLElement | null} */ (document.activeElement)?.blur();
     model.tell("driving");
     if (!model.state.playing) model.ask("play");

@@ -1,5 +1,5 @@
 /**
- * Infra-red: heat as colour. The floor has what a heat sensor there would read, by the sensor's own
+ * Infrared: heat as colour. The floor has what a heat sensor there would read, by the sensor's own
  * law (`sim/devices/heat`): the sum over things of heat times max(0, 1 - distance / spread). Things
  * without a spread would add the same anywhere, so only they themselves have their colour.
  */

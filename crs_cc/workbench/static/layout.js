@@ -19,7 +19,7 @@ export class Layout {
     const edit = this.trial ? [button({ text: "Edit", title: "Edit: back to the world builder", onclick: () => history.back() })] : [];
     fill(part("head"), ...edit, this.title, this.chip, this.note, el("span.spacer"),
       button({ icon: "share", title: "Copy a link to this view and time", key: "K", onclick: () => this.share() }),
-      button({ icon: "theme", title: "Light, dark, or as the system is", key: "T", onclick: () => this.nextTheme() }),
+      button({ icon: "theme", title: "Light, dark, or system theme", key: "T", onclick: () => this.nextTheme() }),
       button({ icon: "help", title: "Keys", key: "?", onclick: () => this.page.keys() }));
     model.on("hello", () => this.build());
     for (const kind of ["state", "link", "hello"]) model.on(kind, () => this.show());
@@ -69,13 +69,13 @@ export class Layout {
     this.chip.textContent = STATES[reason] ?? (reason === "paused" ? "paused" : `stopped: ${reason}`);
     if (!isConnected && this.model.lost) {
       const { isOver, wasOpen } = this.model.lost;
-      this.note.textContent = isOver ? "the run has ended: start it again, and open the address that crs prints then"
-        : wasOpen ? "connecting again ..." : "no run answers: start it again, or open the address that crs has printed";
+      this.note.textContent = isOver ? "the run has ended: restart it, and open the address that crs prints"
+        : wasOpen ? "reconnecting ..." : "no response from a run: restart it, or open the address that crs printed";
     } else if (run) {
       const robots = run.rosters.at(-1)?.robots.length ?? 0;
       const count = `${robots} robot${robots === 1 ? "" : "s"}`;
       const looks = run.role === "view" ? " · view only" : "";
-      this.note.textContent = state.waits ? `waits for a host of ${state.waits}` : run.note ?? `seed ${run.seed} · ${count}${looks}`;
+      this.note.textContent = state.waits ? `waiting for a host of ${state.waits}` : run.note ?? `seed ${run.seed} · ${count}${looks}`;
     }
     document.body.classList.toggle("disconnected", !isConnected);
   }
@@ -83,7 +83,7 @@ export class Layout {
   nextTheme() {
     const order = ["auto", "light", "dark"];
     setTheme(order[(order.indexOf(theme()) + 1) % order.length]);
-    this.model.say(`colours: ${theme() === "auto" ? "as the system" : theme()}`);
+    this.model.say(`theme: ${theme() === "auto" ? "system" : theme()}`);
     this.look.repaint();
     this.model.tell("look");
   }
@@ -94,6 +94,6 @@ export class Layout {
     words.set("t", (clock.isPlaying ? clock.shown : (clock.held ?? clock.target)).toFixed(3));
     words.set("view", this.page.views.cameras());
     history.replaceState(null, "", `#${words}`);
-    navigator.clipboard?.writeText(location.href).then(() => this.model.say("link copied"), () => this.model.say("the address bar has the link"));
+    navigator.clipboard?.writeText(location.href).then(() => this.model.say("link copied"), () => this.model.say("the link is in the address bar"));
   }
 }

@@ -31,7 +31,7 @@ export class PageChannel {
     else if (name === "step") {
       this.isPlaying = false;
       this.time += fields.timesteps * this.run.frame_s;
-    } else throw new Error("this page holds a recorded run: it can be played, and looked at");
+    } else throw new Error("this page contains a recording: it can only be played and viewed");
     this.time = Math.min(this.run.end_s, Math.max(0, this.time));
     this.tell();
   }

@@ -24,12 +24,12 @@ export class Pointing {
 
   askPlace() {
     const name = this.model.run.world.robots[this.robot].id;
-    this.note.textContent = `The program of ${name} asks for a pose: click a place.`;
+    this.note.textContent = `The program of ${name} asks for a pose: click a position.`;
     this.views.onPlace = (x, y) => this.askDirection(name, x, y);
   }
 
   askDirection(name, x, y) {
-    this.note.textContent = `The program of ${name} asks for a pose: click where it looks.`;
+    this.note.textContent = `The program of ${name} asks for a pose: click the direction.`;
     this.views.onPlace = (toX, toY) => {
       const heading = (Math.atan2(toY - y, toX - x) * 180) / Math.PI;
       this.model.ask("point", { robot: this.robot, x_m: x, y_m: y, heading_deg: heading });

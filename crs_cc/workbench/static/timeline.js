@@ -36,17 +36,17 @@ export class Timeline {
     /** How many of the last seconds are shown; 0 for all. */
     this.last = 0;
     this.clock = el("output", { "aria-label": "simulated time" });
-    this.clockButton = el("button.clock", { type: "button", title: "Simulated time: click to type one to go to (.)", onclick: () => this.enter() }, this.clock);
-    this.wanted = el("input.clock", { type: "text", hidden: true, "aria-label": "time to go to, in seconds, or by so many: -10", onkeydown: (event) => this.take(event), onblur: () => this.leave() });
-    this.rate = el("span.rate", { title: "simulated by real time, measured" });
+    this.clockButton = el("button.clock", { type: "button", title: "Simulated time: click to enter a time to go to (.)", onclick: () => this.enter() }, this.clock);
+    this.wanted = el("input.clock", { type: "text", hidden: true, "aria-label": "time to go to, in seconds, or a step: -10", onkeydown: (event) => this.take(event), onblur: () => this.leave() });
+    this.rate = el("span.rate", { title: "measured ratio of simulated to real time" });
     this.playButton = button({ icon: "play", title: "Play or pause", key: "Space", className: "primary", onclick: () => this.toggle() });
-    this.speed = el("select", { title: "Speed, by real time", "aria-label": "speed", onchange: () => this.setSpeed(Number(this.speed.value)) },
+    this.speed = el("select", { title: "Speed, relative to real time", "aria-label": "speed", onchange: () => this.setSpeed(Number(this.speed.value)) },
       ...SPEEDS.map((each) => el("option", { value: String(each) }, each ? `${each} ×` : "max")));
-    this.jumps = el("select", { title: "What the arrows jump to", "aria-label": "kind of event", onchange: () => (this.kind = this.jumps.value) },
+    this.jumps = el("select", { title: "Events to which the arrows jump", "aria-label": "kind of event", onchange: () => (this.kind = this.jumps.value) },
       el("option", { value: "any" }, "any event"), ...MARKS.map((each) => el("option", { value: each.name }, each.title.toLowerCase())));
     this.loopButton = button({ icon: "loop", title: "Repeat the last five seconds, or stop repeating; Shift and drag on the line repeats any span", key: "L", onclick: () => this.loop() });
-    this.live = button({ text: "Back to now", title: "Look at where the run stands", key: "End", className: "chip", onclick: () => this.release() });
-    this.whole = button({ text: "Whole run", title: "Show all of the time line again; the wheel on it comes nearer", className: "chip", onclick: () => this.showPart(null) });
+    this.live = button({ text: "Back to now", title: "Go to the latest time of the run", key: "End", className: "chip", onclick: () => this.release() });
+    this.whole = button({ text: "Whole run", title: "Show the whole time line; the wheel zooms in", className: "chip", onclick: () => this.showPart(null) });
     this.canvas = el("canvas");
     this.track = el("div.track", { tabIndex: 0, role: "slider", "aria-label": "time line", "aria-valuemin": 0 }, this.canvas);
     fill(root,
@@ -54,16 +54,16 @@ export class Timeline {
         this.clockButton, this.wanted,
         el("div.group", {},
           button({ icon: "first", title: "Go to the start", key: "Home", onclick: () => this.seek(0) }),
-          button({ text: "−10 s", title: "Ten seconds back", key: "Shift+↓", onclick: () => this.back(10) }),
-          button({ icon: "previous", title: "A timestep back", key: "←", onclick: () => this.step(-1) }),
+          button({ text: "−10 s", title: "Back ten seconds", key: "Shift+↓", onclick: () => this.back(10) }),
+          button({ icon: "previous", title: "One timestep back", key: "←", onclick: () => this.step(-1) }),
           this.playButton,
-          button({ icon: "next", title: "A timestep on", key: "→", onclick: () => this.step(1) })),
+          button({ icon: "next", title: "One timestep forward", key: "→", onclick: () => this.step(1) })),
         this.speed, this.rate, this.loopButton, this.live, this.whole,
         el("span.spacer"),
         el("div.group.jump", {},
-          button({ text: "‹", title: "To the event before", key: "P", onclick: () => this.jump(-1) }),
+          button({ text: "‹", title: "Previous event", key: "P", onclick: () => this.jump(-1) }),
           this.jumps,
-          button({ text: "›", title: "To the next event", key: "N", onclick: () => this.jump(1) }))),
+          button({ text: "›", title: "Next event", key: "N", onclick: () => this.jump(1) }))),
       this.track);
     this.listen();
     for (const kind of ["state", "hello", "forget", "event", "output", "look", "near", "panel", "found", "compared"]) model.on(kind, () => (this.isStale = true));
@@ -109,7 +109,7 @@ export class Timeline {
     if (event.key !== "Enter") return;
     const text = this.wanted.value.trim();
     const number = Number(text.replace(/ ?s$/, ""));
-    if (!text || !Number.isFinite(number)) return this.model.say(`'${text}' is no time: type seconds, or -10 for ten seconds earlier`, true);
+    if (!text || !Number.isFinite(number)) return this.model.say(`'${text}' is not a time: enter seconds, or -10 for ten seconds earlier`, true);
     this.leave();
     this.seek(/^[-+]/.test(text) ? (this.model.clock.held ?? this.model.state.t) + number : number);
   }
@@ -293,7 +293,7 @@ export class Timeline {
       .filter(([, kind]) => (this.kind === "any" ? kind !== "near" : markOf(kind).name === this.kind))
       .map(([at]) => at);
     const times = all.filter((at) => (at - now) * way > least);
-    if (!all.length) this.model.say("there is no such event in the run so far");
+    if (!all.length) this.model.say("no such event in the run so far");
     else if (!times.length) this.model.say(way > 0 ? "no later event is known" : "no earlier event");
     else this.seek(way > 0 ? Math.min(...times) : Math.max(...times));
   }

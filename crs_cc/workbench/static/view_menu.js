@@ -50,25 +50,25 @@ export class ViewMenu {
           light.restore(each.light);
           this.draw();
         } }),
-        button({ text: "×", title: `Forget ${each.name}`, className: "small", onclick: () => {
+        button({ text: "×", title: `Delete ${each.name}`, className: "small", onclick: () => {
           this.saved.remove(each.name);
           this.draw();
         } }))),
       el("form.row", { onsubmit: (event) => {
         event.preventDefault();
         keep();
-      } }, name, button({ text: "Keep", title: "Keep cameras and light by this name", onclick: keep })),
+      } }, name, button({ text: "Keep", title: "Save cameras and light under this name", onclick: keep })),
       el("h3", {}, "Light"),
       slider("Day", light.day, [0, 1, 0.05], (day) => light.set({ day })),
       slider("Sun from", light.sun, [-180, 180, 5], (sun) => light.set({ sun })),
       ...light.lamps.map((lamp, number) => el("div.row", {},
         slider(`Lamp ${number + 1}`, lamp.bright, [0, 3, 0.1], (bright) => light.change(number, { bright })),
-        button({ text: "Move", title: "Then click where it shall stand", onclick: () => this.put((x, y) => light.change(number, { x, y })) }),
+        button({ text: "Move", title: "Then click its position", onclick: () => this.put((x, y) => light.change(number, { x, y })) }),
         button({ text: "×", title: `Remove lamp ${number + 1}`, className: "small", onclick: () => {
           light.remove(number);
           this.draw();
         } }))),
-      el("div.row", {}, button({ text: "Add a lamp", title: "Then click where it shall stand", onclick: () => this.put((x, y) => light.add(x, y) || views.say("no more lamps: eight at most", true)) })),
+      el("div.row", {}, button({ text: "Add a lamp", title: "Then click its position", onclick: () => this.put((x, y) => light.add(x, y) || views.say("no more lamps: eight at most", true)) })),
       el("h3", {}, "Save"),
       el("div.row", {},
         button({ text: "Picture", title: "Save the views as a picture", key: "S", onclick: () => views.picture() }),
@@ -82,7 +82,7 @@ export class ViewMenu {
 
   /** Have something put where the user clicks next. */
   put(act) {
-    this.views.say("click where it shall stand");
+    this.views.say("click the position of the lamp");
     this.views.onPlace = (x, y) => {
       act(x, y);
       this.draw();

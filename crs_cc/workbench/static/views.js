@@ -7,9 +7,9 @@ import { Viewport } from "crs/viewport.js";
 const MODES = [
   ["orbit", "Orbit", "Look from anywhere: drag turns, shift-drag moves, the wheel zooms", "1"],
   ["top", "Top", "Look straight down", "2"],
-  ["follow", "Follow", "Keep the selected robot in the middle", "3"],
+  ["follow", "Follow", "Keep the selected robot in the centre", "3"],
   ["chase", "Chase", "Look over the shoulder of the selected robot", "4"],
-  ["board", "On board", "Look out of the selected robot", "5"],
+  ["board", "On board", "View from the selected robot", "5"],
 ];
 
 /** What further views show at first. */
@@ -144,7 +144,7 @@ export class Views {
       this.right,
       pressed(button({ text: this.isFlat ? "3-D" : "2-D", title: this.isFlat ? "Three dimensions" : "A flat map", key: "F", onclick: () => this.setFlat(!this.isFlat) }), false),
       pressed(button({ icon: this.all.length > 1 ? "single" : "split", title: this.all.length > 1 ? "One view" : "Four views", key: "V", onclick: () => this.split() }), false),
-      pressed(button({ icon: "heat", title: "Infra-red: heat as colour", key: "I", onclick: () => this.look.setInfrared(!this.look.isInfrared) }), this.look.isInfrared),
+      pressed(button({ icon: "heat", title: "Infrared: heat as colour", key: "I", onclick: () => this.look.setInfrared(!this.look.isInfrared) }), this.look.isInfrared),
       pressed(button({ icon: "camera", title: "Save a picture", key: "S", onclick: () => this.picture() }), false),
       pressed(button({ icon: "more", title: "Saved views, light, video, web page", key: "M", className: this.video.isOn ? "recording" : "", onclick: () => this.menu.toggle() }), !this.menu.element.hidden),
     );

@@ -16,7 +16,7 @@ import { View } from "./view.js";
 
 restoreTheme();
 document.body.classList.add("build");
-const canvas = el("canvas", { tabIndex: 0, "aria-label": "The world from above", oncontextmenu: (event) => event.preventDefault() });
+const canvas = el("canvas", { tabIndex: 0, "aria-label": "Top view of the world", oncontextmenu: (event) => event.preventDefault() });
 const model = new Model();
 const view = new View(canvas, model);
 const tools = new Tools(model, view);
@@ -29,8 +29,8 @@ const bar = el("div.tools", { role: "toolbar", "aria-label": "Tools" });
 const undo = button({ text: "Undo", title: "Undo", key: "Ctrl-Z", onclick: () => model.ask("undo") });
 const redo = button({ text: "Redo", title: "Redo", key: "Ctrl-Y", onclick: () => model.ask("redo") });
 const save = button({ text: "Save", title: "Save", key: "Ctrl-S", className: "primary", onclick: () => store() });
-const attempt = button({ text: "Try", title: "Try: run the world, Back returns here", key: "F5", onclick: () => run() });
-const deep = button({ text: "3-D", title: "Look at it in three dimensions, and back", key: "3", onclick: () => solid.toggle() });
+const attempt = button({ text: "Try", title: "Try: run the world; Back returns here", key: "F5", onclick: () => run() });
+const deep = button({ text: "3-D", title: "Switch between plan and 3-D view", key: "3", onclick: () => solid.toggle() });
 const title = el("h1");
 fill(part("head"), title, bar, el("span.spacer"), deep, undo, redo, keysButton(), attempt, save);
 
@@ -55,7 +55,7 @@ async function duplicate() {
 }
 
 async function group() {
-  const name = model.selection.size ? prompt("Name of the object that is made of the selection", "object") : "";
+  const name = model.selection.size ? prompt("Name of the new object", "object") : "";
   const made = name ? await model.apply("group", { values: { name } }) : null;
   if (made) model.choose(made);
 }
@@ -78,7 +78,7 @@ model.addEventListener("change", () => {
   undo.title = `Undo ${known.undo[0] ?? ""} (Ctrl-Z)`;
   attempt.hidden = deep.hidden = known.isRobot;
   save.disabled = wrong || !model.mayChange;
-  save.title = wrong ? "Save: the problems at the left are in the way" : "Save (Ctrl-S)";
+  save.title = wrong ? "Save: first fix the problems listed on the left" : "Save (Ctrl-S)";
   const where = model.path.join("/");
   if (known.area && shown === "" && recall(model, view)) {
     shown = `.${model.path.join("/")}`;

@@ -17,11 +17,11 @@ export const TOOLS = [
   { id: "ramp", key: "m", by: "rectangle", title: "Ramp: drag from corner to corner; it rises to the right", more: { to: 0.3 } },
   { id: "plateau", key: "t", by: "rectangle", title: "Plateau, or step: drag from corner to corner", more: { height: 0.15 } },
   { id: "heights", key: "h", by: "brush", title: "Heights: drag to raise the ground, with Shift to lower it" },
-  { id: "robot", key: "r", by: "click", title: "Robot: click where it starts" },
+  { id: "robot", key: "r", by: "click", title: "Robot: click its initial position" },
   { id: "light", key: "l", by: "click", title: "Light: click" },
   { id: "sound", key: "n", by: "click", title: "Sound: click" },
-  { id: "goal", key: "g", by: "disc", title: "Goal: drag the place to reach from its centre; where movable things are to be brought, if some are selected" },
-  { id: "sensor", key: "s", by: "click", title: "Sonar: click where it is on the robot; it looks away from the centre" },
+  { id: "goal", key: "g", by: "disc", title: "Goal: drag the place to reach from its centre; if movable objects are selected, the place to bring them to" },
+  { id: "sensor", key: "s", by: "click", title: "Sonar: click its position on the robot; it points away from the centre" },
 ];
 
 /** The tools for a kind of document. @param {boolean} isRobot whether it is a robot definition */

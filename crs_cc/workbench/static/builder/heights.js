@@ -86,7 +86,7 @@ export class Brush {
   async read(file, most) {
     const picture = await createImageBitmap(file).catch(() => null);
     if (!picture) {
-      this.model.say("this is no picture that the browser can read", true);
+      this.model.say("the browser cannot read this image", true);
       return;
     }
     const shape = flat(this.model.document.area);

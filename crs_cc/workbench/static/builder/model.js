@@ -128,7 +128,7 @@ export class Model extends EventTarget {
     if (thing?.tag !== "object") return;
     this.path = [...this.path, name];
     this.settle();
-    if (this.path.at(-1) !== name) this.say(`${thing.attributes.ref} is defined in a file that is included: edit that file`, true);
+    if (this.path.at(-1) !== name) this.say(`${thing.attributes.ref} is defined in an included file: edit that file`, true);
     this.select([]);
     this.tell("change");
   }

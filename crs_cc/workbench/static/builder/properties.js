@@ -6,14 +6,14 @@ import { el, fill } from "../dom.js";
 export async function drawProperties(model, root) {
   const names = [...model.selection];
   if (!names.length) {
-    fill(root, el("p.note-text", {}, "nothing is selected: click something, or choose a tool above and draw"));
+    fill(root, el("p.note-text", {}, "nothing is selected: click an element, or choose a tool above and draw"));
     return;
   }
   const found = await model.ask("properties", { name: names[0] });
   if (!found || !model.selection.has(names[0]) || root.contains(document.activeElement)) return;
   if (names.length > 1) {
     const shared = sharedRows(model, names, found.rows);
-    fill(root, el("p", {}, `${names.length} elements: what is typed goes to all`), ...shared.map((row) => property(model, names, row)));
+    fill(root, el("p", {}, `${names.length} elements: changes apply to all`), ...shared.map((row) => property(model, names, row)));
     return;
   }
   fill(root, ...element(model, found), ...found.children.flatMap((child) => element(model, child)), ...adders(model, found));

@@ -1,4 +1,4 @@
-/** The world in three dimensions, by the renderer of the viewer: looked at, selected and moved while it is edited. */
+/** 3-D view of the world, by the renderer of the viewer: looked at, selected and moved while it is edited. */
 
 import { el } from "../dom.js";
 import { palette } from "../theme.js";
@@ -14,9 +14,9 @@ export class Solid {
     this.camera = null;
     this.model = model;
     this.view = view;
-    this.element = el("div.solid", { hidden: true, tabIndex: 0, "aria-label": "The world in three dimensions" });
+    this.element = el("div.solid", { hidden: true, tabIndex: 0, "aria-label": "3-D view of the world" });
     this.isOn = false;
-    this.hint = "Drag to turn the view, with Shift to move it; click something to select it, then drag it";
+    this.hint = "Drag to rotate the view, with Shift to pan; click an element to select it, then drag it";
     /** @type {any} */
     this.drag = null;
     this.isAsking = false;

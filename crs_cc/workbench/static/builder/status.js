@@ -5,9 +5,9 @@ import { gridStep, lengthText } from "../units.js";
 import { lengthIn, toolOf } from "./drawing.js";
 import { makeUnits } from "./options.js";
 
-const SELECTED = "Drag to move it, the round handle to turn it, the square ones to resize it; Ctrl-D copies, Delete removes";
-const UNDRAWN = "Its properties are at the right";
-const EDGE = "The area and the wall around it: its size, and the thickness of the edge, are at the right";
+const SELECTED = "Drag to move, the round handle to rotate, the square ones to resize; Ctrl-D copies, Delete removes";
+const UNDRAWN = "Its properties are on the right";
+const EDGE = "The area and the walls around it: size and wall thickness are on the right";
 
 /** What can be done with what is selected. @param {import("./model.js").Model} model */
 function selected(model) {

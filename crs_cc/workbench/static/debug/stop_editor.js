@@ -13,7 +13,7 @@ export function stopEditor(model, page, file, line, point) {
   const ignore = el("input", { type: "number", name: "ignore", min: 0, value: point?.ignore ?? 0 });
   const robot = el("select", { name: "robot" }, el("option", { value: "-1" }, "any robot"), ...robots.map((id, row) => el("option", { value: String(row) }, id)));
   robot.value = String(point?.robot ?? -1);
-  const commands = el("textarea", { name: "commands", rows: 2, value: point?.commands ?? "", placeholder: "commands of the debugger, one in each line", spellcheck: false });
+  const commands = el("textarea", { name: "commands", rows: 2, value: point?.commands ?? "", placeholder: "debugger commands, one per line", spellcheck: false });
   const enabled = el("input", { type: "checkbox", checked: point?.enabled ?? true });
   const wrong = el("p.field-error", { role: "alert" });
   const field = (name, input) => el("label", {}, el("span", {}, name), input);
@@ -40,7 +40,7 @@ export function stopEditor(model, page, file, line, point) {
     page.console(`until ${file}:${line}`);
   };
   const said = async () => {
-    if (!log.value.trim()) wrong.textContent = "say what it would print: speed is {speed}";
+    if (!log.value.trim()) wrong.textContent = "enter the text to print: speed is {speed}";
     else wrong.textContent = await page.found.ask("said", { file, line, text: log.value }, `line ${line}`);
     if (!wrong.textContent) page.layout.open("events");
   };
@@ -53,9 +53,9 @@ export function stopEditor(model, page, file, line, point) {
     field("Then do", commands),
     el("div.row", {},
       el("button.primary", { type: "submit" }, point ? "Change" : "Set"),
-      button({ text: "Print the past", title: "List what this line would have printed in the run so far, without running it by hand", onclick: said }),
-      button({ text: "Run to here", title: "Let the program run to this line", onclick: here }),
+      button({ text: "Print the past", title: "List what this line would have printed in the run so far", onclick: said }),
+      button({ text: "Run to here", title: "Run the program to this line", onclick: here }),
       point ? button({ text: "Remove", title: "Remove the breakpoint", onclick: remove }) : null,
-      button({ text: "Cancel", title: "Change nothing", key: "Esc", onclick: close })));
+      button({ text: "Cancel", title: "Discard the changes", key: "Esc", onclick: close })));
   return form;
 }

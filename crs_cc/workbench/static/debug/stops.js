@@ -27,7 +27,7 @@ export class Stops {
     this.robot = el("select", { "aria-label": "robot" });
     this.wrong = el("p.field-error", { role: "alert" });
     const form = el("form.stop-form", { "aria-label": "stop at something else", onsubmit: (event) => this.add(event), onkeydown: (event) => event.stopPropagation() },
-      this.kind, this.names, this.text, this.event, this.robot, this.condition, button({ text: "Add", title: "Stop there from now on", onclick: () => form.requestSubmit() }), this.wrong);
+      this.kind, this.names, this.text, this.event, this.robot, this.condition, button({ text: "Add", title: "Add this breakpoint", onclick: () => form.requestSubmit() }), this.wrong);
     this.element = el("div", {}, this.list, form);
     this.offer();
   }

@@ -103,7 +103,7 @@ export class Values {
       });
     }
     if (row.ask && this.model.can("debug")) element.append(this.questions(row));
-    if (row.number) element.append(button({ text: "×", title: `Watch ${row.name} no more`, className: "small", onclick: () => this.page.console(`undisplay ${row.number}`) }));
+    if (row.number) element.append(button({ text: "×", title: `Stop watching ${row.name}`, className: "small", onclick: () => this.page.console(`undisplay ${row.number}`) }));
     const parts = isOpen ? (row.children ?? []).flatMap((part) => this.rows(part, level + 1)) : [];
     return [element, ...parts];
   }
@@ -116,9 +116,9 @@ export class Values {
     const line = isOwn ? page.code.passing : "";
     return el("span.questions", {},
       row.last ? small("‹", "Back to its last write", "<", () => page.console(`last ${row.ask}`)) : null,
-      row.last ? small("›", "On to its next write", ">", () => page.console(`next ${row.ask}`)) : null,
+      row.last ? small("›", "Forward to its next write", ">", () => page.console(`next ${row.ask}`)) : null,
       small("why", "Where this value came from", "?", () => page.why(row.ask)),
-      small("plot", "Its history, under the time line", "G", () => page.plot(line ? `${row.ask} at ${line}` : OWN.includes(row.ask) ? `(${row.ask})` : row.ask)));
+      small("plot", "Plot its history under the time line", "G", () => page.plot(line ? `${row.ask} at ${line}` : OWN.includes(row.ask) ? `(${row.ask})` : row.ask)));
   }
 
   fold(key) {

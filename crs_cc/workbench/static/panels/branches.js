@@ -5,13 +5,13 @@ import { button, el, fill } from "crs/dom.js";
 export function branches(model, page) {
   const list = el("div.branch-list", { role: "list", "aria-label": "runs" });
   const body = el("section.branches", {}, el("h3", {}, "Runs"),
-    el("p.hint", {}, "A change in the past begins another run; the one before stays as it was."), list);
+    el("p.hint", {}, "A change in the past starts a new run; the previous one is kept."), list);
 
   const row = ({ name, current, since, end }) => el("div.branch", { role: "listitem", "aria-current": current ? "true" : undefined },
-    el("b", {}, name), el("span.times", {}, since ? `changed at ${since.toFixed(2)} s, known to ${end.toFixed(2)} s` : `known to ${end.toFixed(2)} s`),
+    el("b", {}, name), el("span.times", {}, since ? `changed at ${since.toFixed(2)} s, known up to ${end.toFixed(2)} s` : `known up to ${end.toFixed(2)} s`),
     ...(current ? [el("span.chip", {}, "this one")] : [
       button({ text: "Compare", title: `Where ${name} and this run first differ`, onclick: () => page.compare(name) }),
-      button({ text: "Show", title: `Go on with ${name}`, onclick: () => model.ask("switch", { name }) }),
+      button({ text: "Show", title: `Continue with ${name}`, onclick: () => model.ask("switch", { name }) }),
     ]));
 
   const show = () => {

@@ -18,12 +18,12 @@ export const changes = {
       setTimeout(() => URL.revokeObjectURL(url), 1000);
       model.say(`${answer.name} saved`);
     };
-    const script = button({ text: "Save as a script", title: "To be made again: crs run --inputs changes.txt", onclick: () => save("inputs") });
-    const xml = button({ text: "Save as XML", title: "<degradation> and <shut> for a world file: what is in force", onclick: () => save("xml") });
+    const script = button({ text: "Save as a script", title: "To repeat the changes: crs run --inputs changes.txt", onclick: () => save("inputs") });
+    const xml = button({ text: "Save as XML", title: "The active faults and outages, as <degradation> and <shut> for a world file", onclick: () => save("xml") });
     const mayTakeBack = model.run.can.includes("debug");
     const hint = el("p.hint", {}, mayTakeBack
-      ? "Nothing has been changed. What you do to the run (moves, faults, links, messages, variables) is listed here, and can be taken back."
-      : "Nothing has been changed. What you do to the run (moves, faults, links, messages) is listed here. This run only goes forward: nothing is taken back.");
+      ? "No changes. Your changes to the run (moves, faults, links, messages, variables) are listed here, and can be undone."
+      : "No changes. Your changes to the run (moves, faults, links, messages) are listed here. This run only goes forward: they cannot be undone.");
     root.append(el("div.bar", {}, script, xml), branches(model, page), hint, list);
 
     const show = () => {
@@ -33,7 +33,7 @@ export const changes = {
       fill(list, ...[...all].reverse().map(({ number, t, text }) => el("div.change", { role: "listitem" },
         el("button.link.when", { type: "button", title: "Go there", onclick: () => page.timeline.seek(t) }, `${t.toFixed(3)} s`),
         el("code", {}, text),
-        mayTakeBack ? button({ text: "Take back", title: "Take back this change and all that followed: the run goes back to before it", onclick: () => model.ask("undo", { number }) }) : null)));
+        mayTakeBack ? button({ text: "Undo", title: "Undo this change and all later ones: the run goes back to the time before it", onclick: () => model.ask("undo", { number }) }) : null)));
     };
     model.on("panel", show);
     model.on("hello", show);

@@ -6,14 +6,14 @@ import { Stops } from "crs/debug/stops.js";
 import { Values } from "crs/debug/values.js";
 
 const BACK = [
-  ["reverse-continue", "reverse", "Run back to the stop before", "Shift+F5"],
+  ["reverse-continue", "reverse", "Run back to the previous stop", "Shift+F5"],
   ["reverse-finish", "outback", "Back to the call of this function", "Shift+F8"],
-  ["reverse-step", "intoback", "A line back, into calls", "Shift+F11"],
-  ["reverse-next", "back", "A line back, over calls", "Shift+F10"],
+  ["reverse-step", "intoback", "Previous line, into calls", "Shift+F11"],
+  ["reverse-next", "back", "Previous line, over calls", "Shift+F10"],
 ];
 const AHEAD = [
-  ["next", "over", "To the next line, over calls", "F10"],
-  ["step", "into", "To the next line, into calls", "F11"],
+  ["next", "over", "Next line, over calls", "F10"],
+  ["step", "into", "Next line, into calls", "F11"],
   ["finish", "out", "Out of this function", "F8"],
   ["continue", "resume", "Run to the next breakpoint", "F5"],
 ];
@@ -39,11 +39,11 @@ export const code = {
     const robots = el("select.robots-of", { "aria-label": "robot", title: "The robot whose program is shown", onchange: () => model.select(Number(robots.value)) });
     const files = el("select", { "aria-label": "file", title: "Source file", onchange: () => source.open(files.value, lineIn(files.value)) });
     const status = el("p.status", { role: "status" });
-    const stand = button({ text: "Show lines", title: "Run the recorded programs up to here, to see where they stand", onclick: () => model.ask("stand") });
+    const stand = button({ text: "Show lines", title: "Run the recorded programs up to this time, to see their current lines", onclick: () => model.ask("stand") });
     const stack = el("div.stack", { role: "list" });
     const section = (title, ...parts) => el("details", { open: true }, el("summary", {}, title), ...parts);
     const count = el("span.count");
-    const wide = button({ icon: "wide", title: "Make this side wide, or narrow", key: "Z", onclick: () => page.code.zoom() });
+    const wide = button({ icon: "wide", title: "Widen or narrow this panel", key: "Z", onclick: () => page.code.zoom() });
     root.append(
       el("div.bar", {}, steps(BACK), steps(AHEAD), el("span.spacer"), wide),
       el("div.bar.where", {}, robots, files, status, stand),
@@ -84,7 +84,7 @@ export const code = {
       robots.value = String(where.robot);
       files.value = where.file;
       source.open(where.file, where.line);
-      fill(stack, ...(where.frames.length ? where.frames.map(frame) : [el("p.hint", {}, "The program does not run.")]));
+      fill(stack, ...(where.frames.length ? where.frames.map(frame) : [el("p.hint", {}, "The program is not running.")]));
       count.textContent = where.breakpoints.length ? `(${where.breakpoints.length})` : "";
       stops.draw();
       values.load();
@@ -100,9 +100,9 @@ export const code = {
       const isOn = playing || busy;
       root.classList.toggle("running", isOn || !isHere());
       const name = model.where?.frames.find((each) => each.current)?.function ?? "";
-      const text = playing ? "running: pause to see where the program stands"
+      const text = playing ? "running: pause to see the current line"
         : busy ? "working"
-        : !isHere() ? "the programs do not stand at this time yet"
+        : !isHere() ? "the programs have not been run to this time yet"
         : model.where?.error?.text || halt.text || (name ? `stopped in ${name}` : "");
       status.textContent = text;
       status.title = text;

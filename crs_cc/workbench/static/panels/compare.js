@@ -22,7 +22,7 @@ export const compare = {
     } });
     const open = button({ text: "Open a recording ...", title: "Compare with a recorded run: choose an .mcap file, or drop one anywhere on the page", onclick: () => file.click() });
     const search = button({ text: "Find the first variable", title: "Run both again, side by side, up to the first timestep in which a variable differs", onclick: () => (compared.isSearching ? compared.stop() : compared.search()) });
-    const plot = button({ text: "Plot the distance", title: "How far the selected robot is from where it is in the other run, under the time line", onclick: () => page.plot(APART + compared.run.name) });
+    const plot = button({ text: "Plot the distance", title: "Plot the selected robot's distance from its position in the other run", onclick: () => page.plot(APART + compared.run.name) });
     const end = button({ text: "End", title: "End comparing: remove the ghosts and the dashed paths", onclick: () => compared.end() });
     const close = button({ text: "Close the file", title: "Close the recording", onclick: () => compared.close(compared.run.name) });
     const about = el("span.hint", { "aria-live": "polite" });
@@ -46,7 +46,7 @@ export const compare = {
     const said = () => {
       const { run, exact, first } = compared;
       const upTo = (t) => `up to ${t.toFixed(2)} s`;
-      if (!first) return [el("p", {}, `No difference from ${run.name} is known, ${upTo(run.until)}.`, exact?.is_done && !exact.wrong ? ` All variables are the same, ${upTo(exact.t)}.` : "")];
+      if (!first) return [el("p", {}, `No difference from ${run.name} found, ${upTo(run.until)}.`, exact?.is_done && !exact.wrong ? ` All variables are the same, ${upTo(exact.t)}.` : "")];
       const variable = compared.firstVariable;
       const is = (each) => [there(each.t), " ", el("b", {}, named(each)), ` is ${each.here} here, ${each.there} there${each.by ? `, by ${each.by}` : ""}.`];
       const isOther = variable && (variable.t !== first.t || variable.what !== first.what);
@@ -67,7 +67,7 @@ export const compare = {
       search.querySelector("span").textContent = isSearching ? "Stop" : "Find the first variable";
       about.textContent = exact?.wrong || (isSearching && exact ? `variables are the same up to ${exact.t.toFixed(2)} of ${exact.until.toFixed(2)} s` : "");
       about.classList.toggle("wrong", Boolean(exact?.wrong));
-      if (!run) return fill(result, el("p.hint", {}, "Compare this run with one that a change in the past has left (Changes), or with a recording: open an .mcap file, or drop it on the page. Its robots are drawn as ghosts, its paths dashed."));
+      if (!run) return fill(result, el("p.hint", {}, "Compare this run with one that was kept after a change in the past (see Changes), or with a recording: open an .mcap file, or drop it on the page. Its robots are drawn as ghosts, its paths dashed."));
       const rows = [...(exact?.found ?? []), ...run.differences].sort((one, another) => one.t - another.t).map(row);
       fill(result, ...said(), ...(rows.length ? [table(run.name, rows)] : []));
     };

@@ -20,15 +20,15 @@ export const events = {
       } }), mark.title)));
     const name = el("span");
     const isWanted = el("input", { type: "checkbox", onchange: () => (isStale = true) });
-    const only = el("label.only-robot", { title: "Events of the selected robot, and of no robot" }, isWanted, name);
+    const only = el("label.only-robot", { title: "Only events of the selected robot, and those without a robot" }, isWanted, name);
     filters.append(only);
-    const condition = entry({ placeholder: "when: speed > 0 && $world.distance(a, b) < 1", title: "A condition on the program and the world: the instants at which it became true are marked on the time line", "aria-label": "condition to find in the run" });
+    const condition = entry({ placeholder: "when: speed > 0 && $world.distance(a, b) < 1", title: "A condition on the program and the world: the times at which it became true are marked on the time line", "aria-label": "condition to find in the run" });
     const wrong = el("p.field-error", { role: "alert" });
     const find = async () => {
       const text = condition.value.trim();
       if (text) wrong.textContent = await page.found.ask("when", { condition: text }, text);
     };
-    const clear = button({ text: "Clear", title: "Remove what was found from the time line", onclick: () => page.found.clear() });
+    const clear = button({ text: "Clear", title: "Remove the marks from the time line", onclick: () => page.found.clear() });
     const finder = el("form.finder", { onkeydown: (event) => event.stopPropagation(), onsubmit: (event) => {
       event.preventDefault();
       find();
@@ -54,7 +54,7 @@ export const events = {
       const found = model.happenings
         .filter(([, kind, row]) => chosen.has(markOf(kind).name) && !(isOnly && row >= 0 && row !== number))
         .sort((one, other) => one[0] - other[0]).slice(-MOST);
-      if (!found.length) return fill(list, el("p.hint", {}, "Nothing has happened yet."));
+      if (!found.length) return fill(list, el("p.hint", {}, "No events yet."));
       fill(list, ...found.reverse().map((each) => {
         const [time, kind, , text] = each;
         const dot = el("i.dot");

@@ -5,8 +5,8 @@ import { sideText } from "crs/units.js";
 
 const TITLES = { onset: "from", duration: "for", recovery: "fading for" };
 const HINTS = {
-  gain: "times", bias: "plus", noise: "standard deviation", step: "rounded to", stuck: "always this", delay: "late by",
-  dropouts: "share that is missing, 0 to 1", onset: "now", duration: "ever", recovery: "0",
+  gain: "times", bias: "plus", noise: "standard deviation", step: "rounded to", stuck: "fixed value", delay: "delayed by",
+  dropouts: "fraction dropped, 0 to 1", onset: "now", duration: "ever", recovery: "0",
 };
 const PHASES = { waits: "waits", acts: "acts", fades: "fades", over: "over" };
 
@@ -51,7 +51,7 @@ export const faults = {
         }
         const made = field(TITLES[law.name] ?? law.name, entry({ placeholder: HINTS[law.name] ?? "" }), law.unit ?? "");
         if (!law.word) return { law, ...made };
-        const held = el("input", { type: "checkbox", title: "the last value before", onchange: () => (made.input.disabled = held.checked) });
+        const held = el("input", { type: "checkbox", title: "the last value before the onset", onchange: () => (made.input.disabled = held.checked) });
         made.row.querySelector(".entry").append(el("label.held", {}, held, law.word));
         return { law, ...made, held };
       });
@@ -60,7 +60,7 @@ export const faults = {
       const rows = (isTime) => laws.filter(({ law }) => law.is_time === isTime).map(({ row }) => row);
       fill(form, field("device", device).row, field("element", element).row, what,
         el("div.laws", {}, ...rows(false)), el("div.laws", {}, ...rows(true)),
-        el("div.row-end", {}, button({ text: "Clear", title: "Empty the form", onclick: () => make({ devices, fields }) }),
+        el("div.row-end", {}, button({ text: "Clear", title: "Clear the form", onclick: () => make({ devices, fields }) }),
           el("button.primary", { type: "submit" }, "Degrade")));
       elements();
     };
@@ -108,7 +108,7 @@ export const faults = {
       const own = model.selected.id;
       const sorted = [...all.filter((each) => each.robot === own), ...all.filter((each) => each.robot !== own)];
       heading.textContent = all.length ? `In force (${all.length})` : "In force";
-      if (!sorted.length) return fill(list, el("p.hint", {}, "Nothing is degraded."));
+      if (!sorted.length) return fill(list, el("p.hint", {}, "No degradations."));
       fill(list, ...sorted.map((each) => el("div.in-force", {},
         el("span.chip", { title: timesOf(each) }, PHASES[each.phase] ?? each.phase),
         el("button.link", { type: "button", title: `Select ${each.robot}`, onclick: () => select(each.robot) }, each.robot),

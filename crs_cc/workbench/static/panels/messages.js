@@ -18,7 +18,7 @@ export const messages = {
   side: "below",
   asks: true,
   make(root, model, _look, page) {
-    const filter = el("input", { type: "text", placeholder: "find: a robot, a channel, a word of the content", "aria-label": "filter", spellcheck: false });
+    const filter = el("input", { type: "text", placeholder: "find a robot, a channel, a word of the content", "aria-label": "filter", spellcheck: false });
     const lostOnly = el("input", { type: "checkbox" });
     const clear = el("button", { type: "button", onclick: () => follow("", "") }, "Show all");
     const about = el("span.hint", { role: "status" });
@@ -97,7 +97,7 @@ export const messages = {
       key = now;
       const known = rows.slice(0, count);
       const found = known.filter(matches);
-      fill(list, ...(found.length ? found.slice(-MOST).reverse().map(shownRow) : [el("p.hint", {}, known.length ? "None of these." : "No message has been sent.")]));
+      fill(list, ...(found.length ? found.slice(-MOST).reverse().map(shownRow) : [el("p.hint", {}, known.length ? "No matches." : "No message has been sent.")]));
       const recent = known.filter((row) => row[0] > time - RATE);
       const followed = one ? "one message" : link ? link.split(">").map((each) => names()[Number(each)]).join(" to ") : "";
       about.textContent = followed ? `followed: ${followed}` : countsOf(known.map((row) => row[1]));

@@ -32,15 +32,15 @@ export const plot = {
     /** @type {number[]} */
     let ends = [];
     const known = el("datalist", { id: "plot-names" }, ...OWN.map((value) => el("option", { value })));
-    const input = entry({ placeholder: "add: clearance, sonar.0, a variable, error at 23 ...", title: `A variable or expression of the program; "error at 23" has its values whenever line 23 was reached; or: ${OWN.join(", ")} ...`, "aria-label": "expression to plot" });
+    const input = entry({ placeholder: "add: clearance, sonar.0, a variable, error at 23 ...", title: `A variable or expression of the program; "error at 23" has its values each time line 23 was reached; or: ${OWN.join(", ")} ...`, "aria-label": "expression to plot" });
     input.setAttribute("list", known.id);
     const wrong = el("span.wrong", { role: "alert" });
     const chips = el("div.chips");
-    const spans = el("div.segmented", { role: "group", "aria-label": "span of time" }, ...SPANS.map(([id, text, seconds]) =>
+    const spans = el("div.segmented", { role: "group", "aria-label": "time span" }, ...SPANS.map(([id, text, seconds]) =>
       el("button", { type: "button", "data-span": id, onclick: () => timeline.showPart(null, seconds) }, text)));
-    const past = button({ text: "Fill in the past", title: "Run the past again, and note each change of these values", onclick: () => fillIn() });
+    const past = button({ text: "Fill in the past", title: "Run the past again, and record each change of these values", onclick: () => fillIn() });
     past.hidden = true;
-    const canvas = el("canvas", { tabIndex: 0, role: "img", "aria-label": "plot over time: click or drag goes there, at a change exactly; the wheel zooms" });
+    const canvas = el("canvas", { tabIndex: 0, role: "img", "aria-label": "plot over time: click or drag to go to a time, or exactly to a change; the wheel zooms" });
     const box = el("div.canvas", {}, canvas);
     root.classList.add("plot");
     root.append(el("div.bar", {}, input, known, spans, past, chips, wrong), box);

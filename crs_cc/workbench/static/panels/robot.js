@@ -43,7 +43,7 @@ export const robot = {
       if (!root.offsetParent) return;
       title.textContent = model.selected.id;
       if (!now && !isDebugged) return fill(sensors);
-      if (!now) return fill(sensors, el("p.hint", {}, "Its sensors and State[] are known where its program stands."),
+      if (!now) return fill(sensors, el("p.hint", {}, "Its sensors and State[] are available at times to which its program has been run."),
         button({ text: "Run the programs to this time", title: "They run again, with the recorded input", onclick: () => model.ask("stand") }));
       if (now.robot !== model.state.robot) return;
       const own = [["speed", "speed", "m/s"], ["battery", "battery", "%"]]

@@ -5,7 +5,7 @@ import { angleText } from "crs/units.js";
 
 const ROW = 30; // pixels
 const SPARE = 6; // rows beyond those in view
-const COLUMNS = ["robot", "kind", "program", "stands at", "pose", "speed", "battery", "bumper", "state", "what fails"];
+const COLUMNS = ["robot", "kind", "program", "line", "pose", "speed", "battery", "bumper", "state", "faults"];
 const OUTCOMES = { exited: "ended", failed: "error", left: "left" };
 
 /** A row: its elements stay, and only what has changed is written. */

@@ -2,7 +2,7 @@
 import { el, fill } from "crs/dom.js";
 
 const MANY = 200;
-const HINTS = { does: "How its motors move it, and what its program waits for. A command takes time on the link, the line between computer and robot." };
+const HINTS = { does: "The motion of its motors, and what its program is waiting for. A command takes time on the link, the line between computer and robot." };
 const OUTCOMES = { exited: "ended", failed: "error", left: "left", running: "" };
 
 /** @type {import("./index.js").Panel} */

@@ -21,11 +21,11 @@ export const why = {
   side: "below",
   needs: "debug",
   make(root, model, look, page) {
-    const input = entry({ placeholder: "speed, State[17], path[3] ...", title: "An expression of the selected program, where it stands", "aria-label": "expression whose value is explained" });
+    const input = entry({ placeholder: "speed, State[17], path[3] ...", title: "An expression in the selected program, at its current line", "aria-label": "expression whose value is explained" });
     const ask = button({ text: "Why?", title: "Show where its value came from", className: "primary", onclick: () => form.requestSubmit() });
     const wrong = el("span.wrong", { role: "alert" });
     const about = el("span.hint", { role: "status" });
-    const before = el("select", { title: "Questions that were asked before", "aria-label": "earlier questions", onchange: () => choose(Number(before.value)) });
+    const before = el("select", { title: "Earlier questions", "aria-label": "earlier questions", onchange: () => choose(Number(before.value)) });
     const form = el("form.bar", { onsubmit: (event) => {
       event.preventDefault();
       question(input.value.trim());
@@ -113,7 +113,7 @@ export const why = {
       const fact = node.beam ? rest.splice(0).join(": ") : "";
       const what = el("span.what", {}, twist, isOther ? el("span.of", {}, names[node.robot]) : null,
         el(node.expression ? "code" : "span", { title: node.text }, name, rest.length ? el("b", {}, ` = ${rest.join(" = ")}`) : null));
-      const how = node.how === CUT && above ? button({ text: "Go on", title: "Go to the instant above, and ask there", className: "link", onclick: (event) => {
+      const how = node.how === CUT && above ? button({ text: "Continue", title: "Go to the time above, and ask there", className: "link", onclick: (event) => {
         event.stopPropagation();
         goOn(node, above);
       } }) : el(fact ? "span.fact" : "code", { title: fact || node.how }, fact || node.how);
@@ -141,7 +141,7 @@ export const why = {
       before.hidden = asked.length < 2;
       fill(before, ...asked.map((each, at) => el("option", { value: String(at) }, `${each.expression} of ${each.robot} at ${each.t.toFixed(3)} s`)));
       before.value = String(asked.indexOf(/** @type {any} */ (shown)));
-      fill(tree, ...(shown ? rows().map(row) : [el("p.hint", {}, "Ask where a value came from: here, by the button of a variable in Code, or by a double click on a name in the source. Each line of the answer is an instant to which a click goes.")]));
+      fill(tree, ...(shown ? rows().map(row) : [el("p.hint", {}, "Ask where a value came from: here, with the button of a variable in Code, or by double-clicking a name in the source. Click a line of the answer to go to that point in time.")]));
       if (hadFocus) focus();
     };
 
