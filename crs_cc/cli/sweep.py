@@ -143,6 +143,8 @@ def _summary(wanted: Sweep, *, quiet: bool) -> int:
         say(f"  {len(rows)} x {status}: {text} ({first})")
     if len(wrong) > _MOST_ERRORS:
         say(f"  and {len(wrong) - _MOST_ERRORS} other errors")
+    for number, text in sorted(wanted.unrecorded.items())[:1]:
+        say(f"{len(wanted.unrecorded)} failed runs are not recorded, the first is {number}: {text}")
     search = wanted.experiment.search
     found = best(search, wanted.rows.values()) if search else None
     if search and found:

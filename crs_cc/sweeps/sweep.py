@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import time
 from collections.abc import Callable, Collection, Generator, Iterable, Iterator, Sequence
-from contextlib import closing
+from contextlib import closing, suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Self
@@ -90,6 +91,7 @@ class Sweep:
         experiment: the experiment.
         folder: the folder.
         rows: the rows that there are, by the numbers of their runs.
+        unrecorded: why runs that failed have no recording, by their numbers.
     """
 
     def __init__(self, path: Path, folder: Path, text: str | None = None) -> None:
@@ -107,6 +109,7 @@ class Sweep:
         self.experiment: Experiment = parse(self._text, path)
         self.folder = folder
         self.rows: dict[int, Row] = {}
+        self.unrecorded: dict[int, str] = {}
         self._versions = {"crs": __version__, **versions()}
 
     @classmethod
@@ -155,7 +158,12 @@ class Sweep:
                 self.run(jobs, resume=resume, report=report, pool=workers.run)
             return
         self._check_folder(resume=resume)
-        plan = self._checked_plan(pool)
+        is_new = not self.folder.exists()
+        try:
+            plan = self._checked_plan(pool)
+        except BaseException:
+            self._leave_nothing(is_new=is_new)
+            raise
         self._check_plan(plan, resume=resume)
         self.folder.mkdir(parents=True, exist_ok=True)
         replace_text(self.folder / _PLAN, json.dumps(plan, indent=1))
@@ -168,6 +176,15 @@ class Sweep:
             finally:
                 self._tidy()
                 self.write_table()
+
+    def _leave_nothing(self, *, is_new: bool) -> None:
+        """Remove the definitions that were written to check them, unless rows belong to them."""
+        if (self.folder / _PLAN).exists():
+            return
+        shutil.rmtree(self.folder / ROBOTS, ignore_errors=True)
+        if is_new:
+            with suppress(OSError):
+                self.folder.rmdir()
 
     def _tidy(self) -> None:
         """Remove what measures needed whose process was killed."""
@@ -356,13 +373,24 @@ class Sweep:
     def _record_failed(self, pool: RunTasks) -> None:
         """Run the first runs that failed once more, and record them."""
         failed = sorted(number for number, row in self.rows.items() if row["status"] != "ended")
-        missing = []
-        for number in failed[:MAX_RECORDINGS]:
-            name = f"{FAILED}/{number:04d}.mcap"
-            self.rows[number] = {**self.rows[number], "recording": name}
-            if not (self.folder / name).exists():
-                missing.append((number, name))
-        self._record([(self._planned(number), name) for number, name in missing], pool)
+        names = {number: f"{FAILED}/{number:04d}.mcap" for number in failed[:MAX_RECORDINGS]}
+        missing = [each for each in names.items() if not (self.folder / each[1]).exists()]
+        wrong = self._record([(self._planned(number), name) for number, name in missing], pool)
+        for number, name in names.items():
+            if self._unreadable(name):
+                text = wrong.get(number, "its process ended")
+                self.unrecorded[number] = text
+                (self.folder / name).unlink(missing_ok=True)
+            else:
+                self.rows[number] = {**self.rows[number], "recording": name}
+
+    def _unreadable(self, name: str) -> str:
+        """Return why a recording cannot be read, empty if it can."""
+        try:
+            Recording(self.folder / name)
+        except (OSError, CrsError) as error:
+            return str(error)
+        return ""
 
     def _planned(self, number: int) -> PlannedRun:
         row = self.rows[number]
@@ -375,7 +403,10 @@ class Sweep:
             what went wrong, empty for nothing.
         """
         with Pool(_MODULE, 1) as workers:
-            self._record([(self._planned(number), name) for number, name in runs], workers.run)
+            planned = [(self._planned(number), name) for number, name in runs]
+            wrong = self._record(planned, workers.run)
+        for number, text in wrong.items():
+            return f"run {number} cannot be recorded: {text}"
         for number, name in runs:
             wanted = self.rows[number]["state_hash"]
             try:
@@ -386,15 +417,23 @@ class Sweep:
                 return f"run {number} has another result now: a file or crs has changed"
         return ""
 
-    def _record(self, runs: Sequence[tuple[PlannedRun, str]], pool: RunTasks) -> None:
-        """Run some runs again and record them in files of the folder, by their names."""
+    def _record(self, runs: Sequence[tuple[PlannedRun, str]], pool: RunTasks) -> dict[int, str]:
+        """Run some runs again and record them in files of the folder, by their names.
+
+        Returns:
+            what went wrong, by the numbers of the runs.
+        """
         tasks = [
             self._task("record", run, record=os.path.abspath(self.folder / name))  # noqa: PTH100
             for run, name in runs
         ]
+        wrong: dict[int, str] = {}
         with closing(pool(tasks, 0)) as outcomes:
-            for _ in outcomes:
-                pass
+            for each in outcomes:
+                text = each.text if each.result is None else each.result.get("error", "")
+                if text:
+                    wrong[runs[each.number][0].number] = text
+        return wrong
 
 
 def _pool(jobs: int, dask: str) -> Pool | Cluster:

@@ -126,7 +126,8 @@ def _guarded(job: dict[str, Any], do: Callable[[], dict[str, Any]]) -> dict[str,
     except CrsError as error:
         found = {"status": "crashed", "error": _message(error, job)}
     except OSError as error:
-        found = {"status": "crashed", "error": f"{error.filename}: {error.strerror}"}
+        place = f"{error.filename}: " if error.filename else ""
+        found = {"status": "crashed", "error": f"{place}{error.strerror or error}"}
     except MemoryError:
         most = _of(job).experiment.limits.memory_mib
         found = {"status": "limit", "error": f"needed more than {most} MiB of memory"}
@@ -258,7 +259,11 @@ def _record(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]
     prepared()
     path = Path(job["record"])
     path.parent.mkdir(parents=True, exist_ok=True)
-    return asdict(single_run.record(loaded.experiment, variant, job["seed"], path))
+    try:
+        return asdict(single_run.record(loaded.experiment, variant, job["seed"], path))
+    except OSError:
+        path.unlink(missing_ok=True)  # the start of it would be taken for all
+        raise
 
 
 if __name__ == "__main__":

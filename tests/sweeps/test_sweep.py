@@ -20,6 +20,7 @@ import crs_cc
 from crs_cc.cli.main import main
 from crs_cc.jobs.pool import Worker
 from crs_cc.recording.recording import Recording
+from crs_cc.sweeps import single_run
 from crs_cc.sweeps import sweep as sweep_module
 from crs_cc.sweeps.experiment import ExperimentError
 from crs_cc.sweeps.rows import RowFile
@@ -163,6 +164,7 @@ robots = [2, 3]
         ("[parameters]\nworld.crate.z = [1]", "world.crate.z: unknown attribute 'z'"),
         ('[parameters]\nrobot = ["scot"]', "unknown robot 'scot'"),
         ('[parameters]\nsetup = ["x"]', "unknown setup 'x'"),
+        ('[parameters]\nrobot.drive.wheel-base = ["30cm", "-1cm"]', "wheel-base: '-1cm'"),
         ("[parameters]\nargument.2 = [1]", "there is no argument 1 before it"),
         ('[parameters]\nfault = ["dead"]', "fault: 'dead' is not NAME=VALUE"),
         ('measures = "m.py"', "m.py: No such file or directory"),
@@ -174,6 +176,7 @@ def test_what_is_unknown_is_said_before_the_first_run(more: str, text: str, fold
     with pytest.raises(ExperimentError) as wrong:
         swept(path, folder / "out")
     assert text in str(wrong.value)
+    assert not (folder / "out").exists()
 
 
 def test_a_run_that_fails_is_a_row_and_a_recording_for_the_debugger(
@@ -191,6 +194,29 @@ def test_a_run_that_fails_is_a_row_and_a_recording_for_the_debugger(
     (folder / "commands").write_text("continue\nbacktrace\n")
     assert main(["debug", str(recording), "--batch", "-x", str(folder / "commands")]) == 0
     assert "drive.c:15" in capfd.readouterr().out
+
+
+def test_a_recording_that_the_disk_has_no_room_for_is_told_and_made_later(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, out = write(folder, MANY), folder / "out"
+    record = single_run.record
+
+    def full(experiment: Any, variant: Any, seed: int, path: Path) -> Any:
+        if seed == 2:
+            path.write_bytes(b"as much as there was room for")
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return record(experiment, variant, seed, path)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(single_run, "record", full)
+        sweep = swept(path, out)
+    assert sweep.unrecorded == dict.fromkeys((4, 10), "No space left on device")
+    assert "recording" not in sweep.rows[4]
+    assert sorted(each.name for each in (out / "failed").iterdir()) == [
+        f"{number:04d}.mcap" for number in (3, 5, 9, 11)
+    ]
+    assert swept(path, out, resume=True).rows[4]["recording"] == "failed/0004.mcap"
 
 
 LIMITS = "[limits]\noutput = 1000\nfuel = 1_000_000\n"

@@ -43,6 +43,14 @@ MOST_GROUPS: Final = 24
 """Combinations in one figure; more cannot be told apart."""
 
 
+_WRAPPED: Final = 36
+"""Characters in a line of a label; longer ones would leave no room for what they label."""
+
+_LINE_IN: Final = 0.2
+_SHORT_LEGEND: Final = 32
+"""Characters up to which labels find room beside what is drawn."""
+
+
 def _svg(draw: Callable[[Axes], None]) -> str:
     """Return what is drawn as the text of an SVG element."""
     import matplotlib as mpl
@@ -94,7 +102,9 @@ def box_and_strip(results: Results) -> str:
                 alpha=0.5,
                 markersize=3,
             )
-        axes.set_yticks(range(1, len(groups) + 1), [group.label for group in groups])
+        labels = [_wrapped(group.label) for group in groups]
+        axes.set_yticks(range(1, len(groups) + 1), labels)
+        _heighten(axes, _LINE_IN * sum(1 + each.count("\n") for each in labels) - 3.0)
         axes.invert_yaxis()
         axes.set_xlabel(results.label)
 
@@ -123,7 +133,7 @@ def curve(results: Results) -> str:
             low, high = [each.low for each in found], [each.high for each in found]
             axes.fill_between(x, low, high, color=colour, alpha=0.2, linewidth=0)
         if len(lines) > 1:
-            axes.legend()
+            _legend(axes)
         if _spans_decades([float(each) for each in _levels(results, name)]):
             axes.set_xscale("log")
         axes.set_xlabel(name)
@@ -169,7 +179,7 @@ def survival_curves(results: Results) -> str:
             low, high = (1.0, *found.low), (1.0, *found.high)
             axes.step(times, shares, where="post", color=colour, label=group.label)
             axes.fill_between(times, low, high, step="post", color=colour, alpha=0.15, linewidth=0)
-        axes.legend()
+        _legend(axes)
         axes.set_ylim(0.0, 1.03)
         axes.set_xlim(left=0.0)
         axes.set_xlabel(results.label)
@@ -180,6 +190,8 @@ def survival_curves(results: Results) -> str:
 
 def convergence(results: Results) -> str:
     """Return the medians of the first seeds over how many they are, for each combination."""
+    from matplotlib.ticker import MaxNLocator
+
     groups = results.groups[: len(_COLOURS)]
 
     def draw(axes: Axes) -> None:
@@ -187,7 +199,8 @@ def convergence(results: Results) -> str:
             counts = range(1, len(group.values) + 1)
             medians = [float(np.median(group.values[:count])) for count in counts]
             axes.plot(counts, medians, color=colour, label=group.label)
-        axes.legend()
+        _legend(axes)
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
         axes.set_xlabel("seeds")
         axes.set_ylabel(f"median of {results.label}")
 
@@ -239,6 +252,43 @@ def field_map(sketch: FieldSketch, age_s: float, area: Area) -> str:
         _colour_bar(axes, image, sketch.name)
 
     return _svg(draw)
+
+
+def _wrapped(label: str) -> str:
+    r"""Return a label in lines that are not too long, if its parts permit it.
+
+    >>> _wrapped("define.SPEED=100, world.food.items=5, setup=noisy")
+    'define.SPEED=100, world.food.items=5,\nsetup=noisy'
+    """
+    lines = [""]
+    for part in label.split(", "):
+        joined = f"{lines[-1]}, {part}" if lines[-1] else part
+        if len(joined) <= _WRAPPED or not lines[-1]:
+            lines[-1] = joined
+        else:
+            lines[-1] += ","
+            lines.append(part)
+    return "\n".join(lines)
+
+
+def _heighten(axes: Axes, by_in: float) -> None:
+    """Make the figure higher, if there is anything to add."""
+    figure: Any = axes.figure
+    width_in, height_in = figure.get_size_inches()
+    figure.set_size_inches(width_in, height_in + max(0.0, by_in))
+
+
+def _legend(axes: Axes) -> None:
+    """Explain the lines: beside them if there is room, else below the axes."""
+    handles, labels = axes.get_legend_handles_labels()
+    if max(map(len, labels)) <= _SHORT_LEGEND:
+        axes.legend()
+        return
+    wrapped = [_wrapped(each) for each in labels]
+    _heighten(axes, _LINE_IN * sum(1 + each.count("\n") for each in wrapped))
+    figure = axes.figure
+    assert figure is not None
+    figure.legend(handles, wrapped, loc="outside lower center", frameon=False)
 
 
 def _show_area(axes: Axes, area: Area) -> None:

@@ -24,17 +24,20 @@ class Group:
         values: the measure in each row.
         reached: of the time of a goal, whether it was met in each row: else the value is the end
             of the run, as long as which it took at least.
+        telling: the parameters that tell the combination from all others; None for all of them.
     """
 
     parameters: Mapping[str, Value]
     rows: tuple[Row, ...]
     values: tuple[float, ...]
     reached: tuple[bool, ...]
+    telling: tuple[str, ...] | None = None
 
     @property
     def label(self) -> str:
         """The combination in words."""
-        return shown(self.parameters) or "all runs"
+        names = self.parameters if self.telling is None else self.telling
+        return shown({name: self.parameters[name] for name in names}) or "all runs"
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,12 +118,32 @@ def results(rows: Sequence[Row], measure: str = "") -> Results:
     members: dict[str, list[Row]] = {}
     for row in sorted(rows, key=lambda each: int(each["run"])):
         members.setdefault(shown(row["parameters"]), []).append(row)
-    groups = [_group(each, varied, wanted) for each in members.values()]
+    telling = _telling([each[0]["parameters"] for each in members.values()], varied)
+    groups = [_group(each, varied, telling, wanted) for each in members.values()]
     failed = len(rows) - sum(len(group.values) for group in groups)
     return Results(wanted, varied, tuple(group for group in groups if group.values), failed)
 
 
-def _group(rows: Sequence[Row], varied: Sequence[str], measure: str) -> Group:
+def _telling(combinations: Sequence[Mapping[str, Value]], varied: Sequence[str]) -> list[str]:
+    """Return the first parameters that tell combinations apart; others vary with these.
+
+    >>> _telling([{"setup": "", "fault": ""}, {"setup": "noisy", "fault": "dead=yes"}],
+    ...          ["setup", "fault"])
+    ['setup']
+    """
+    telling: list[str] = []
+    classes = 1
+    for name in varied:
+        found = len({repr([each.get(n) for n in (*telling, name)]) for each in combinations})
+        if found > classes:
+            telling.append(name)
+            classes = found
+    return telling
+
+
+def _group(
+    rows: Sequence[Row], varied: Sequence[str], telling: Sequence[str], measure: str
+) -> Group:
     chosen, values, reached = [], [], []
     for row in rows:
         value, is_reached = value_of(row, measure)
@@ -129,7 +152,7 @@ def _group(rows: Sequence[Row], varied: Sequence[str], measure: str) -> Group:
             values.append(value)
             reached.append(is_reached)
     parameters = {name: rows[0]["parameters"][name] for name in varied}
-    return Group(parameters, tuple(chosen), tuple(values), tuple(reached))
+    return Group(parameters, tuple(chosen), tuple(values), tuple(reached), tuple(telling))
 
 
 def value_of(row: Row, measure: str) -> tuple[float | None, bool]:

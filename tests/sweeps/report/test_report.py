@@ -130,6 +130,28 @@ def test_convergence_shows_the_medians_of_the_first_seeds() -> None:
     assert "convergence" not in drawn(results(rows[:1]))
 
 
+def test_combinations_are_named_by_what_tells_them_apart_and_long_names_have_room() -> None:
+    rows = [
+        row(number, {"setup": setup, "fault": fault, "world.source.items": items}, 1.0 + seed, seed)
+        for number, (setup, fault, items, seed) in enumerate(
+            (setup, fault, items, seed)
+            for setup, fault in (("", ""), ("noisy", "robot=a device=sonar dead=yes"))
+            for items in (10_000_000, 20_000_000)
+            for seed in (1, 2)
+        )
+    ]
+    found = results(rows)
+    assert [group.label for group in found.groups][1:3] == [
+        "setup=, world.source.items=20000000",
+        "setup=noisy, world.source.items=10000000",
+    ]
+    assert found.groups[2].parameters["fault"] == "robot=a device=sonar dead=yes"
+    text = figures.convergence(found)
+    height_pt = float(text.split('height="')[1].split("pt")[0])
+    assert height_pt > 72 * 4.2 + 50  # the legend is below what it explains
+    assert ">setup=noisy,<" in text
+
+
 def test_medians_say_where_a_goal_was_not_met() -> None:
     table = medians(timed())
     assert table.heading[:4] == ("robots", "runs", "met", "median")
