@@ -31,7 +31,7 @@ def test_two_clicks_answer_a_program(tmp_path: Path, browser: Any) -> None:
         note = "document.querySelector('.pointing')"
         wait(page, f"!{note}.hidden && {note}.textContent.includes('anna')")
         page.evaluate("crs.views.place(() => [1, 2, 0])")
-        wait(page, f"{note}.textContent.includes('looks')")
+        wait(page, f"{note}.textContent.includes('direction')")
         page.evaluate("crs.views.place(() => [1, 3, 0])")
         wait(page, f"{note}.hidden")
         refused = page.evaluate(
