@@ -56,7 +56,7 @@ class CalmPrograms:
         """
         state, hints = self._state, self._hints
         environment = state.environment
-        if not (self.is_allowed and self.is_worthwhile):
+        if not (self.is_allowed and self.is_worthwhile) or len(state.fleet) > MOST:
             return REFUSED
         if environment.cycle == self._refused or hints.follows_moves or state.network.is_used:
             return REFUSED

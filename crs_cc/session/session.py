@@ -483,7 +483,7 @@ class Session:
         if not due.size:
             return
         codes = self.fleet.codes[due]
-        kinds = sorted(set(codes.tolist()))
+        kinds = [int(codes[0])] if all_of(codes == codes[0]) else sorted(set(codes.tolist()))
         for code in kinds:
             robots = due if len(kinds) == 1 else due[codes == code]
             messages, at_s = self.fleet.messages(robots), state.due_s[robots]

@@ -23,6 +23,7 @@ from crs_cc.sim.devices.laser.model import laser_state
 from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import (
     COMPASS,
+    CONF_X,
     IR_0,
     MOTOR_STATUS,
     SONAR_0,
@@ -33,6 +34,7 @@ from crs_cc.sim.devices.vendor_state import LASER as LASER_MODE
 from crs_cc.sim.kernels.tables import REPLY
 from crs_cc.sim.model import registry
 from crs_cc.sim.state import mask
+from crs_cc.sim.state.last_measurement import CONFIGURATION
 from crs_cc.sim.state.rows import ALL, Rows, simplest, take
 
 if TYPE_CHECKING:
@@ -61,6 +63,7 @@ LASER_COUNT: Final = _PLACES["laser_count"]
 BATTERIES: Final = slice(_PLACES["computer_battery"], _PLACES["motor_battery"] + 1)
 BOARD_MS: Final = _PLACES["board_ms"]
 """Places in messages, the same in all replies with `State`."""
+_CONFIGURATION: Final = slice(CONF_X, CONF_X + CONFIGURATION)
 _STATE_BYTES: Final = REPLY["state"].itemsize
 
 
@@ -90,6 +93,12 @@ class SensorBoard:
             for name, group in GROUPS.items()
             if (timed := installed[name].timed) is not None
             and any(model.device(name) is not None for model in models)
+        ]
+        readers = {"infrared": self.infrared.read, "compass": self.compasses.read}
+        self._simple = [
+            (row, readers[row.name], group)
+            for row, _, group in self._instruments
+            if row.name in readers
         ]
         self._lasers: Lasers | None = None
         if any(model.device("laser") is not None for model in models):
@@ -134,6 +143,8 @@ class SensorBoard:
         rays: RayCaster,
         replied: tuple[IndexArray, FloatArray],
         code: int,
+        *,
+        told: Int32Array,
     ) -> None:
         """Measure for requests of one kind, if the board is simple and these have been executed.
 
@@ -143,9 +154,11 @@ class SensorBoard:
             rays: casts rays.
             replied: the robots, k of them, and the time of each reply.
             code: the kind of requests; all robots have what it is about.
+            told: the replies' `State`, (k, 45).
         """
         rows, at_s = replied
-        for row, measure, group in self._instruments:
+        told = told[:, _CONFIGURATION]
+        for row, measure, group in self._simple:
             which = constants.numbers[row.name][rows] >= 0
             if REQUESTS[code].sensors == ALL_SENSORS:
                 which &= selects(state, rows, group)
@@ -154,9 +167,10 @@ class SensorBoard:
             if row.number is not None:
                 which &= state.timers.on_request(rows, row.number)
             if all_of(which):
-                measure(state, constants, rays, rows, at_s)
+                measure(state, constants, rays, rows, at_s, told=told)
             elif which.any():
-                measure(state, constants, rays, rows[which], at_s[which])
+                some = rows[which]
+                measure(state, constants, rays, some, at_s[which], told=told[which])
 
     def write(
         self,

@@ -52,7 +52,7 @@ def serve_simply(
     if found != ADVANCED:
         return None
     board = data.devices.sensor_board
-    board.measure_simply(state, constants, data.rays, (rows, at_s), code)
+    board.measure_simply(state, constants, data.rays, (rows, at_s), code, told=replies["state"])
     tell(state, constants, rows, replies["state"])
     board.write(state, constants, (rows, at_s), replies, messages)
     messages["result"] = 1

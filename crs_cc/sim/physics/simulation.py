@@ -372,12 +372,12 @@ class Physics:
     def _admit(self, near: IndexArray, bodies: Bodies) -> IndexArray:
         """Have some robots only in the space, whose bodies are the first; return which."""
         robots, mass_kg = self._robots_of(near), self._drive_force.mass_kg
-        places = dict(zip(robots.tolist(), bodies.position_m, strict=False))
 
         def body_of(number: int) -> pymunk.Body:
-            if number in places:
-                return self._builder.robot(number, places[number], mass_kg)
-            return self._builder.solid(number)
+            if number >= self._robots:
+                return self._builder.solid(number)
+            place = int(np.searchsorted(robots, number))
+            return self._builder.robot(number, bodies.position_m[place], mass_kg)
 
         others = near[len(robots) :].tolist()
         if self._space.admit(robots.tolist(), others, body_of):

@@ -17,7 +17,7 @@ True
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from functools import lru_cache
 from typing import Any, Self, TypeVar
@@ -215,9 +215,7 @@ class EnvState(_InRows):
     def sha256(self) -> str:
         """Return a digest of the whole state."""
         parts = list[bytes]()
-        for name, value in _leaves(self, ""):
-            array = np.asarray(value)
-            parts += _head(name, array.shape), array.tobytes()
+        _add_leaves(parts, self, "")
         return hashlib.sha256(b"".join(parts)).hexdigest()
 
 
@@ -225,14 +223,17 @@ def _whole(count: int) -> Int64Array:
     return np.zeros(count, dtype=np.int64)
 
 
-def _leaves(value: Any, name: str) -> Iterator[tuple[str, Any]]:
-    """Yield the arrays and numbers in a dataclass, with their names."""
-    for field in _fields(type(value)) or ():
-        part, own = getattr(value, field), f"{name}.{field}"
-        if _fields(type(part)) is not None:
-            yield from _leaves(part, own)
+def _add_leaves(parts: list[bytes], value: Any, name: str) -> None:
+    """Add the bytes of the arrays and numbers in a dataclass, each after its name and shape."""
+    for field, own in _fields(type(value), name) or ():
+        part = getattr(value, field)
+        if isinstance(part, np.ndarray):
+            parts += _head(own, part.shape), part.tobytes()
+        elif _fields(type(part), own) is not None:
+            _add_leaves(parts, part, own)
         elif part is not None:
-            yield own, part
+            array = np.asarray(part)
+            parts += _head(own, array.shape), array.tobytes()
 
 
 @lru_cache(maxsize=1024)
@@ -240,11 +241,13 @@ def _head(name: str, shape: tuple[int, ...]) -> bytes:
     return f"{name} {shape}\n".encode()
 
 
-def _fields(kind: type) -> tuple[str, ...] | None:
-    """Return the names of the fields of a dataclass; None for another type."""
-    if kind not in _FIELDS:
-        _FIELDS[kind] = tuple(e.name for e in fields(kind)) if is_dataclass(kind) else None
-    return _FIELDS[kind]
+def _fields(kind: type, name: str) -> tuple[tuple[str, str], ...] | None:
+    """Return the fields of a dataclass that has a name, each with its whole name; else None."""
+    key = kind, name
+    if key not in _FIELDS:
+        own = [each.name for each in fields(kind)] if is_dataclass(kind) else None
+        _FIELDS[key] = None if own is None else tuple((each, f"{name}.{each}") for each in own)
+    return _FIELDS[key]
 
 
-_FIELDS: dict[type, tuple[str, ...] | None] = {}
+_FIELDS: dict[tuple[type, str], tuple[tuple[str, str], ...] | None] = {}

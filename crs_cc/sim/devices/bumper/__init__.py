@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.core.quantity import RATIO
 from crs_cc.sim.devices.bumper.element import BUMPER_BITS, Switches, read, switches_of, write
 from crs_cc.sim.devices.bumper.state import BumperState, bumper_state
@@ -42,6 +42,7 @@ if TYPE_CHECKING:
 
 _TURN: Final = 2 * math.pi
 _PRESSED: Final = 0.5
+_FEW: Final = 4096  # pairs of contacts, which are compared without sorting
 _ON_EDGE_RAD: Final = 1e-9  # rounding must not let a contact slip between two switches that meet
 
 
@@ -98,7 +99,7 @@ class Bumpers:
         if quiet and not constants.degradations.concern(state, "bumper"):
             return contacts
         keys = robot * len(constants.scene.names) + contacts.other
-        began = ~np.isin(keys, state.contacts_before)
+        began = ~_are_in(keys, state.contacts_before)
         state.contacts_before = keys.astype(np.int64)
         np.add.at(state.collisions, robot[began], 1)
         bearing_rad = exact.arctan2(
@@ -155,6 +156,17 @@ def get_bp(context: RequestContext) -> BoolArray:
 def _reading(state: EnvState, _model: Switches, robot: int) -> BoolArray:
     """Return which switches of a robot are pressed, by their bits in `State[33]`, (24,)."""
     return np.asarray(bumper_state(state).pressed[robot] >> np.arange(BUMPER_BITS) & 1 > 0)
+
+
+def _are_in(keys: IndexArray, others: Int64Array) -> BoolArray:
+    """Return which keys are among others, in a tenth of the time of `np.isin` for few.
+
+    >>> _are_in(np.array([4, 7]), np.array([3, 4])).tolist()
+    [True, False]
+    """
+    if len(keys) * len(others) > _FEW:
+        return np.isin(keys, others)
+    return np.asarray((keys[:, None] == others).any(axis=1))
 
 
 def install(_row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Installed:

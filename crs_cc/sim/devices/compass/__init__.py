@@ -160,8 +160,18 @@ class Compasses:
         _around: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
+        *,
+        told: Int32Array | None = None,
     ) -> None:
-        """Measure with the compasses that are on and may measure again."""
+        """Measure with the compasses that are on and may measure again.
+
+        Args:
+            state: changed in place.
+            constants: the robots' constants.
+            rows: the robots, k of them.
+            at_s: the time for each, (k,).
+            told: their configurations, (k, 7), if they are known.
+        """
         compass = compasses(state)
         mine = constants.numbers[self._row.name][rows]
         due = compass.measured.are_due(mine, at_s, self._interval_s) & compass.on[mine]
@@ -181,7 +191,8 @@ class Compasses:
         tenths = np.rint(rad_to_tenths_deg(angle_rad[reported])).astype(np.int32)
         compass.reading[mine[reported]] = tenths % _FULL_TURN
         compass.count[mine] += 1
-        compass.measured.note(mine, at_s[due], configuration(state, constants, rows))
+        told = configuration(state, constants, rows) if told is None else told[due]
+        compass.measured.note(mine, at_s[due], told)
 
     def draw(self, robots: IndexArray, numbers: Int64Array) -> FloatArray:
         """Return the deviate of one measurement of each of some robots' compasses, (k, 1)."""

@@ -200,8 +200,19 @@ class InfraredRing:
         rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
+        *,
+        told: Int32Array | None = None,
     ) -> None:
-        """Measure with the rings that may measure again."""
+        """Measure with the rings that may measure again.
+
+        Args:
+            state: changed in place.
+            constants: the robots' constants.
+            rays: casts rays.
+            rows: the robots, k of them.
+            at_s: the time for each, (k,).
+            told: their configurations, (k, 7), if they are known.
+        """
         ring = rings(state)
         mine = constants.numbers[self._row.name][rows]
         due = ring.measured.are_due(mine, at_s, self._interval_s)
@@ -209,6 +220,7 @@ class InfraredRing:
             return
         if not all_of(due):
             rows, mine, at_s = rows[due], mine[due], at_s[due]
+            told = None if told is None else told[due]
         poses = mount_poses(state, constants, rows)
         distance_m, step_m = self._see(state, constants, rays, rows, poses)
         if self.is_noisy:
@@ -227,7 +239,8 @@ class InfraredRing:
             level = np.where(on, level, FARTHEST)
         ring.level[mine] = level
         ring.count[mine] += 1
-        ring.measured.note(mine, at_s, configuration(state, constants, rows))
+        told = configuration(state, constants, rows) if told is None else told
+        ring.measured.note(mine, at_s, told)
 
     def get_ir(self, context: RequestContext) -> BoolArray:
         """Answer GET_IR: measure, for `State`; refuse robots without infrared sensors."""
