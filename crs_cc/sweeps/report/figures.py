@@ -102,7 +102,7 @@ def box_and_strip(results: Results) -> str:
                 alpha=0.5,
                 markersize=3,
             )
-        labels = [_wrapped(group.label) for group in groups]
+        labels = [_wrapped(each) for each in results.labels[:MOST_GROUPS]]
         axes.set_yticks(range(1, len(groups) + 1), labels)
         _heighten(axes, _LINE_IN * sum(1 + each.count("\n") for each in labels) - 3.0)
         axes.invert_yaxis()
@@ -169,7 +169,7 @@ def survival_curves(results: Results) -> str:
     groups = results.groups[: len(_COLOURS)]
 
     def draw(axes: Axes) -> None:
-        for group, colour in zip(groups, _COLOURS, strict=False):
+        for group, label, colour in zip(groups, results.labels, _COLOURS, strict=False):
             met = [each for each, is_met in zip(group.values, group.reached, strict=True) if is_met]
             ended = [
                 each for each, is_met in zip(group.values, group.reached, strict=True) if not is_met
@@ -177,7 +177,7 @@ def survival_curves(results: Results) -> str:
             found = survival(met, ended)
             times, shares = (0.0, *found.times), (1.0, *found.shares)
             low, high = (1.0, *found.low), (1.0, *found.high)
-            axes.step(times, shares, where="post", color=colour, label=group.label)
+            axes.step(times, shares, where="post", color=colour, label=label)
             axes.fill_between(times, low, high, step="post", color=colour, alpha=0.15, linewidth=0)
         _legend(axes)
         axes.set_ylim(0.0, 1.03)
@@ -195,10 +195,10 @@ def convergence(results: Results) -> str:
     groups = results.groups[: len(_COLOURS)]
 
     def draw(axes: Axes) -> None:
-        for group, colour in zip(groups, _COLOURS, strict=False):
+        for group, label, colour in zip(groups, results.labels, _COLOURS, strict=False):
             counts = range(1, len(group.values) + 1)
             medians = [float(np.median(group.values[:count])) for count in counts]
-            axes.plot(counts, medians, color=colour, label=group.label)
+            axes.plot(counts, medians, color=colour, label=label)
         _legend(axes)
         axes.xaxis.set_major_locator(MaxNLocator(integer=True))
         axes.set_xlabel("seeds")

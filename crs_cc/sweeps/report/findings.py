@@ -110,18 +110,19 @@ def scaling(results: Results) -> Table:
 
 def comparisons(results: Results) -> Table:
     """Return how combinations differ, in pairs."""
-    pairs = list(itertools.combinations(results.groups, 2))
-    found = [comparison(first.values, second.values) for first, second in pairs]
+    named = zip(results.labels, results.groups, strict=True)
+    pairs = list(itertools.combinations(named, 2))
+    found = [comparison(first.values, second.values) for (_, first), (_, second) in pairs]
     p = corrected([each.p for each in found])
     rows = tuple(
         (
-            first.label,
-            second.label,
+            first_label,
+            second_label,
             _p(p[number]),
             f"{found[number].effect:+.2f}",
             _needed(found[number].needed, min(len(first.values), len(second.values))),
         )
-        for number, (first, second) in enumerate(pairs)
+        for number, ((first_label, first), (second_label, second)) in enumerate(pairs)
     )
     overall = _p(any_difference([group.values for group in results.groups]))
     note = (

@@ -24,20 +24,12 @@ class Group:
         values: the measure in each row.
         reached: of the time of a goal, whether it was met in each row: else the value is the end
             of the run, as long as which it took at least.
-        telling: the parameters that tell the combination from all others; None for all of them.
     """
 
     parameters: Mapping[str, Value]
     rows: tuple[Row, ...]
     values: tuple[float, ...]
     reached: tuple[bool, ...]
-    telling: tuple[str, ...] | None = None
-
-    @property
-    def label(self) -> str:
-        """The combination in words."""
-        names = self.parameters if self.telling is None else self.telling
-        return shown({name: self.parameters[name] for name in names}) or "all runs"
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +47,13 @@ class Results:
     varied: tuple[str, ...]
     groups: tuple[Group, ...]
     failed: int
+
+    @property
+    def labels(self) -> list[str]:
+        """The combinations in words, by the parameters that tell them apart."""
+        combinations = [group.parameters for group in self.groups]
+        names = _telling(combinations, self.varied)
+        return [shown({name: each[name] for name in names}) or "all runs" for each in combinations]
 
     @property
     def is_time(self) -> bool:
@@ -118,8 +117,7 @@ def results(rows: Sequence[Row], measure: str = "") -> Results:
     members: dict[str, list[Row]] = {}
     for row in sorted(rows, key=lambda each: int(each["run"])):
         members.setdefault(shown(row["parameters"]), []).append(row)
-    telling = _telling([each[0]["parameters"] for each in members.values()], varied)
-    groups = [_group(each, varied, telling, wanted) for each in members.values()]
+    groups = [_group(each, varied, wanted) for each in members.values()]
     failed = len(rows) - sum(len(group.values) for group in groups)
     return Results(wanted, varied, tuple(group for group in groups if group.values), failed)
 
@@ -141,9 +139,7 @@ def _telling(combinations: Sequence[Mapping[str, Value]], varied: Sequence[str])
     return telling
 
 
-def _group(
-    rows: Sequence[Row], varied: Sequence[str], telling: Sequence[str], measure: str
-) -> Group:
+def _group(rows: Sequence[Row], varied: Sequence[str], measure: str) -> Group:
     chosen, values, reached = [], [], []
     for row in rows:
         value, is_reached = value_of(row, measure)
@@ -152,7 +148,7 @@ def _group(
             values.append(value)
             reached.append(is_reached)
     parameters = {name: rows[0]["parameters"][name] for name in varied}
-    return Group(parameters, tuple(chosen), tuple(values), tuple(reached), tuple(telling))
+    return Group(parameters, tuple(chosen), tuple(values), tuple(reached))
 
 
 def value_of(row: Row, measure: str) -> tuple[float | None, bool]:

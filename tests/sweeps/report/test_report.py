@@ -52,7 +52,7 @@ def test_results_are_sorted_by_what_varies() -> None:
     found = timed()
     assert (found.measure, found.varied) == ("goal.cool.at_s", ("robots",))
     assert measures_of(made()) == ["goal.cool.at_s", "points"]
-    assert [group.label for group in found.groups] == ["robots=1", "robots=2", "robots=4"]
+    assert found.labels == ["robots=1", "robots=2", "robots=4"]
     assert found.groups[0].values == (41.0, 42.0, 43.0, 44.0, 60.0)
     assert found.groups[0].reached == (True, True, True, True, False)
     assert results(made(), "points").groups[0].values == (1.0, 1.0, 1.0, 1.0, 0.0)
@@ -141,7 +141,7 @@ def test_combinations_are_named_by_what_tells_them_apart_and_long_names_have_roo
         )
     ]
     found = results(rows)
-    assert [group.label for group in found.groups][1:3] == [
+    assert found.labels[1:3] == [
         "setup=, world.source.items=20000000",
         "setup=noisy, world.source.items=10000000",
     ]
