@@ -74,7 +74,7 @@ class RunView:
         if self._front is None:  # whoever has opened the front has announced it
             self._announced.enter_context(announced(self._screen.server.port, address))
         say(f"crs: open {address}")
-        say(f"crs: to look only: {self._screen.server.address('view')}")
+        say(f"crs: view only: {self._screen.server.address('view')}")
 
     @property
     def pointing(self) -> Pointing:

@@ -133,7 +133,7 @@ def serve(screen: Screen, *, opens: bool) -> int:
     """Serve a screen until Ctrl-C; return the exit status."""
     address = screen.server.address()
     say(f"crs: open {address}")
-    say(f"crs: to look only: {screen.server.address('view')}  (Ctrl-C ends the run)")
+    say(f"crs: view only: {screen.server.address('view')}  (Ctrl-C ends the run)")
     if opens:
         open_browser(address)
     try:

@@ -83,7 +83,7 @@ MOTION: Final = Group("Motion", (
         "starts a relative move and returns", units=_LENGTHS,
         refreshes=ALL, posts=("PR",), source=_BOTH,
         chosen="It starts from the current speed; if that is too fast to stop in time, the axis"
-               " reverses. A blocked move continues when the way is free; until then its motors"
+               " reverses. A blocked move continues when the path is free; until then its motors"
                " keep working, and `ws` waits.",
     ),
     Function(

@@ -150,7 +150,7 @@ POSDATA: Final = Group("Position and time of sensor readings", (
         "int posTimeGet(void)",
         "returns the time of the sensor board [ms] in the last reply; its resolution is 16.4 ms",
         source=_BOTH,
-        chosen="The robot is switched on when the run begins; a definition can set an earlier"
+        chosen="The robot is switched on when the run starts; a definition can set an earlier"
                " time.",
     ),
 ))  # fmt: skip

@@ -264,7 +264,7 @@ def test_an_environment_that_was_killed_goes_on_with_the_same_hosts(folder: Path
     with served(folder, *options, "--speed", "1", is_real=True) as environment:
         at = environment.address
         hosts = [join(folder, name, at, "roam.c", "--retry", "60") for name in ("left", "right")]
-        environment.wait_for("look only")
+        environment.wait_for("view only")
         while len(list(Recording(folder / "killed.mcap").hashes())) < 2:
             time.sleep(0.02)
         environment.process.kill()
@@ -391,7 +391,7 @@ def test_pages_look_at_the_run_on_the_same_port_with_a_token_only(folder: Path) 
     with served(folder, "--max-time", "100", "--speed", "1") as environment:
         at = environment.address
         hosts = [join(folder, "--all", at, "roam.c")]
-        token = environment.wait_for(r"look only: http://[\d.:]+/#token=(\S+)")[1]
+        token = environment.wait_for(r"view only: http://[\d.:]+/#token=(\S+)")[1]
         with connect(f"ws://{at}/channel", subprotocols=["crs.1", f"token.{token}"]) as page:
             hello = json.loads(page.recv(MOST_S))
             assert (hello["type"], hello["role"]) == ("hello", "view")

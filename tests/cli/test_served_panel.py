@@ -29,7 +29,7 @@ LAST = "remove right"
 
 @contextmanager
 def page_of(environment: Served, role: str = "control") -> Iterator[Page]:
-    word = "open" if role == "control" else "look only:"
+    word = "open" if role == "control" else "view only:"
     token = environment.wait_for(rf"{word} http://[\d.:]+/#token=(\S+)")[1]
     address = f"ws://{environment.address}/channel"
     protocols = ["crs.1", f"token.{token}"]

@@ -198,7 +198,7 @@ def fuzz(folder: Path, seconds: float, seed: int, show: Callable[[str], None]) -
         stack.callback(host.wait)
         stack.callback(host.kill)
         fuzzer = Fuzzer(port, random.Random(seed))
-        wait_for(log, "look only")
+        wait_for(log, "view only")
         begin_s, count = time.monotonic(), 0
         before: tuple[int, int] | None = None
         while (passed_s := time.monotonic() - begin_s) < seconds:

@@ -28,7 +28,7 @@ def test_a_served_run_is_changed_in_the_page(browser: Any, tmp_path: Path) -> No
     wrong: list[str] = []
     with served(tmp_path, "--speed", "1") as environment:
         host = join(tmp_path, "--all", environment.address, "roam.c")
-        looks = environment.wait_for(r"look only: (\S+)\n")[1]
+        looks = environment.wait_for(r"view only: (\S+)\n")[1]
         steers = re.search(r"open (\S+)\n", environment.text)
         assert steers
         page = opened(browser, steers[1], wrong)
