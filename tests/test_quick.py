@@ -74,16 +74,24 @@ def test_a_run_measures_the_processor_time_of_each_test(
         """,
         test_b="""
         import time, pytest
-        @pytest.fixture(scope="module")
-        def made():
+        def work():
             end_s = time.process_time() + 0.3
             while time.process_time() < end_s: pass
+        @pytest.fixture(scope="module")
+        def made():
+            work()
+        @pytest.fixture(scope="module")
+        def ended():
+            yield
+            work()
         def test_makes(made): pass
         def test_uses(made): pass
+        def test_begins(ended): pass
+        def test_ends(ended): pass
         """,
     )
     pytester.inline_run("-p", "no:cacheprovider", plugins=[times.Recorder(table)])
     rows = times.read(table)
-    shared = {"test_b.py::test_makes", "test_b.py::test_uses"}
+    shared = {f"test_b.py::test_{each}" for each in ("makes", "uses", "begins", "ends")}
     assert rows.keys() == {"test_a.py::test_works", "test_a.py::test_skipped", *shared}
     assert rows["test_a.py::test_skipped"] == 3.0

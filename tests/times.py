@@ -107,10 +107,17 @@ def shared_fixtures(item: pytest.Item) -> str:
     return f"{item.nodeid.partition('::')[0]}::{','.join(names)}" if names else item.nodeid
 
 
+def is_sharing(item: pytest.Item) -> bool:
+    """Return whether a test uses something that ends with the last test of its file."""
+    known = item._fixtureinfo.name2fixturedefs if isinstance(item, pytest.Function) else {}
+    return any(made[-1].scope not in {"function", "session"} for made in known.values())
+
+
 class Recorder:
     """A pytest plugin that measures all tests and renews the table when the run is over.
 
-    What tests share counts for each of them: a quick run that takes one of them has to make it.
+    What tests share counts for each of them, its end as well: a quick run that takes one of them
+    has to make it.
     """
 
     def __init__(self, table: Path = TABLE) -> None:
@@ -119,10 +126,16 @@ class Recorder:
         self._measured_s: dict[str, float] = defaultdict(float)
         self._shares: dict[str, str] = {}
         self._setup_s: dict[str, float] = defaultdict(float)
+        self._end_s: dict[str, float] = defaultdict(float)  # by file
+        self._sharing: set[str] = set()
+        self._is_last = False
         self._left_out: set[str] = set()
 
     def pytest_runtest_logstart(self) -> None:
         self._since_s = _now_s()
+
+    def pytest_runtest_teardown(self, item: pytest.Item, nextitem: pytest.Item | None) -> None:
+        self._is_last = nextitem is None or nextitem.path != item.path
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_makereport(self, item: pytest.Item) -> Iterable[object]:
@@ -130,6 +143,8 @@ class Recorder:
         now_s = _now_s()
         report.processor_s = now_s - self._since_s  # type: ignore[attr-defined]
         report.shares = shared_fixtures(item)  # type: ignore[attr-defined]
+        report.is_sharing = is_sharing(item)  # type: ignore[attr-defined]
+        report.is_end = report.when == "teardown" and self._is_last  # type: ignore[attr-defined]
         self._since_s = now_s
         return report
 
@@ -138,6 +153,11 @@ class Recorder:
         if report.when == "setup":
             shares = self._shares[report.nodeid] = getattr(report, "shares", "")
             self._setup_s[shares] = max(self._setup_s[shares], processor_s)
+            if getattr(report, "is_sharing", False):
+                self._sharing.add(report.nodeid)
+        elif getattr(report, "is_end", False):
+            file = report.nodeid.partition("::")[0]
+            self._end_s[file] = max(self._end_s[file], processor_s)
         else:
             self._measured_s[report.nodeid] += processor_s
         if not report.passed:
@@ -147,10 +167,10 @@ class Recorder:
         if "PYTEST_XDIST_WORKER" in os.environ:
             return
         old, bad = read(self._table), {function_of(test) for test in self._left_out}
-        whole_s = {
-            test: s + self._setup_s[self._shares.get(test, "")]
-            for test, s in self._measured_s.items()
-        }
+        whole_s = {}
+        for test, s in self._measured_s.items():
+            end_s = self._end_s[test.partition("::")[0]] if test in self._sharing else 0.0
+            whole_s[test] = s + self._setup_s[self._shares.get(test, "")] + end_s
         good = {test: s for test, s in whole_s.items() if function_of(test) not in bad}
         kept = {test: s for test, s in old.items() if function_of(test) in bad}
         root = session.config.rootpath

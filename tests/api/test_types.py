@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import crs_cc
+from tests import check_types
 
 ROOT = Path(crs_cc.__file__).parents[1]
 CACHE = ROOT / ".mypy_cache" / "of_users"
@@ -47,7 +48,7 @@ EXPECTED = [
 def test_a_users_module_is_checked(tmp_path: Path) -> None:
     (tmp_path / "user.py").write_text(MODULE)
     done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(CACHE), "user.py"],
+        [sys.executable, check_types.__file__, "--strict", "--cache-dir", str(CACHE), "user.py"],
         cwd=tmp_path, capture_output=True, text=True, check=False,
         # As if it were installed: mypy does not follow the import hook of editable ones.
         env={**os.environ, "PYTHONPATH": str(ROOT)},
