@@ -89,6 +89,7 @@ def compare(world: WorldModel, programs: list[Executable], steps: int) -> int:
             while session.timesteps < look:
                 session.advance(look - session.timesteps, calmly=dice.random() < 0.8)
             assert session.state_hash() == hashes[look], look
+            assert session.state.rounds == 0
             if dice.random() < 0.2:
                 session.restore(session.snapshot())
         assert again == written
