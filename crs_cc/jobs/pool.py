@@ -213,9 +213,9 @@ class Worker:
             env={**os.environ, "PYTHONPATH": path},
             start_new_session=True,
         )
+        self._process = process  # so that it can be stopped before it is ready
         threading.Thread(target=_end_with, args=(process,), daemon=True).start()
-        assert process.stdout is not None
-        if not process.stdout.readline():
+        if not _line_of(process):
             raise InternalError.at(Location("crs"), "a process to run jobs cannot be started")
         return process
 
@@ -230,8 +230,7 @@ class Worker:
         timer = threading.Timer(limit_s, stop)
         timer.start()
         try:
-            assert process.stdout is not None
-            line = process.stdout.readline()
+            line = _line_of(process)
         finally:
             timer.cancel()
         if not line.endswith(b"\n"):
@@ -239,6 +238,15 @@ class Worker:
             return None, late.is_set()
         data: Data = json.loads(line)
         return data, False
+
+
+def _line_of(process: subprocess.Popen[bytes]) -> bytes:
+    """Return the next line that a process writes, empty at its end or if it has been stopped."""
+    assert process.stdout is not None
+    try:
+        return process.stdout.readline()
+    except ValueError:  # closed by who stopped it
+        return b""
 
 
 def _end_with(process: subprocess.Popen[bytes]) -> None:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
+import threading
+import time
 from typing import Any
 
 import pytest
 
+from crs_cc.core.errors import InternalError
 from crs_cc.jobs import worker
-from crs_cc.jobs.pool import Outcome, Pool, Task
+from crs_cc.jobs.pool import Outcome, Pool, Task, Worker
 
 MODULE = "tests.jobs.pids"
 
@@ -67,3 +71,19 @@ def test_a_process_that_is_killed_between_jobs_is_replaced() -> None:
         found += pool.run(wanted, retries=1)
     assert [each.kind for each in found] == ["done", "done"]
     assert len({*pids(found)}) == 2
+
+
+def test_a_process_that_is_still_starting_can_be_stopped() -> None:
+    starting = Worker("tests.jobs.never_ready")
+
+    def run() -> None:
+        with contextlib.suppress(InternalError):
+            starting.run(0, Task({}, 60.0, 60.0))
+
+    thread = threading.Thread(target=run, daemon=True)
+    thread.start()
+    while starting._process is None:
+        time.sleep(0.01)
+    starting.stop()
+    thread.join(60.0)
+    assert not thread.is_alive()
