@@ -22,12 +22,8 @@ collect_ignore = ["without_unix", "debug/gdb_sessions.py"]  # modules for Python
 JUDGED = ["c/valid", "fuzz"]
 """Folders whose `.out` files hold what gcc said."""
 
-NEW_OBJECTS = 1_000_000
-"""How many objects are made before the collector looks at them.
-
-Nearly all of 50,000 are still in use, and so are those of a program just compiled: to look at them
-took a fifth of the time of all tests that compile. A million take about 100 MB.
-"""
+NEW_OBJECTS = 50_000
+"""How many objects are made before the collector looks at them: of 700, most are still in use."""
 
 USERS_SETTINGS = executable.settings
 USERS_PYTHON = pool.python
