@@ -15,12 +15,16 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.view import View
 from crs_cc.runtime.codegen.condition_code import PassedVariable, condition_code, site_tests
 from crs_cc.runtime.compiled import Compiled
+from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.site_tests import SiteTests
 from crs_cc.runtime.sites import StatementSite
 from crs_cc.runtime.wasm import Code
 
 Conditions = Mapping[int, tuple[str, ...]]
 """By the number of a site the conditions, one of which is to be true for the program to stop."""
+
+Key = tuple[tuple[int, tuple[str, ...]], ...]
+"""The same, to look it up."""
 
 _MOST: Final = 64
 """So many sets of conditions are kept compiled."""
@@ -31,19 +35,20 @@ class ConditionTests:
 
     def __init__(self, view: View) -> None:
         self._view = view
-        self._made: dict[tuple[int, tuple[tuple[int, tuple[str, ...]], ...]], SiteTests | None] = {}
+        self._made: dict[tuple[int, Key], tuple[Executable, SiteTests | None]] = {}
 
     def set(self, robot: int, conditions: Conditions) -> None:
         """Have a robot's program test conditions at sites at which it would stop, where it can."""
         if not conditions:
             return
         fleet = self._view.session.fleet
-        key = id(fleet.executable(robot)), tuple(sorted(conditions.items()))
+        executable = fleet.executable(robot)  # kept, too, so that no other one gets its id
+        key = id(executable), tuple(sorted(conditions.items()))
         if key not in self._made:
             if len(self._made) >= _MOST:
                 self._made.clear()
-            self._made[key] = self._compiled(robot, conditions)
-        tests = self._made[key]
+            self._made[key] = executable, self._compiled(robot, conditions)
+        _, tests = self._made[key]
         if tests is not None:
             fleet.set_tests(robot, tests)
 

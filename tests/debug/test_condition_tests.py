@@ -5,9 +5,12 @@ from __future__ import annotations
 import random
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
+from crs_cc.debug.condition_tests import ConditionTests
 from crs_cc.debug.engine import Debugger
 from tests.debug.debuggers import debugger_at, debugger_of
 
@@ -199,3 +202,33 @@ def test_each_robot_tests_its_own_variables() -> None:
         return [debugger.resume() for _ in range(12)]
 
     assert run(tests=True) == run(tests=False)
+
+
+class OneProgram:
+    """A program that exists as long as something refers to it."""
+
+
+class Fleet:
+    """A fleet of one program after the other; `given` is whose tests it was given last."""
+
+    current: OneProgram | None
+
+    def executable(self, _robot: int) -> OneProgram | None:
+        return self.current
+
+    def set_tests(self, _robot: int, tests: str) -> None:
+        self.given = tests
+
+
+def test_a_program_is_not_given_the_tests_of_one_that_is_gone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    fleet = Fleet()
+    view: Any = SimpleNamespace(session=SimpleNamespace(fleet=fleet))
+    tests = ConditionTests(view)
+    for number in range(10):
+        monkeypatch.setattr(tests, "_compiled", lambda *_, number=number: f"tests {number}")
+        fleet.current = None
+        fleet.current = OneProgram()  # where the one before was, unless that is kept
+        tests.set(0, {1: ("1",)})
+        assert fleet.given == f"tests {number}"
