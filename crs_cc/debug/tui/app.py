@@ -209,7 +209,8 @@ class DebugApp(App[int]):
         self.main.query_one(StatusBar).snapshot = snapshot
         self.main.query_one(Panes).show(snapshot, moved=moved)
         line = self.main.query_one(TimeLine)
-        line.end_s, line.time_s, line.happened = snapshot.end_s, snapshot.time_s, snapshot.events
+        line.end_s, line.now_s, line.happened = snapshot.end_s, snapshot.now_s, snapshot.events
+        line.timestep_s = snapshot.timestep_s
 
     def _say_running(self) -> None:
         """Show the running command, its progress and new output; most commands end before."""

@@ -93,8 +93,10 @@ class ScreenData:
     Attributes:
         state: the reason of the stop, in one line.
         badge: the state in a word.
-        time_s: the simulated time [s].
+        time_s: the clock of the selected robot's program [s].
+        now_s: the start of the current timestep [s].
         end_s: the latest time [s] that the run has reached.
+        timestep_s: the length of a timestep [s].
         place: the position, in counts of timesteps and statements.
         source: the file to show.
         frames: the stack, innermost first.
@@ -107,7 +109,9 @@ class ScreenData:
     state: str = ""
     badge: Badge = "stopped"
     time_s: float = 0.0
+    now_s: float = 0.0
     end_s: float = 0.0
+    timestep_s: float = 0.1
     place: str = ""
     source: SourceData = SourceData()
     frames: tuple[ListEntry, ...] = ()

@@ -45,12 +45,15 @@ def build_snapshot(shell: Shell, request: BackendRequest) -> ScreenData:
     debugger = shell.debugger
     position, event_history = debugger.position, debugger.run.event_history
     happened = tuple(event_history.world_events())
+    timestep_s = _timestep_s(debugger)
     last_s = max((each.time_s for each in happened), default=0.0)
     return ScreenData(
         state=_state(debugger),
         badge=_badge(debugger),
         time_s=debugger.view.time_s,
-        end_s=max(event_history.timesteps * _timestep_s(debugger), debugger.view.time_s, last_s),
+        now_s=debugger.session.time_s,
+        end_s=max(event_history.timesteps * timestep_s, debugger.session.time_s, last_s),
+        timestep_s=timestep_s,
         place=f"timestep {position.timestep}" + _statement(debugger),
         source=_source(debugger, request.file),
         frames=tuple(_frames(debugger)),

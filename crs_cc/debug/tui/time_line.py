@@ -1,10 +1,12 @@
 """The time line: progress and events of the run; dragged, or moved by keys.
 
-The bar extends from the start to the latest time that the run has reached.
+The bar extends from the start to the latest time that the run has reached. Its cursor is at the
+start of the current timestep, whichever robot is selected: the clocks of programs may be ahead.
 """
 
 from __future__ import annotations
 
+import math
 from typing import ClassVar, Final
 
 from rich.segment import Segment
@@ -33,6 +35,7 @@ _RANKS: Final = {kind: rank for rank, kind in enumerate(_MARKS)}
 _PAST: Final = Style(color="green", bold=True)
 _FUTURE: Final = Style(dim=True)
 _HERE: Final = Style(color="black", bgcolor="yellow", bold=True)
+_SLACK: Final = 1e-9  # of a timestep
 _LABEL: Final = 11  # cells for the time at either end
 
 
@@ -64,7 +67,8 @@ class TimeLine(Widget, can_focus=True):
             super().__init__()
             self.command = command
 
-    time_s: reactive[float] = reactive(0.0)
+    now_s: reactive[float] = reactive(0.0)
+    timestep_s: reactive[float] = reactive(0.1)
     end_s: reactive[float] = reactive(0.0)
     happened: reactive[tuple[WorldEvent, ...]] = reactive(())
     held_s: reactive[float | None] = reactive(None)
@@ -108,7 +112,7 @@ class TimeLine(Widget, can_focus=True):
         return row
 
     def _bar(self) -> list[Segment]:
-        shown_s = self.time_s if self.held_s is None else self.held_s
+        shown_s = self.now_s if self.held_s is None else self.held_s
         here = self._cell(shown_s)
         return [
             Segment(f"{_seconds(shown_s):>{_LABEL - 1}} ", _PAST),
@@ -159,13 +163,17 @@ class TimeLine(Widget, can_focus=True):
 
     def action_event(self, direction: int) -> None:
         """Go to the previous or next event."""
-        times = sorted({each.time_s for each in self.happened})
+        now, times = self._timestep(self.now_s), sorted({each.time_s for each in self.happened})
         if direction < 0:
-            times = [each for each in times if each < self.time_s]
+            times = [each for each in times if self._timestep(each) < now]
         else:
-            times = [each for each in times if each > self.time_s]
+            times = [each for each in times if self._timestep(each) > now]
         if times:
             self.post_message(self.Move(times[-1 if direction < 0 else 0]))
+
+    def _timestep(self, time_s: float) -> int:
+        """Return the timestep that contains a time, to which the run goes for it."""
+        return math.floor(time_s / self.timestep_s + _SLACK)
 
     def action_ends(self, last: bool) -> None:
         """Go to the start or to the latest time."""

@@ -103,6 +103,7 @@ class FakeWork:
         return ScreenData(
             state="breakpoint 1, main () at sum.c:9",
             time_s=3.25,
+            now_s=3.2,
             end_s=10.0,
             place="timestep 32, before stmt 121",
             source=self.source(request),

@@ -14,6 +14,7 @@ from crs_cc.debug.tui.source_pane import SourcePane
 from crs_cc.debug.tui.status_bars import StatusBar
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
+from crs_cc.debug.world.events import WorldEvent
 from tests.debug.tui.fake_backend import FakeWork
 from tests.debug.tui.screen import LARGE, TINY, drive, enter, settle, text_of, until
 
@@ -182,6 +183,22 @@ def test_the_time_line_is_dragged_and_moved_by_keys() -> None:
         "goto 10.000000",
     ]
     assert backend.lines == goto
+
+
+def test_events_of_the_current_timestep_are_passed_over() -> None:
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        line = app.query_one(TimeLine)
+        line.focus()
+        times = (3.1, 3.24, 3.3, 7.0)
+        for key in ("shift+right", "shift+left"):
+            line.happened = tuple(WorldEvent(at, "collision", 0, "hit") for at in times)
+            line.now_s, line.timestep_s = 3.2, 0.1
+            await pilot.press(key)
+            await settle(pilot)
+
+    backend = FakeWork()
+    drive(backend, session)
+    assert backend.lines == ["goto 3.300000", "goto 3.100000"]
 
 
 def test_the_time_line_shows_the_event_under_the_pointer() -> None:

@@ -216,3 +216,17 @@ def test_edited_files_are_shown_as_compiled(tmp_path: Path) -> None:
     assert done.snapshot.source.lines[2] == "    int x = 5;"
     assert texts(group(done, "locals")) == {"x": "5"}
     assert "edited.c" in press(controller, "print x").errors[0]
+
+
+def test_the_time_line_is_at_the_instant_of_the_run() -> None:
+    folder = ROOT / "samples" / "scout_c" / "convoy"
+    programs = [debug_program(folder / f"{name}.c") for name in ("leader", "follower")]
+    debugger = Debugger(load_world(folder / "convoy.xml"), programs)
+    controller = Controller(debugger, ProgramStreams())
+    press(controller, "goto 3")
+    clocks = set()
+    for robot in ("leader", "follower"):
+        shown = press(controller, f"robot {robot}").snapshot
+        assert (shown.now_s, shown.end_s, shown.timestep_s) == (3.0, 3.0, 0.05)
+        clocks.add(shown.time_s)
+    assert len(clocks) == 2  # they are ahead of it
