@@ -39,6 +39,7 @@ class Cause:
         beam: the beam that a reading is from, if it is of a sonar.
         times: how many writes it stands for, in each of which the object was changed by itself. It
             is about the value after the last of them; position and causes are those of the first.
+        function: the function of the statement, by the linker's name; empty for the innermost.
     """
 
     text: str
@@ -51,3 +52,4 @@ class Cause:
     expression: str = ""
     beam: Beam | None = None
     times: int = 1
+    function: str = ""

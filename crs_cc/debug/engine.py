@@ -12,7 +12,6 @@ import math
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Final
 
@@ -151,13 +150,20 @@ class Debugger:
         move = self._next_back if backward else self._next
         return self._repeat(count, move)
 
-    def step_statement(self, count: int = 1, *, backward: bool = False) -> Stop:
-        """Step to the next statement, entering calls; or to the previous one."""
+    def step_statement(
+        self, count: int = 1, *, backward: bool = False, over_calls: bool = False
+    ) -> Stop:
+        """Step to the next statement, or to the previous one; by default into calls."""
         robot = self.view.robot
-        if backward:
-            aim = partial(ReverseStepCondition, robot, whole_line=False)
-            return self._repeat(count, lambda: self.navigator.backward_to(aim()))
-        return self._repeat(count, lambda: self._forward(StepToStatement(robot)))
+
+        def move() -> Stop:
+            calls = self._own_calls() if over_calls else None
+            if backward:
+                aim = ReverseStepCondition(robot, calls, whole_line=False)
+                return self.navigator.backward_to(aim)
+            return self._forward(StepToStatement(robot, calls))
+
+        return self._repeat(count, move)
 
     def finish(self, *, backward: bool = False) -> Stop:
         """Run until the selected function returns, and report its value; or go back to its call.
@@ -171,7 +177,8 @@ class Debugger:
         frame = self.view.current_frame()
         callers = None if frame is None else self.navigator.calls(robot, frame.active)
         if frame is None or callers is None or not callers.functions:
-            raise DebugError("'finish' is not meaningful in the outermost frame")
+            name = "reverse-finish" if backward else "finish"
+            raise DebugError(f"'{name}' is not meaningful in the outermost frame")
         if backward:
             aim = ReverseStepCondition(robot, callers, whole_line=False, after_calls=True)
             return self._arrive(self.navigator.backward_to(aim))

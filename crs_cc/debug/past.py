@@ -26,7 +26,7 @@ from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.timeline.run_event import RunEvent, StopRequest
 from crs_cc.debug.view import View
-from crs_cc.debug.watch import Watched, WatchedExpression, WatchedWorld
+from crs_cc.debug.watch import MemoryAccess, Watched, WatchedExpression, WatchedWorld
 from crs_cc.debug.watchpoints import UNREADABLE, content_value
 from crs_cc.debug.world.events import WorldEvent, is_of
 from crs_cc.ir.instruction import plain_states
@@ -51,6 +51,7 @@ class Instant:
         number: the value, if it is a number.
         location: the location of the statement; None if there is none.
         robot: the robot in whose program it is; -1 for none.
+        function: the function of the statement, by the linker's name; empty if unknown.
     """
 
     position: Position
@@ -59,6 +60,7 @@ class Instant:
     number: float | None = None
     location: Location | None = None
     robot: int = -1
+    function: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +81,7 @@ class Past:
 
     def whole(self) -> Range:
         """Return all that has been recorded, also after the current position."""
-        recorded = Position(self._run.event_history.timesteps, 0)
-        return Range(BEGINNING, max(recorded, self._run.position))
+        return Range(BEGINNING, self._run.history.farthest)
 
     def part(self, from_s: float | None, to_s: float | None) -> Range:
         """Return the recorded past between two times [s]; None for its start or its end.
@@ -211,15 +212,15 @@ class Past:
         Raises:
             DebugError: no such line has been printed.
         """
-        run = self._run
+        run, end = self._run, self.whole().end
         try:
             robot, piece = run.console.origin(line)
         except IndexError:
             raise DebugError(f"no line {line} has been printed") from None
-        places = run.history.places(self.whole().end)
+        places = run.history.places(end)
         before = bisect_right(places, piece, key=lambda each: run.history.at(each).console.written)
-        with self._moved(Range(places[max(0, before - 1)], self.whole().end)):
-            for _ in self._events(StopRequest(), self.whole().end):
+        with self._moved(Range(places[max(0, before - 1)], end)):
+            for _ in self._events(StopRequest(), end):
                 if run.console.at > piece:
                     return robot, run.statements_begun(robot)
         raise DebugError(f"no line {line} has been printed")
@@ -243,26 +244,27 @@ class Past:
         last: Content | None = None
         is_world = isinstance(watched, WatchedWorld)
 
-        def note(content: Content, position: Position, location: Location | None) -> None:
+        def note(content: Content, position: Position, access: MemoryAccess | None = None) -> None:
             nonlocal last
             value = content_value(self._view.evaluator(robot).inspector(), point, content)
             if content != last and wanted(value):
                 text, number = (value.text, value.number) if value else (UNREADABLE, None)
                 time_s = run.time_s(-1 if is_world else robot)
-                _keep(found, Instant(position, time_s, text, number, location, robot))
+                at = (None, "") if access is None else (access.location, access.function)
+                _keep(found, Instant(position, time_s, text, number, at[0], robot, at[1]))
             last = content
 
         with self._moved(part):
-            note(self._content(robot, watched), run.position, None)
+            note(self._content(robot, watched), run.position)
             marks = StopRequest(watched={} if is_world else {robot: [watched]})
             marks = replace(marks, world=[watched]) if isinstance(watched, WatchedWorld) else marks
             edits = {each.position for each in run.history.changes}
             for event in self._events(marks, part.end) if is_world else self._replayed(marks, part):
                 for hit in event.accesses:
                     if hit.access.what != "return":
-                        note(hit.access.new, hit.before, hit.access.location)
+                        note(hit.access.new, hit.before, hit.access)
                 if run.position in edits:
-                    note(self._content(robot, watched), run.position, None)
+                    note(self._content(robot, watched), run.position)
         return found
 
     def _content(self, robot: int, watched: Watched) -> Content:
@@ -312,6 +314,9 @@ class Past:
             for event in run.replay(begin, end):
                 if run.position > part.begin:
                     yield event
+        if part.end in edits:
+            run.seek(part.end)
+            yield RunEvent("edit")
 
     def _pieces(self, part: Range, edits: set[Position]) -> Iterator[tuple[Position, Position]]:
         """Return pieces that cover a part of the past, each between two snapshots or at its end."""

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import contextlib
-import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import Any, Final
+from typing import Any
 
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
@@ -19,6 +18,7 @@ from crs_cc.debug.data.notation import RobotName, slice_in
 from crs_cc.debug.data.scope import is_own
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation, find_location
+from crs_cc.debug.log_message import expressions_in, message
 from crs_cc.debug.view import View
 from crs_cc.debug.watch import KINDS, MAX, AccessKind, WatchedWorld
 from crs_cc.debug.watchpoints import (
@@ -32,8 +32,6 @@ from crs_cc.debug.watchpoints import (
 from crs_cc.debug.world.events import check_event_kind
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.runtime.sites import StatementSite
-
-_BRACES: Final = re.compile(r"\{([^{}]*)\}")
 
 
 class StopPoints:
@@ -215,7 +213,7 @@ class StopPoints:
         internal: bool = False,
     ) -> Breakpoint:
         self._check(options.get("condition", ""), place, options.get("robot"))
-        for each in _logged_expressions(options.get("log", "")):
+        for each in expressions_in(options.get("log", "")):
             self._check(each, place, options.get("robot"))
         return self.breakpoints.add(
             lambda number: Breakpoint(number, kind, text, place, **options), internal=internal
@@ -363,29 +361,9 @@ class StopPoints:
         )
 
     def logged(self, text: str, robot: int) -> str:
-        """Return a log point's text with the values of the expressions in braces."""
-
-        def value(match: re.Match[str]) -> str:
-            try:
-                frame = self._view.first_own_frame(robot)
-                return self._view.look_up(match[1], robot=robot, frame=frame).text
-            except DebugError as error:
-                return f"<{error}>"
-
-        return _BRACES.sub(value, text)
-
-
-def _logged_expressions(text: str) -> Iterator[str]:
-    """Return the expressions in the message of a log point; of a slice, its parts.
-
-    Raises:
-        DebugError: one is missing.
-    """
-    for each in _BRACES.findall(text):
-        if not each.strip():
-            raise DebugError("an expression is missing in {}")
-        part = slice_in(each)
-        yield from (each,) if part is None else filter(None, (part.base, part.first, part.last))
+        """Return the message of a log point, see `log_message`."""
+        frame = self._view.first_own_frame(robot)
+        return message(text, partial(self._view.look_up, robot=robot, frame=frame))
 
 
 def _unheard(_text: str) -> None:

@@ -156,6 +156,15 @@ class View:
             raise DebugError(f"no frame {number}")
         self.frame = number
 
+    def select_function(self, function: str) -> None:
+        """Select the innermost frame of a function, if it is active.
+
+        Args:
+            function: the function, by the linker's name.
+        """
+        frames = (each for each in self.frames() if each.active.function == function)
+        self.frame = next((each.number for each in frames), self.frame)
+
     def active_frame(self, robot: int, frame: int | None = None) -> StackFrame | None:
         """Return a frame by number; by default the selected one."""
         frames = self.frames(robot)

@@ -218,7 +218,7 @@ class Why:
             return replace(base, how=f"you changed it: {write.edit}")
         if access.location is None:
             return replace(base, how="the C library wrote it")
-        base = replace(base, location=access.location)
+        base = replace(base, location=access.location, function=access.function)
         frame = self._frame(robot, access.function, access.location)
         source = statement_source(self._view, robot, access.function, access.location)
         shown, text = source.shown, source.text

@@ -36,7 +36,8 @@ def execute(screen: Context, line: str) -> dict[str, Any]:
         listed = shell.context.instants
     # The numbers of a list, @3, are places to which a page can go later, too.
     new = [] if listed is before else listed
-    return {"lines": lines, "places": [[place_text(at), robot] for at, robot in new[:MAX_PLACES]]}
+    places = [[place_text(each.position), each.robot] for each in new[:MAX_PLACES]]
+    return {"lines": lines, "places": places}
 
 
 def completions(screen: Context, line: str) -> dict[str, Any]:

@@ -185,3 +185,36 @@ def test_answers_are_the_same_whether_the_world_is_replayed_or_not(debugger: Deb
     with_world = answers()
     assert len(with_world) > 8
     assert without_world == with_world
+
+
+ALL_AT_ONCE = """\
+#include <stdio.h>
+int calls;
+int main(void)
+{
+    while (calls < 4) {
+        calls++;
+        printf("%d\\n", calls);
+    }
+    calls = 9;
+    return 0;
+}
+"""
+
+
+def test_the_past_reaches_to_where_the_run_was_last_in_its_timestep(tmp_path: Path) -> None:
+    debugger = debugger_of(ALL_AT_ONCE, folder=tmp_path)
+    debugger.goto_end()
+    values = [str(each) for each in (0, 1, 2, 3, 4, 9)]
+
+    def all_values() -> list[str]:
+        return [each.text for each in past(debugger).values("calls", past(debugger).whole())]
+
+    assert all_values() == values
+    places = [past(debugger).printed(number) for number in (1, 4)]
+    for _, statement in reversed(places):
+        debugger.goto_statement(statement)
+        assert all_values() == values
+        assert [past(debugger).printed(number) for number in (1, 4)] == places
+    debugger.evaluate("calls = 20")
+    assert all_values() == ["0", "1", "20"], "what followed is forgotten"

@@ -152,3 +152,30 @@ def test_a_value_that_is_no_address_has_no_writes(text: str, tmp_path: Path) -> 
     debugger.start()
     with pytest.raises(DebugError, match="not an object in memory"):
         debugger.stop_points.add_watchpoint(text, "write", location=True)
+
+
+NAMED_ALIKE = """\
+struct node { int v; } pool[3];
+static void put(int at, int v)
+{
+    pool[at].v = v;
+}
+int main(void)
+{
+    put(1, 7);
+    put(1, 8);
+    return 0;
+}
+"""
+
+
+def test_the_name_of_a_member_is_no_variable(tmp_path: Path) -> None:
+    debugger = debugger_of(NAMED_ALIKE, folder=tmp_path)
+    debugger.stop_points.add_breakpoint("4")
+    debugger.resume()
+    debugger.stop_points.remove(1)
+    debugger.stop_points.add_watchpoint("pool[1].v")
+    assert texts(debugger) == [
+        "pool[1].v: 0 -> 7, written at a.c:4",
+        "pool[1].v: 7 -> 8, written at a.c:4",
+    ]

@@ -22,6 +22,7 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.breakpoint_text import described, name_of
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext, CommandInput
+from crs_cc.debug.commands.display import remove_displays
 from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.commands.past import log_past
 from crs_cc.debug.commands.stack import functions
@@ -33,6 +34,9 @@ if TYPE_CHECKING:
     from crs_cc.debug.watch import AccessKind
 
 _LOCATION: Final = re.compile(r"-l(?:oc(?:ation)?)?(?:\s+|$)")
+_OFFSET: Final = re.compile(r"[+-]\d{1,6}")
+_BREAKPOINTS: Final = re.compile(r"(?:br|breakpoints?)(?:\s+|$)")
+_DISPLAY: Final = re.compile(r"display(?:\s+|$)")
 _MAX_FUNCTIONS: Final = 200
 
 
@@ -41,6 +45,7 @@ def _robot(context: CommandContext, text: str) -> int | None:
 
 
 def _made(context: CommandContext, made: Breakpoint) -> Answer:
+    context.keep_number("bpnum", made.number)
     yield f"{name_of(made)}: {described(made)}"
     yield from _warned(context, made)
     note = made.place.note if made.place else made.watch.note if made.watch else ""
@@ -76,7 +81,7 @@ def placed(
     if not where.place and where.condition and _is_of_world(context, where.condition):
         evaluated_in = here if robot is None else robot
         return points.add_world_breakpoint(where.condition, evaluated_in, **options)
-    place, condition = where.place or _here(context), where.condition
+    place, condition = _place(context, where.place), where.condition
     return points.add_breakpoint(place, condition=condition, robot=robot, **options)
 
 
@@ -100,14 +105,6 @@ def _rbreak(context: CommandContext, text: str) -> Answer:
         raise DebugError(f"{len(names)} functions match '{text}' (at most {_MAX_FUNCTIONS})")
     for name in names:
         yield from _break(context, name)
-
-
-def _here(context: CommandContext) -> str:
-    """Return the current line as a location."""
-    place = context.debugger.view.location()
-    if place is None:
-        raise DebugError("no current line: specify a location")
-    return f"{place.file}:{place.line}"
 
 
 def _watch(context: CommandContext, text: str, *, kind: AccessKind) -> Answer:
@@ -156,7 +153,14 @@ def _log(context: CommandContext, text: str) -> Answer:
 
 
 def _place(context: CommandContext, text: str) -> str:
-    return text or _here(context)
+    """Return a location: by default the current line, or so many lines before or after it."""
+    offset = _OFFSET.fullmatch(text)
+    if text and offset is None:
+        return text
+    place = context.debugger.view.location()
+    if place is None:
+        raise DebugError("no current line: specify a location")
+    return f"{place.file}:{place.line + (int(text) if offset else 0)}"
 
 
 def _all_or(context: CommandContext, text: str) -> list[int]:
@@ -166,15 +170,38 @@ def _all_or(context: CommandContext, text: str) -> list[int]:
 
 
 def _numbers(context: CommandContext, text: str) -> list[int]:
+    text = _BREAKPOINTS.sub("", text, count=1)
     newest = max((each.number for each in context.debugger.stop_points.breakpoints), default=None)
     return parse_numbers(text, newest)
 
 
 def _delete(context: CommandContext, text: str) -> Answer:
+    if display := _DISPLAY.match(text):
+        remove_displays(context.displays, parse_numbers(text[display.end() :]))
+        return
     for number in _all_or(context, text):
         context.debugger.stop_points.remove(number)
         context.scripts.pop(number, None)
     yield from ()
+
+
+def _clear(context: CommandContext, text: str) -> Answer:
+    points = context.debugger.stop_points
+    where = points.location(_place(context, text), context.debugger.view.robot).location
+    found = [
+        each.number
+        for each in points.breakpoints
+        if where is not None
+        and each.place is not None
+        and each.place.location is not None
+        and (each.place.location.file, each.place.location.line) == (where.file, where.line)
+    ]
+    if not found:
+        raise DebugError(f"no breakpoint at {text or 'this line'}")
+    for number in found:
+        points.remove(number)
+        context.scripts.pop(number, None)
+        yield f"Deleted breakpoint {number}."
 
 
 def _enable(context: CommandContext, text: str, *, on: bool) -> Answer:
@@ -257,11 +284,12 @@ def _of_robot(context: CommandContext, one: Breakpoint) -> str:
 
 
 _PLACES: Final = (
-    "LOCATION is a line (12), a line of a file (turn.c:12), a function of the program (turn), or"
-    " one of the robot (ws, get_sn): then it stops when the robot is called. A line without code"
-    " means the next line with code. Default is the current line; if CONDITION uses the world and"
-    " no local variable, the start of any timestep at which it becomes true. With"
-    " several robots it stops any of them unless one is named. CONDITION is a C expression."
+    "LOCATION is a line (12, +2 from here), a line of a file (turn.c:12), a function of the"
+    " program (turn), or one of the robot (ws, get_sn): then it stops when the robot is called."
+    " A line without code means the next line with code. Default is the current line; if"
+    " CONDITION uses the world and no local variable, the start of any timestep at which it"
+    " becomes true. With several robots it stops any of them unless one is named. CONDITION is a"
+    " C expression."
 )
 _NUMBERS: Final = (
     "N is a number, a range such as 2-4, or $ for the newest breakpoint; default is all."
@@ -323,21 +351,25 @@ BREAKPOINTS: Final = Group(
         Command(
             "dprintf", 'LOCATION,"FORMAT",EXPRESSION...',
             "Print a formatted message without stopping.", _dprintf,
-            text="FORMAT is printf's: %d %u %x %o %c %s %f %g %p and %%; each consumes"
-            " the next expression, whose value is shown according to its type.",
+            text="FORMAT and values are those of printf.",
             completes="place",
         ),
         Command(
             "log", 'LOCATION TEXT|"FORMAT",EXPRESSION... at LOCATION [FROM..TO]',
             "Print TEXT without stopping.", _log,
             text="Expressions in braces are replaced by their values: log 12 speed is {speed}."
-            " The second form prints what dprintf would have printed in the recorded run,"
-            " FROM..TO in seconds, among the events of the world.",
+            " {%5.1f speed} formats one as printf does. The second form prints what dprintf"
+            " would have printed in the recorded run, FROM..TO in seconds, among the events"
+            " of the world.",
             completes="place",
         ),
         Command(
             "delete", "[N...]", "Delete breakpoints.", _delete, ("d",),
-            text=_NUMBERS, completes="breakpoint",
+            text=f'{_NUMBERS} "delete display" is "undisplay".', completes="breakpoint",
+        ),
+        Command(
+            "clear", "[LOCATION]", "Delete the breakpoints at a line or a function.", _clear,
+            text='LOCATION is that of "break".', completes="place",
         ),
         Command(
             "disable", "[N...]", "Disable breakpoints.", partial(_enable, on=False),

@@ -35,6 +35,21 @@ class Listing:
     last: int
 
 
+@dataclass(frozen=True, slots=True)
+class ListedInstant:
+    """An instant of a list, to which `goto @3` goes.
+
+    Attributes:
+        robot: the robot that is selected there; -1 for none.
+        function: the function whose frame is selected, by the linker's name; empty for the
+            innermost. A call at the end of a statement has another one.
+    """
+
+    position: Position
+    robot: int = -1
+    function: str = ""
+
+
 @dataclass(slots=True)
 class CommandInput:
     """Commands of breakpoints that are being entered."""
@@ -54,7 +69,7 @@ class CommandContext:
         input: the commands that are being entered for breakpoints; None for none.
         listing: what `list` showed last; None since the last stop.
         examined: the address at which `x` continues, and in which format; None for none.
-        instants: the instants of the last list, see `past`, each with its robot or -1.
+        instants: the instants of the last list, see `past`.
         has_ended: whether the user has quit.
         depth: how many scripts are being read inside each other.
         settings: the values of the settings.
@@ -71,7 +86,7 @@ class CommandContext:
         self.input: CommandInput | None = None
         self.listing: Listing | None = None
         self.examined: tuple[int, OutputFormat] | None = None
-        self.instants: list[tuple[Position, int]] = []
+        self.instants: list[ListedInstant] = []
         self.has_ended = False
         self.depth = 0
         self.settings = Settings()
@@ -124,12 +139,18 @@ class CommandContext:
 
     def _keep_exit_status(self) -> None:
         """Set `$_exitcode` to the exit status of the selected program, if it has ended."""
-        view, kept = self.debugger.view, self.debugger.view.convenience_values
+        view = self.debugger.view
         status = view.session.exit_status(view.robot)
-        kept.pop("_exitcode", None)
+        view.convenience_values.pop("_exitcode", None)
         if status is not None:
-            inspector = view.evaluator(view.robot).inspector()
-            kept["_exitcode"] = Value(inspector, INT, status.to_bytes(4, "little", signed=True))
+            self.keep_number("_exitcode", status)
+
+    def keep_number(self, name: str, number: int) -> None:
+        """Set a convenience variable to a number."""
+        view = self.debugger.view
+        inspector = view.evaluator(view.robot).inspector()
+        content = number.to_bytes(4, "little", signed=True)
+        view.convenience_values[name] = Value(inspector, INT, content)
 
     def record(self, value: Value) -> int:
         """Append a value to the value history; return its number there."""

@@ -18,9 +18,9 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.c_format import formatted_text, string_literal
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
-from crs_cc.debug.commands.display import Display
+from crs_cc.debug.commands.display import Display, remove_displays
 from crs_cc.debug.commands.formats import MAX_TEXT_LENGTH, dump, formatted, place_text, quoted
-from crs_cc.debug.commands.settings import SETTINGS, parse_setting
+from crs_cc.debug.commands.settings import SETTINGS, WITHOUT_EFFECT, parse_setting
 from crs_cc.debug.commands.stack import frame, variable_text
 from crs_cc.debug.commands.type_declaration import declared
 from crs_cc.debug.errors import DebugError
@@ -35,7 +35,7 @@ _MAX_STRINGS: Final = 100
 
 def _print(context: CommandContext, text: str) -> Answer:
     wanted, expression = parse_format(text)
-    value = context.debugger.evaluate(require_argument(expression, "an expression"))
+    value = context.debugger.evaluate(expression or "$")
     shown = formatted(value, wanted)
     yield shown if isinstance(value.type, VoidType) else f"${context.record(value)} = {shown}"
 
@@ -65,7 +65,13 @@ def _set(context: CommandContext, text: str) -> Answer:
             words[1] if len(words) > 1 else "", "an assignment, such as speed = 3"
         )
     if "=" not in text:
-        raise DebugError("an assignment is missing: set VARIABLE = EXPRESSION")
+        if words[0] in WITHOUT_EFFECT:
+            yield f"'{words[0]}' has no effect here: {WITHOUT_EFFECT[words[0]]}"
+            return
+        raise DebugError(
+            f"'{text}' is neither an assignment (VARIABLE = EXPRESSION) nor a setting"
+            f" (known: {', '.join(each.name for each in SETTINGS)})"
+        )
     context.debugger.evaluate(text)
     yield from ()
 
@@ -144,9 +150,7 @@ def _display(context: CommandContext, text: str) -> Answer:
 
 
 def _undisplay(context: CommandContext, text: str) -> Answer:
-    for number in parse_numbers(text) or list(context.displays):
-        if context.displays.pop(number, None) is None:
-            raise DebugError(f"no display {number}")
+    remove_displays(context.displays, parse_numbers(text))
     yield from ()
 
 
@@ -204,14 +208,14 @@ DATA: Final = Group(
     "Expressions, variables and memory.",
     (
         Command(
-            "print", "[/FMT] EXPRESSION", "Print the value of a C expression.", _print,
+            "print", "[/FMT] [EXPRESSION]", "Print the value of a C expression.", _print,
             ("p", "inspect"),
             text="All operators, casts, macros and calls of the program's functions. Extensions:"
             " a[2..5] and *p@4 are slices, turn::count and 'map.c'::size are variables of"
             " other functions and files, $3 is a printed value, $ the last one, $$ the one before,"
             " $$4 the fourth before the last; $_ is the address that x examined last and $__ what"
             " is there, $_exitcode the exit status of the program; $name = 7 sets"
-            f" a convenience variable. {_FORMATS} {_CHANGES}",
+            f" a convenience variable. Without EXPRESSION, print $. {_FORMATS} {_CHANGES}",
             completes="expression",
         ),
         Command(

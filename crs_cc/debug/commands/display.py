@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.commands.formats import formatted
+from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
@@ -28,3 +30,10 @@ class Display:
     def text(self, debugger: Debugger) -> str:
         """Return the expression with its current value; raise DebugError if it is invalid here."""
         return f"{self.name} = {formatted(debugger.view.look_up(self.expression), self.format)}"
+
+
+def remove_displays(displays: dict[int, Display], numbers: Sequence[int]) -> None:
+    """Remove displays, all if no numbers are given; raise DebugError if one does not exist."""
+    for number in numbers or list(displays):
+        if displays.pop(number, None) is None:
+            raise DebugError(f"no display {number}")

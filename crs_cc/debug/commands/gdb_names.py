@@ -28,16 +28,45 @@ _OTHERS: Final = {
 }
 """Commands that gdb has by another name, or that are in another group."""
 
+_SHORTEST: Final = 3
+"""Shorter abbreviations of commands that do not exist are not recognised."""
+
 LACKING: Final = (
     ("attach, detach, kill", "programs run in the simulator, and end with the debugger"),
     ("set args, run ARGS", "give arguments on the command line: `crs debug wander.c -- 500`"),
     ("record, record stop", "the whole run is always recorded"),
     ("info registers, disassemble", "`crs compile --emit wat` prints a program's code"),
     ("handle, info signals", "programs receive only signals that they send to themselves"),
+    ("hbreak, thbreak", "`break` and `tbreak` will do: there are no hardware breakpoints"),
+    ("tui, layout, focus", "`crs debug --tui` starts in full-screen mode"),
     ("return", "set the variable on which the result depends, or go back"),
-    ("define, python", "scripts contain commands of the debugger only, see `source`"),
+    (
+        "define, document, alias, python",
+        "scripts contain commands of the debugger only, see `source`",
+    ),
 )
 """Commands that gdb has and we do not, and what to do or to know."""
+
+
+def lacking_reason(text: str) -> str:
+    """Return why a line of gdb is no command here, and what to do; "" if there is nothing to say.
+
+    >>> print(lacking_reason("disas main"))
+    'disassemble' does not exist here: "crs compile --emit wat" prints a program's code
+    """
+    words = text.split()
+    for names, reason in LACKING:
+        for name in names.split(", "):
+            parts = name.split()
+            pairs = zip(words, parts, strict=False)
+            if len(words) >= len(parts) and all(_abbreviates(*pair) for pair in pairs):
+                quoted = reason.replace("`", '"')
+                return f"'{name}' does not exist here: {quoted}"
+    return ""
+
+
+def _abbreviates(word: str, name: str) -> bool:
+    return word == name or (len(word) >= _SHORTEST and name.startswith(word))
 
 
 def gdb_name(command: str) -> str:

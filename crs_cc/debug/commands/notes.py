@@ -11,7 +11,7 @@ from crs_cc.core.host_system import open_regular
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import require_argument
 from crs_cc.debug.commands.command import Command
-from crs_cc.debug.commands.context import CommandContext
+from crs_cc.debug.commands.context import CommandContext, ListedInstant
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.note import Note
 
@@ -29,7 +29,7 @@ def _note(context: CommandContext, text: str) -> Answer:
 
 def _info_notes(context: CommandContext, _text: str) -> Answer:
     notes = sorted(context.debugger.notes, key=lambda each: each.position)
-    context.instants = [(each.position, each.robot) for each in notes]
+    context.instants = [ListedInstant(each.position, each.robot) for each in notes]
     if not notes:
         yield "No notes."
     for number, each in enumerate(notes, 1):

@@ -14,7 +14,7 @@ from typing import Final
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import require_argument, split_arguments
 from crs_cc.debug.commands.command import Command, Group
-from crs_cc.debug.commands.context import CommandContext
+from crs_cc.debug.commands.context import CommandContext, ListedInstant
 from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.commands.notes import NOTES
 from crs_cc.debug.commands.stop_text import when_text
@@ -109,7 +109,7 @@ def log_past(context: CommandContext, text: str) -> Answer:
     place = debugger.stop_points.location(found["place"])
     said = past(context).messages(place, log_text(literal, expressions), part)
     events = [each for _, each in past(context).events("", part)]
-    context.instants = [(each.position, each.robot) for each in said]
+    context.instants = _instants(said)
     rows: list[tuple[float, str]] = [
         (each.time_s, f"{_head(number, each)}  {each.text}") for number, each in enumerate(said, 1)
     ]
@@ -143,9 +143,13 @@ def _ranged(context: CommandContext, text: str) -> tuple[str, Range]:
     return text[: found.start()].strip(), past(context).part(first, last)
 
 
+def _instants(found: Sequence[Instant]) -> list[ListedInstant]:
+    return [ListedInstant(each.position, each.robot, each.function) for each in found]
+
+
 def _listed(context: CommandContext, found: Sequence[Instant], texts: Sequence[str]) -> Answer:
     """Answer with a numbered list of instants."""
-    context.instants = [(each.position, each.robot) for each in found]
+    context.instants = _instants(found)
     pairs = enumerate(zip(found, texts, strict=True), 1)
     yield from _shown([f"{_head(number, each)}  {text}".rstrip() for number, (each, text) in pairs])
 

@@ -69,10 +69,11 @@ def _next(context: CommandContext, text: str, *, backward: bool = False) -> Answ
     return context.move(partial(context.debugger.next, parse_count(text), backward=backward))
 
 
-def _stepi(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
-    return context.move(
-        partial(context.debugger.step_statement, parse_count(text), backward=backward)
-    )
+def _stepi(
+    context: CommandContext, text: str, *, backward: bool = False, over_calls: bool = False
+) -> Answer:
+    step, count = context.debugger.step_statement, parse_count(text)
+    return context.move(partial(step, count, backward=backward, over_calls=over_calls))
 
 
 def _tick(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
@@ -121,11 +122,12 @@ def _go_to_listed(context: CommandContext, number: int) -> Stop:
     """Go to an instant of the last list, and select its robot."""
     if not 1 <= number <= len(context.instants):
         raise DebugError(f"no @{number} in the last list (it has {len(context.instants)} entries)")
-    position, robot = context.instants[number - 1]
-    stop = context.debugger.goto(position)
-    if 0 <= robot < len(context.debugger.names):
-        context.debugger.view.select_robot(robot)
-        stop = replace(stop, robot=robot, time_s=context.debugger.view.time_s)
+    instant, view = context.instants[number - 1], context.debugger.view
+    stop = context.debugger.goto(instant.position)
+    if 0 <= instant.robot < len(context.debugger.names):
+        view.select_robot(instant.robot)
+        view.select_function(instant.function)
+        stop = replace(stop, robot=instant.robot, time_s=view.time_s)
     return stop
 
 
@@ -209,6 +211,10 @@ RUNNING: Final = Group(
             _stepi, ("si",), repeats="same",
         ),
         Command(
+            "nexti", "[N]", "Step one statement, stepping over calls.",
+            partial(_stepi, over_calls=True), ("ni",), repeats="same",
+        ),
+        Command(
             "finish", "", "Continue until the selected function returns, and show its value.",
             _finish, ("fin",),
             text="It stops right behind the call, in the caller's line, before the value is used."
@@ -246,6 +252,10 @@ RUNNING: Final = Group(
         Command(
             "reverse-stepi", "[N]", "Step back one statement.",
             partial(_stepi, backward=True), ("rsi",), repeats="same",
+        ),
+        Command(
+            "reverse-nexti", "[N]", "Step back one statement, stepping over calls.",
+            partial(_stepi, backward=True, over_calls=True), ("rni",), repeats="same",
         ),
         Command(
             "reverse-finish", "", "Go back to the call of the selected function.",

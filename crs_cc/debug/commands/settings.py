@@ -19,6 +19,7 @@ from crs_cc.debug.commands.user_files import read_lines, write_lines
 from crs_cc.debug.errors import DebugError
 
 _SWITCH: Final = {"on": 1, "off": 0}
+_UNLIMITED: Final = "unlimited"
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +44,9 @@ class Setting:
 
     def text(self, value: int) -> str:
         """Return a value as the user writes it."""
-        return ("off", "on")[value] if self.is_switch else str(value)
+        if self.is_switch:
+            return ("off", "on")[value]
+        return _UNLIMITED if value == self.highest else str(value)
 
     def parse(self, text: str) -> int:
         """Return the value that a text means; raise DebugError if it is none."""
@@ -51,6 +54,8 @@ class Setting:
             if text not in _SWITCH:
                 raise DebugError(f"invalid value '{text}' of '{self.name}' (expected on or off)")
             return _SWITCH[text]
+        if text == _UNLIMITED:
+            return self.highest
         is_number = text.isascii() and text.isdigit() and len(text) < 10
         if not is_number or not self.lowest <= int(text) <= self.highest:
             wanted = f"{self.lowest} to {self.highest:,}"
@@ -68,6 +73,14 @@ SETTINGS: Final = (
     Setting("history save", 1, "Whether commands are kept in a file.", is_switch=True),
     Setting("history size", 1000, "How many commands the file keeps.", 0, 100_000),
 )
+
+WITHOUT_EFFECT: Final = {
+    "confirm": "no command asks for confirmation",
+    "pagination": "output is not paged",
+    "height": "output is not paged",
+    "width": "lines are as wide as the terminal",
+}
+"""Settings that scripts for gdb often have, and why there is nothing to set."""
 
 _BY_NAME: Final = {each.name: each for each in SETTINGS}
 

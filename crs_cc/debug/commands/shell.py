@@ -13,7 +13,8 @@ from crs_cc.debug.commands.answer import Answer, Line, SourceLine
 from crs_cc.debug.commands.arguments import reject_arguments
 from crs_cc.debug.commands.command import Command
 from crs_cc.debug.commands.context import CommandContext, CommandInput
-from crs_cc.debug.commands.table import find
+from crs_cc.debug.commands.gdb_names import lacking_reason
+from crs_cc.debug.commands.table import UndefinedCommandError, find
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ class Shell:
 
     def _run(self, text: str, *, by_user: bool = False) -> Iterator[Line | SourceLine]:
         try:
-            command, arguments = find(text)
+            command, arguments = _find(text)
             if self._check is not None:
                 self._check(command)
             if by_user:
@@ -112,6 +113,17 @@ class Shell:
         self.context.due.clear()
         for each in dict.fromkeys(text.split("\n")):
             yield Line(each, "error")
+
+
+def _find(text: str) -> tuple[Command, str]:
+    """Return the command of a line, and its arguments; raise DebugError if there is none."""
+    try:
+        return find(text)
+    except UndefinedCommandError:
+        reason = lacking_reason(text)
+        if not reason:
+            raise
+        raise DebugError(reason) from None
 
 
 def _repeated(command: Command, text: str) -> str:

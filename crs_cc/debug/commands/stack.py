@@ -159,6 +159,8 @@ def _lines_with_breakpoints(context: CommandContext, file: str) -> set[int]:
 def _range(context: CommandContext, text: str) -> tuple[str, int, int]:
     """Return the file and the first and last line to list."""
     listed, lines = context.listing, context.settings["listsize"]
+    if text == "+":
+        text = ""
     if not text and listed is not None:
         return listed.file, listed.last + 1, listed.last + lines
     if text == "-" and listed is not None:
@@ -273,7 +275,7 @@ STACK: Final = Group(
         Command("info frame", "", "Describe the selected frame.", _info_frame,
                 ("info f",)),
         Command(
-            "list", "[LOCATION|[FIRST],[LAST]|-]", "List source lines.", _list, ("l",),
+            "list", "[LOCATION|[FIRST],[LAST]|+|-]", "List source lines.", _list, ("l",),
             text=_LIST_TEXT, repeats="on", completes="place",
         ),
     ),

@@ -121,6 +121,10 @@ PREFIXES: Final = tuple(sorted({name.split()[0] for name in NAMES if " " in name
 """Prefixes of subcommands: `info`, `save`."""
 
 
+class UndefinedCommandError(DebugError):
+    """There is no such command."""
+
+
 def find(text: str) -> tuple[Command, str]:
     """Return the command of a line, and its arguments.
 
@@ -158,7 +162,9 @@ def _choose(word: str, names: dict[str, str], before: str) -> str:
         shown = ", ".join(sorted(fitting))
         raise DebugError(f'Ambiguous {before}command "{word}": {shown}.')
     if not meant:
-        raise DebugError(f'Undefined {before}command: "{word}".  Try "help{_after(before)}".')
+        raise UndefinedCommandError(
+            f'Undefined {before}command: "{word}".  Try "help{_after(before)}".'
+        )
     return names[next(iter(meant.values()))]
 
 

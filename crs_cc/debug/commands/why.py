@@ -12,7 +12,7 @@ from crs_cc.debug.cause import Cause
 from crs_cc.debug.commands.answer import Answer, Line
 from crs_cc.debug.commands.arguments import require_argument
 from crs_cc.debug.commands.command import Command, Group
-from crs_cc.debug.commands.context import CommandContext
+from crs_cc.debug.commands.context import CommandContext, ListedInstant
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.navigator import Navigator
 from crs_cc.debug.stop import Stop
@@ -50,8 +50,7 @@ def _arrived(context: CommandContext, stop: Stop) -> Stop:
     """Select the program and the function that a write is about."""
     debugger = context.debugger
     arrived = debugger.goto(stop.position)
-    frames = (each for each in debugger.view.frames() if each.active.function == stop.function)
-    debugger.view.frame = next((each.number for each in frames), debugger.view.frame)
+    debugger.view.select_function(stop.function)
     return replace(arrived, robot=stop.robot)
 
 
@@ -73,7 +72,7 @@ def _rows(context: CommandContext, cause: Cause, depth: int) -> Iterator[Line]:
     """Yield a node and those below it, and number them."""
     number = ""
     if cause.position is not None:
-        context.instants.append((cause.position, cause.robot))
+        context.instants.append(ListedInstant(cause.position, cause.robot, cause.function))
         number = f"@{len(context.instants)}"
     names = context.debugger.names
     whose = f"{names[cause.robot]}: " if len(names) > 1 and cause.robot >= 0 else ""

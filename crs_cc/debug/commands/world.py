@@ -59,7 +59,7 @@ def _apply(context: CommandContext, text: str) -> Answer:
     """Execute a command for each of some robots, and select the one that was selected again."""
     debugger = context.debugger
     names, before = debugger.names, (debugger.view.robot, debugger.view.frame)
-    words = require_argument(text, "robot apply all|NAME... COMMAND").split()
+    words = require_argument(text, "robot apply (all|NAME...) COMMAND").split()
     chosen: list[int] = []
     if words[0] == "all":
         chosen, words = list(range(len(names))), words[1:]
@@ -149,7 +149,7 @@ WORLD: Final = Group(
             ("info robots", "info threads"),
         ),
         Command(
-            "robot", "[NAME|apply all|NAME... COMMAND]",
+            "robot", "[NAME|apply (all|NAME...) COMMAND]",
             "Select a robot, or show the selected one.",
             _robot, ("thread", "t"),
             text="NAME is the robot's name in the world, or its number. With apply all, or apply"

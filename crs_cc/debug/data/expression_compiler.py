@@ -41,6 +41,7 @@ _LOSES_POINTER: Final = "incompatible pointer to integer conversion"
 """A warning of the compiler's that is an error here: the change would not be what is meant."""
 
 _WORD: Final = re.compile(r"[A-Za-z_$][\w$]*")
+_MEMBER: Final = re.compile(r"(?:\.|->)\s*[A-Za-z_]\w*")
 
 NOWHERE: Final = Location("")
 TypeOf = Callable[[Variable], CType]
@@ -194,7 +195,7 @@ class ExpressionCompiler:
     def _compile(self, text: str, standing: ExpressionContext) -> PreparedExpression:
         names = self._names.of(standing.function, standing.place.file)
         rest, special = self.rewritten(text, standing)
-        used, blocks = set(_WORD.findall(rest)), names.in_blocks(standing.place)
+        used, blocks = set(_WORD.findall(_MEMBER.sub(" ", rest))), names.in_blocks(standing.place)
         known = self._visible(standing, names, used, blocks)
         found: list[tuple[str, Use | OutsideUse | bytes, CType]] = [
             (name, Use(storage), self._type(names, storage, standing)) for name, storage in known

@@ -60,6 +60,7 @@ class History:
 
     Attributes:
         changes: the changes, in their order.
+        farthest: the latest position that the run has reached.
     """
 
     def __init__(self, most_bytes: int = MAX_BYTES, robots: int = 1) -> None:
@@ -71,12 +72,13 @@ class History:
         """
         self._more_bytes = most_bytes // 2
         self._interval = INTERVAL + robots // ROBOTS_LATER
-        self._farthest = MAX_REPLAY_INTERVALS * self._interval
+        self._reach = MAX_REPLAY_INTERVALS * self._interval
         self._store = ChunkStore(most_bytes)
         self._positions: list[Position] = []
         self._kept: dict[Position, RunSnapshot] = {}
         self._edits: list[Position] = []
         self.changes: tuple[Change, ...] = ()
+        self.farthest = Position(0, 0)
         self._start: RunSnapshot | None = None  # before any change there
         self._user: Position | None = None  # the last position that the user went back to
         self._here = Position(0, 0)
@@ -118,6 +120,7 @@ class History:
             self._start = self._store.take(self._kept[position])
         self._drop(position)
         self._edits.append(position)
+        self.farthest = position
         self._user = None
         self.keep(position, kept)
 
@@ -133,6 +136,7 @@ class History:
             self._positions.append(first)
             self._kept[first], self._start = self._start, None
         self._edits[:] = [each for each in self._edits if each < position]
+        self.farthest = position
         self._user = None
 
     def _drop(self, position: Position) -> None:
@@ -157,6 +161,7 @@ class History:
         other._positions = self._positions[: bisect_right(self._positions, position)]
         other._edits = [each for each in self._edits if each <= position]
         other.changes = self.changes_until(position)
+        other.farthest = position
         other._kept = {each: self._store.take(self._kept[each]) for each in other._positions}
         if self._start is not None:
             other._start = self._store.take(self._start)
@@ -223,7 +228,7 @@ class History:
                 number -= 1
             place = self._positions[number]
             yield place
-            reach = min(2 * reach + self._interval, self._farthest)
+            reach = min(2 * reach + self._interval, self._reach)
 
     def next_edit(self, position: Position) -> Position | None:
         """Return the position of the user's next change after this position."""

@@ -222,6 +222,7 @@ class RecordedRun:
             event = self._end_round() if self.session.state.halted is None else _STATEMENT
             event = self._stops.with_accesses(event)
         position = self.position
+        self.history.farthest = max(self.history.farthest, position)
         self._note_passed(position, event)
         if edit == position:
             self.restore(self.history.at(position))

@@ -68,7 +68,8 @@ def test_arguments_are_split_at_top_level_commas() -> None:
 
 
 def test_printf_formats_become_log_messages() -> None:
-    assert log_text(r'"%5.1f %%, \"%s\"\n"', ["speed", "name"]) == '{speed} %, "{name}"'
-    for literal, expressions in (("12", []), ('"%d"', []), ('"none"', ["x"])):
+    made = log_text(r'"%5.1f %%, \"%s\" %*d\n"', ["speed", "name", "width", "a + f(b, c)"])
+    assert made == '{%5.1f speed} %, "{%s name}" {%*d width, a + f(b, c)}'
+    for literal, expressions in (("12", []), ('"%d"', []), ('"%*d"', ["x"]), ('"none"', ["x"])):
         with pytest.raises(DebugError):
             log_text(literal, expressions)

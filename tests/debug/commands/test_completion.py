@@ -35,7 +35,7 @@ def test_members_tags_macros_and_convenience_functions_are_completed(shell: Shel
 
 
 def test_every_argument_kind_is_completed(shell: Shell) -> None:
-    assert complete(shell.context, "reverse-n") == Completion(0, ("reverse-next",))
+    assert complete(shell.context, "reverse-f") == Completion(0, ("reverse-finish",))
     assert complete(shell.context, "info lo") == Completion(5, ("locals",))
     assert complete(shell.context, "  inf").words == ("info",)
     assert complete(shell.context, "break fac") == Completion(6, ("factorial",))
