@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.cli.changed_run import ChangedRun, recorded_changes
 from crs_cc.cli.load import load
@@ -14,11 +14,12 @@ from crs_cc.cli.rerun import RecordedInput, unpacked
 from crs_cc.cli.run_options import RunOptions
 from crs_cc.core.errors import RecordingError, ReplayMismatch
 from crs_cc.core.source import Diagnostics, Location
-from crs_cc.debug.branch_comparison import Difference, Facts, facts
+from crs_cc.debug.branch_comparison import Difference, Facts, facts, variables
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.first_difference import FirstDifference
 from crs_cc.recording.hashes import same_until
 from crs_cc.recording.mcap_records import NS
+from crs_cc.workbench.exact_comparison import ComparedPart, difference_rows
 
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
@@ -38,6 +39,9 @@ class Comparison:
         before_s: the start of the timestep before [s].
         found: the differences, the first run `here`; none if the runs are the same so far.
         ends_s: the end of each recording [s].
+        variables: the global variables of programs, by robot and name.
+        later: if none of the differences is one of a variable, the first such ones.
+        later_s: when these are [s], or up to when there are none.
     """
 
     timestep: int
@@ -45,10 +49,18 @@ class Comparison:
     before_s: float
     found: tuple[Difference, ...]
     ends_s: tuple[float, float]
+    variables: frozenset[tuple[str, str]] = frozenset()
+    later: tuple[Difference, ...] = ()
+    later_s: float = 0.0
 
 
-def compare(here: Recording, there: Recording) -> Comparison:
+def compare(here: Recording, there: Recording, *, onward: bool = False) -> Comparison:
     """Return how two recorded runs compare, by the state of their robots and all global variables.
+
+    Args:
+        here: a recorded run.
+        there: another one.
+        onward: whether to look on for a variable, if none differs at the first difference.
 
     Raises:
         ReplayMismatch: a run takes another course now than when it was recorded.
@@ -64,10 +76,33 @@ def compare(here: Recording, there: Recording) -> Comparison:
         search = FirstDifference(left, right, same_until(here.hashes(), there.hashes()))
         while search.look(last, _PIECE):
             pass
+        known = left.variables()
+        is_of_variables = any((each.robot, each.name) in known for each in search.found)
+        later = None
+        if onward and search.found and not is_of_variables:
+            both = ComparedPart(left, known.__contains__), ComparedPart(right, known.__contains__)
+            later = FirstDifference(*both, search.timestep)
+            while later.look(last, _PIECE):
+                pass
     timestep = min(search.timestep, last)
     ends_s = here.end_ns / NS, there.end_ns / NS
+    rest = ((), 0.0) if later is None else (later.found, min(later.timestep, last) * timestep_s)
     before_s = max(timestep - 1, 0) * timestep_s
-    return Comparison(timestep, timestep * timestep_s, before_s, search.found, ends_s)
+    return Comparison(timestep, timestep * timestep_s, before_s, search.found, ends_s, known, *rest)
+
+
+def exact_rows(found: Comparison) -> dict[str, Any]:
+    """Return what is found as a page shows it, see `ExactComparison.go_on`."""
+    is_variable = found.variables.__contains__
+    at_s = max(found.time_s, found.later_s)
+    return {
+        "t": at_s,
+        "until": min(found.ends_s),
+        "is_done": True,
+        "found": difference_rows(found.found, found.time_s, is_variable)
+        + difference_rows(found.later, found.later_s, is_variable),
+        "wrong": "",
+    }
 
 
 class Rerun:
@@ -87,6 +122,10 @@ class Rerun:
                 raise ReplayMismatch.at(Location(str(self._recording.path)), str(error)) from None
             found.append(facts(self._debugger.view))
         return found
+
+    def variables(self) -> frozenset[tuple[str, str]]:
+        """Return the global variables of its programs, by robot and name."""
+        return variables(self._debugger.view)
 
 
 @contextmanager

@@ -20,6 +20,7 @@ Examples:
   crs replay run.mcap --html run.html            write a page that plays it in a browser
   crs replay run.mcap --verify                   run it again and compare
   crs replay run.mcap --compare other.mcap       show where two runs diverge
+  crs replay run.mcap --compare other.mcap --html two.html   the same as a page
   crs replay broken.mcap --recover mended.mcap   write what can be read
   crs debug run.mcap --at 12.5s                  debug the recorded run
 """
@@ -59,7 +60,8 @@ Examples:
     type=click.Path(path_type=Path),
     metavar="OTHER.mcap",
     help="Run both recorded runs again up to the first timestep in which robots or global "
-    "variables differ, and show how; exit with 125 if they differ.",
+    "variables differ, and show how; exit with 125 if they differ. With --html, the page "
+    "shows both runs.",
 )
 @written_file(
     "--recover",

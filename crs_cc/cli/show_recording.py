@@ -17,6 +17,7 @@ from crs_cc.cli.messages import printable, show
 from crs_cc.cli.written_file import written_file
 from crs_cc.core.errors import RecordingError, ReplayMismatch
 from crs_cc.core.source import Diagnostic, Location
+from crs_cc.debug.errors import DebugError
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
 from crs_cc.recording.frames import count_in
@@ -72,12 +73,14 @@ def show_recording(
         if at_s is not None:
             _print(state_at(recording, recorded_instant(recording, at_s)))
         wanted = [(name, target) for name, target in targets.items() if target is not None]
+        page = targets.get("page")
         for name, target in wanted:
-            _EXPORTS[name](recording, target)
+            if target is not page or other is None:
+                _EXPORTS[name](recording, target)
         if verify:
             _verify(recording)
         if other is not None:
-            return _compare(recording, other)
+            return _compare(recording, other, page)
         if not (verify or wanted) and at_s is None:
             _print(summary(recording))
     finally:
@@ -136,6 +139,22 @@ def _write_page(recording: Recording, path: Path) -> None:
         path.write_text(page, "utf-8", errors="replace")
 
 
+def _write_compared(recording: Recording, other: Recording, found: Comparison, path: Path) -> None:
+    """Write the page of a run that shows another one, too."""
+    from crs_cc.cli.compare_recordings import exact_rows
+    from crs_cc.cli.recording_plot import world_of
+    from crs_cc.workbench.page import html_page
+    from crs_cc.workbench.page_comparison import OtherRecording
+
+    compared = OtherRecording(other, exact_rows(found))
+    try:
+        page = html_page(recording, world_of(recording), other=compared)
+    except DebugError as error:
+        raise RecordingError.at(Location(str(other.path)), str(error)) from None
+    with written_file(path):
+        path.write_text(page, "utf-8", errors="replace")
+
+
 _EXPORTS: Final[dict[str, Export]] = {
     "plot": _write_plot,
     "tables": _write_tables,
@@ -155,12 +174,15 @@ def _verify(recording: Recording) -> None:
     )
 
 
-def _compare(recording: Recording, path: Path) -> int:
+def _compare(recording: Recording, path: Path, page: Path | None) -> int:
+    """Compare two recordings, also on a page if one is wanted; return the exit status."""
     from crs_cc.cli.compare_recordings import compare
 
     other = _opened(path)
     try:
-        found = compare(recording, other)
+        found = compare(recording, other, onward=page is not None)
+        if page is not None:
+            _write_compared(recording, other, found, page)
     finally:
         other.close()
     _print(comparison(found, (recording.path, path)))

@@ -138,11 +138,9 @@ class Debugger:
 
     def step(self, count: int = 1, *, backward: bool = False) -> Stop:
         """Step to the next line, entering calls; or to the start of the previous line."""
-        robot = self.view.robot
+        robot, back = self.view.robot, self.navigator.backward_to
         if backward:
-            return self._repeat(
-                count, lambda: self.navigator.backward_to(ReverseStepCondition(robot))
-            )
+            return self._repeat(count, lambda: back(ReverseStepCondition(robot)))
         return self._repeat(count, lambda: self._forward(StepToLine(robot, self._program_point())))
 
     def next(self, count: int = 1, *, backward: bool = False) -> Stop:
@@ -154,13 +152,12 @@ class Debugger:
         self, count: int = 1, *, backward: bool = False, over_calls: bool = False
     ) -> Stop:
         """Step to the next statement, or to the previous one; by default into calls."""
-        robot = self.view.robot
+        robot, navigator = self.view.robot, self.navigator
 
         def move() -> Stop:
             calls = self._own_calls() if over_calls else None
             if backward:
-                aim = ReverseStepCondition(robot, calls, whole_line=False)
-                return self.navigator.backward_to(aim)
+                return navigator.backward_to(ReverseStepCondition(robot, calls, whole_line=False))
             return self._forward(StepToStatement(robot, calls))
 
         return self._repeat(count, move)
@@ -177,8 +174,8 @@ class Debugger:
         frame = self.view.current_frame()
         callers = None if frame is None else self.navigator.calls(robot, frame.active)
         if frame is None or callers is None or not callers.functions:
-            name = "reverse-finish" if backward else "finish"
-            raise DebugError(f"'{name}' is not meaningful in the outermost frame")
+            which = "reverse-" * backward + "finish"
+            raise DebugError(f"'{which}' is not meaningful in the outermost frame")
         if backward:
             aim = ReverseStepCondition(robot, callers, whole_line=False, after_calls=True)
             return self._arrive(self.navigator.backward_to(aim))

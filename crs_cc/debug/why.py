@@ -13,9 +13,8 @@ is followed into its `return`; what the others returned is not.
 from __future__ import annotations
 
 import contextlib
-import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -24,6 +23,13 @@ from crs_cc.core.source import Location
 from crs_cc.debug.battery_cause import battery_facts, world_facts
 from crs_cc.debug.cause import Beam, Cause
 from crs_cc.debug.data.notation import RobotName, WorldDistance, WorldName
+from crs_cc.debug.data.object_parts import (
+    Span,
+    bytes_behind,
+    bytes_copied,
+    bytes_read,
+    part_read,
+)
 from crs_cc.debug.data.statement_text import (
     arguments,
     calls,
@@ -35,11 +41,21 @@ from crs_cc.debug.data.statement_text import (
 )
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.last_write import MemoryObject, Write, last_write, writes_back
-from crs_cc.debug.message_cause import RECEIVES, lost_messages, sending
+from crs_cc.debug.evaluation_place import EvaluationPlace, PassingCall
+from crs_cc.debug.last_write import MemoryObject, Write, last_write
+from crs_cc.debug.message_cause import (
+    RECEIVES,
+    ReceivedMessage,
+    is_sent,
+    lost_messages,
+    received,
+    sendings,
+    sent_arguments,
+)
 from crs_cc.debug.motion_cause import CONCERNS, Concern, commanding, facts, pushers
 from crs_cc.debug.navigator import Navigator
-from crs_cc.debug.statement_source import statement_source
+from crs_cc.debug.repeated_writes import FEWEST_REPEATS, repeated
+from crs_cc.debug.statement_source import StatementSource, statement_source
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError
 from crs_cc.debug.timeline.run_event import StopRequest
@@ -58,31 +74,11 @@ from crs_cc.ir.names import plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.sim.devices.sonar.state import sonar_state
 
-FEWEST_REPEATS, MOST_REPEATS = 3, 10_000
-"""So many changes of an object by itself, in a loop, are one node; no more are counted."""
 MAX_NODES: Final = 40
 MAX_DEPTH: Final = 12
 """A tree has at most so many nodes and levels; `why` at one of its instants goes on."""
 
-_SENDS: Final = re.compile(r"\bcrs_(?:send|broadcast|multicast)\s*\(")
-
-
-@dataclass(frozen=True, slots=True)
-class _Place:
-    """Where operands have their values: a position, and a frame at a location."""
-
-    position: Position
-    robot: int
-    frame: StackFrame | None
-
-
-@dataclass(frozen=True, slots=True)
-class _Calling:
-    """The call that passed a parameter: its number, and the frames."""
-
-    number: int
-    callee: StackFrame
-    caller: StackFrame
+_COPIES: Final = frozenset({"memcpy", "memmove"})
 
 
 class Why:
@@ -110,7 +106,7 @@ class Why:
             robot, text = self._view.names.index(alone.robot), alone.text
             frame = self._view.active_frame(robot)
         value = self._view.look_up(text, robot=robot)
-        place = _Place(here, robot, frame)
+        place = EvaluationPlace(here, robot, frame)
         try:
             found = self._value(place, text, 0)
             if found is None:
@@ -125,7 +121,12 @@ class Why:
     # -- values and their writes ---------------------------------------------------------------
 
     def _operands(
-        self, place: _Place, names: Sequence[str], depth: int, own: MemoryObject | None = None
+        self,
+        place: EvaluationPlace,
+        names: Sequence[str],
+        depth: int,
+        own: MemoryObject | None = None,
+        read: Sequence[Span] = (),
     ) -> tuple[Cause, ...]:
         """Return where the values of some operands came from.
 
@@ -134,17 +135,19 @@ class Why:
             names: the operands.
             depth: the level of the nodes.
             own: the object that their statement writes.
+            read: the bytes that their statement reads, if they are known.
         """
         found: list[Cause] = []
-        for name in names:
+        for each in names:
             self._run.seek(place.position)
             with contextlib.suppress(DebugError):  # a function, a macro's word, a member's name
+                name = part_read(self._view.evaluator(place.robot), each, read, place.frame)
                 cause = self._value(place, name, depth, own)
                 found += [] if cause is None else [replace(cause, expression=name)]
         return tuple(found)
 
     def _value(
-        self, place: _Place, name: str, depth: int, own: MemoryObject | None = None
+        self, place: EvaluationPlace, name: str, depth: int, own: MemoryObject | None = None
     ) -> Cause | None:
         """Return where the value of an operand came from, of the program or the world."""
         alone = self._view.evaluator(place.robot).outside_alone(name, place.frame)
@@ -156,7 +159,7 @@ class Why:
         return self._object(place, name, depth, own)
 
     def _object(
-        self, place: _Place, name: str, depth: int, own: MemoryObject | None
+        self, place: EvaluationPlace, name: str, depth: int, own: MemoryObject | None
     ) -> Cause | None:
         """Return where the value of an operand came from; None if it is no object in memory.
 
@@ -176,7 +179,7 @@ class Why:
         self._left -= 1
         calling = self._calling(robot, owner, value)
         if own is not None and own.is_at(wanted) and place.frame is not None:
-            count, first = self._repeated(place.position, name, wanted, place.frame.function)
+            count, first = repeated(self._view, name, wanted, place.position, place.frame.function)
             if first is not None and count >= FEWEST_REPEATS:
                 return self._written(head, wanted, first, depth, count)
         write = last_write(self._run, wanted, place.position)
@@ -186,23 +189,6 @@ class Why:
             return self._argument(head, robot, calling, depth)
         how = "its initial value" if owner is None else "not written since its function was called"
         return Cause(head, how, robot=robot)
-
-    def _repeated(
-        self, before: Position, name: str, wanted: MemoryObject, function: str
-    ) -> tuple[int, Write | None]:
-        """Return how often an object was last changed by itself in a function, and the first."""
-        first, count = None, 0
-        for write in writes_back(self._run, wanted, before):
-            access = write.access
-            if access is None or access.library or access.location is None:
-                break
-            if access.function != function or count >= MOST_REPEATS:
-                break
-            text = statement_source(self._view, wanted.robot, function, access.location).text
-            if name not in source_of(text) and not is_count(text):
-                break
-            first, count = write, count + 1
-        return count, first
 
     def _written(
         self, head: str, wanted: MemoryObject, write: Write, depth: int, times: int = 1
@@ -228,7 +214,7 @@ class Why:
         if (wanted, write.before) in self._seen:
             return replace(base, how=f"{shown} (see above)")
         self._seen.add((wanted, write.before))
-        place = _Place(write.before, robot, frame)
+        place = EvaluationPlace(write.before, robot, frame)
         if access.library:
             causes = self._from_library(place, access.library, text, wanted, depth)
             return replace(base, how=shown, causes=causes)
@@ -237,22 +223,23 @@ class Why:
         returned = self._returned(place, text, depth)
         if returned is not None:
             text = without_call(text, returned.text.partition(" ")[0])
-        own = self._operands(place, source_of(text), depth + 1, wanted)
+        read = bytes_read(self._view.evaluator(robot), text, frame)
+        own = self._operands(place, source_of(text), depth + 1, wanted, read)
         causes = own if returned is None else (returned, *own)
         return replace(base, how=shown, causes=causes)
 
     def _counted(
-        self, base: Cause, place: _Place, wanted: MemoryObject, text: str, depth: int
+        self, base: Cause, place: EvaluationPlace, wanted: MemoryObject, text: str, depth: int
     ) -> Cause:
         """Return the node of a write such as `i++`: of the first of many in a row."""
         (name,) = operands(cut(text))
         function = "" if place.frame is None else place.frame.function
-        count, first = self._repeated(place.position, name, wanted, function)
+        count, first = repeated(self._view, name, wanted, place.position, function)
         if base.times == 1 and first is not None and count + 1 >= FEWEST_REPEATS:
             return self._written(base.text, wanted, first, depth, count + 1)
         return replace(base, causes=self._operands(place, [name], depth + 1, wanted))
 
-    def _returned(self, place: _Place, text: str, depth: int) -> Cause | None:
+    def _returned(self, place: EvaluationPlace, text: str, depth: int) -> Cause | None:
         """Return the `return` statement of the call whose value was used last; None for none."""
         site = self._run.site(place.robot)
         stack = self._run.stopped(place.robot).stack
@@ -261,7 +248,9 @@ class Why:
         if plain_name(site.function) not in calls(text):
             return None
         source = statement_source(self._view, place.robot, site.function, site.location)
-        inner = _Place(place.position, place.robot, replace(stack[0], location=site.location))
+        inner = EvaluationPlace(
+            place.position, place.robot, replace(stack[0], location=site.location)
+        )
         return Cause(
             f"{plain_name(site.function)} returned",
             source.shown,
@@ -274,7 +263,7 @@ class Why:
 
     # -- arguments -----------------------------------------------------------------------------
 
-    def _calling(self, robot: int, owner: StackFrame | None, value: Value) -> _Calling | None:
+    def _calling(self, robot: int, owner: StackFrame | None, value: Value) -> PassingCall | None:
         """Return the call that passed a value, if it is a parameter."""
         if owner is None:
             return None
@@ -287,16 +276,16 @@ class Why:
             first = each.value.address or 0
             if first <= (value.address or 0) < first + each.value.type.size:
                 outer = stack[stack.index(owner) + 1 :]
-                return _Calling(number, owner, outer[0]) if outer else None
+                return PassingCall(number, owner, outer[0]) if outer else None
         return None
 
-    def _argument(self, head: str, robot: int, calling: _Calling, depth: int) -> Cause:
+    def _argument(self, head: str, robot: int, calling: PassingCall, depth: int) -> Cause:
         """Return the node of a parameter: the call that passed it."""
         caller, begun = calling.caller, calling.callee.entered - 1
         base = Cause(head, robot=robot)
         if begun < 0 or not self._navigator.to_statement(robot, begun):
             return replace(base, how="an argument of the program")
-        place = _Place(self._run.position, robot, caller)
+        place = EvaluationPlace(self._run.position, robot, caller)
         source = statement_source(self._view, robot, caller.function, caller.location)
         passed = arguments(source.text)[calling.number : calling.number + 1]
         names = operands(passed[0]) if passed else []
@@ -313,7 +302,7 @@ class Why:
     # -- the library ---------------------------------------------------------------------------
 
     def _from_library(
-        self, place: _Place, function: str, text: str, wanted: MemoryObject, depth: int
+        self, place: EvaluationPlace, function: str, text: str, wanted: MemoryObject, depth: int
     ) -> tuple[Cause, ...]:
         """Return what a function of the library wrote an object from."""
         robot = place.robot
@@ -321,14 +310,20 @@ class Why:
             if value.address == wanted.address:
                 return tuple(self._measured(place, field, depth))
         if function == RECEIVES:
-            return self._message(place, text, depth)
+            return self._message(place, text, depth, wanted)
+        part = None
+        if function in _COPIES:
+            span = wanted.address, wanted.size
+            part = bytes_copied(self._view.evaluator(robot), arguments(text), span, place.frame)
+        if part is not None:
+            return self._operands(place, [part], depth + 1)
         names = [each.lstrip("& ") for each in arguments(text)]
         found = list(dict.fromkeys(each for name in names for each in operands(name)))
         if not function.endswith("cat"):  # what these write, they have read before (C17 7.24.3)
             found = [each for each in found if not self._is_at(place, each, wanted)]
         return self._operands(place, found, depth + 1)
 
-    def _measured(self, place: _Place, field: StateField, depth: int) -> Iterator[Cause]:
+    def _measured(self, place: EvaluationPlace, field: StateField, depth: int) -> Iterator[Cause]:
         """Return what a reading that the robot reports here was measured from."""
         run, robot = self._run, place.robot
         environment = run.session.environment
@@ -411,55 +406,77 @@ class Why:
         beam = Beam(ping.number, ping.echo_m, met)
         return Cause(f"{field}{ping.text(met)}", position=fired, robot=robot, beam=beam)
 
-    def _is_at(self, place: _Place, name: str, wanted: MemoryObject) -> bool:
+    def _is_at(self, place: EvaluationPlace, name: str, wanted: MemoryObject) -> bool:
         """Return whether an operand is an object, or one that holds it."""
         with contextlib.suppress(DebugError):
             found = self._view.evaluator(place.robot).place(name, place.frame)
             return found.address <= wanted.address < found.address + max(found.size, 1)
         return False
 
-    def _message(self, place: _Place, text: str, depth: int) -> tuple[Cause, ...]:
-        """Return where a message came from, and which ones to this robot were lost since."""
+    def _message(
+        self, place: EvaluationPlace, text: str, depth: int, wanted: MemoryObject
+    ) -> tuple[Cause, ...]:
+        """Return where a part of a message came from, and which ones were lost since."""
         robot, found = place.robot, list[Cause]()
         received_s = self._run.time_s(robot)
-        message = f"({arguments(text)[0]})"
         self._run.arm(StopRequest(all=frozenset({robot})))
         while self._run.advance().kind != "statement" and self._run.can_advance:
             pass
         frame = next(each for each in self._run.stopped(robot).stack if _same(each, place.frame))
-        evaluator = self._view.evaluator(robot)
-        sender, sent_ms = (
-            int(evaluator.evaluate(f"{message}->{name}", frame).value.number or 0)
-            for name in ("from", "sent")
-        )
-        begun = sending(self._run, sender, sent_ms / 1000.0)
+        evaluator, span = self._view.evaluator(robot), (wanted.address, wanted.size)
+        message = received(evaluator, f"({arguments(text)[0]})", frame, span)
+        sender = message.sender
+        numbers = sendings(self._run, sender, message.sent_s)
+        begun = next((each for each in numbers if self._has_sent(each, message)), None)
+        begun = begun if begun is not None or not numbers else numbers[0]
         if begun is not None and self._navigator.to_statement(sender, begun):
-            found.append(self._posted(sender, f"{self._run.name(sender)} sent it", depth))
+            head = f"{self._run.name(sender)} sent it"
+            found.append(self._posted(sender, head, depth, message.part))
         timestep_s = self._run.session.environment.timestep_s
         for each in lost_messages(self._run, robot, received_s, self._asked_s):
             position = Position(int(each.time_s / timestep_s), 0)
             found.append(Cause(f"lost since: {each.text}", "", position, each.time_s, robot))
         return tuple(found)
 
-    def _posted(self, robot: int, head: str, depth: int) -> Cause:
-        """Return the node of a message or a command: the run is before its statement."""
+    def _has_sent(self, begun: int, message: ReceivedMessage) -> bool:
+        """Return whether a statement of a robot has sent a message."""
+        robot = message.sender
+        if not self._navigator.to_statement(robot, begun):
+            return False
+        place, source = self._posting(robot)
+        return is_sent(self._view.evaluator(robot), source.text, place.frame, message)
+
+    def _posting(self, robot: int) -> tuple[EvaluationPlace, StatementSource]:
+        """Return the statement that posts a request: the run is before it."""
         stack, site = self._run.stopped(robot).stack, self._run.site(robot)
         assert site is not None
         frame = replace(stack[0], location=site.location)
-        place = _Place(self._run.position, robot, frame)
         source = statement_source(self._view, robot, site.function, site.location)
-        call = _SENDS.search(source.text)
-        passed = arguments(source.text)
-        if call is not None:
-            passed = arguments(source.text[call.start() :])[-2:-1]
+        return EvaluationPlace(self._run.position, robot, frame), source
+
+    def _posted(self, robot: int, head: str, depth: int, part: Span | None = None) -> Cause:
+        """Return the node of a message or a command: the run is before its statement.
+
+        Args:
+            robot: the robot that posts it.
+            head: what it is.
+            depth: the level of the node.
+            part: the bytes of a message that are asked for; None for all.
+        """
+        place, source = self._posting(robot)
+        sent = sent_arguments(source.text)
+        passed = sent[-2:-1] or arguments(source.text)
         names = [each for one in passed for each in operands(one.lstrip("& "))]
+        if part is not None and len(sent) > 1:
+            named = bytes_behind(self._view.evaluator(robot), sent[-2], part, place.frame)
+            names = names if named is None else [named]
         return Cause(
             head,
             source.shown,
             place.position,
             self._run.time_s(robot),
             robot,
-            site.location,
+            None if place.frame is None else place.frame.location,
             self._operands(place, list(dict.fromkeys(names)), depth + 1),
         )
 

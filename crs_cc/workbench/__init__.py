@@ -18,7 +18,8 @@ is an engine command, and part of the run's history.
 - `other_runs` are recordings beside the run; `comparing` has the commands that compare it with one
   of them or with a branch: `comparison` by what is known, along `trajectories`, and
   `exact_comparison` by variables.
-- `page` writes a recorded run as one HTML file, with the same modules.
+- `page` writes a recorded run as one HTML file, with the same modules; `page_comparison`
+  another run into it, with which it is compared.
 - `static/` has these modules: plain ES modules, no build step. `app.js` starts, `model.js` is what
   the page knows, `views.js` draws, `panels/` are at the sides, `debug/` has the parts of the
   debugger.

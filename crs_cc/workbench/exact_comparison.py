@@ -17,7 +17,7 @@ from crs_cc.workbench.comparison import common_robots
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from crs_cc.debug.branch_comparison import Facts
+    from crs_cc.debug.branch_comparison import Difference, Facts
     from crs_cc.debug.first_difference import ComparedRun
     from crs_cc.workbench.branches import KnownBranches
     from crs_cc.workbench.feed import Feed
@@ -75,7 +75,7 @@ class ExactComparison:
         self._of_variables: FirstDifference | None = None
 
     def _only(self, keeps: Callable[[Key], bool]) -> tuple[ComparedRun, ComparedRun]:
-        return _Part(self._here, keeps), _Part(self._there, keeps)
+        return ComparedPart(self._here, keeps), ComparedPart(self._there, keeps)
 
     def _is_common(self, key: Key) -> bool:
         return key[0] in self._robots
@@ -150,25 +150,32 @@ class ExactComparison:
 
     def _rows(self, search: FirstDifference) -> list[dict[str, Any]]:
         """Return the differences that a search has found, variables at first."""
-        found = [narrowed(each) for each in search.found]
-        are = [self._is_variable((each.robot, each.name)) for each in search.found]
-        rows = [
-            {
-                "t": search.timestep * self._timestep_s,
-                "robot": each.robot,
-                "what": each.name,
-                "here": _shown(each.here),
-                "there": _shown(each.there),
-                "by": by(each.here, each.there),
-                "is_variable": is_variable,
-            }
-            for each, is_variable in zip(found, are, strict=True)
-        ]
-        return sorted(rows, key=lambda each: not each["is_variable"])[:MAX_FOUND]
+        time_s = search.timestep * self._timestep_s
+        return difference_rows(search.found, time_s, self._is_variable)
 
     def close(self) -> None:
         """Forget the programs that were run again."""
         self._stack.close()
+
+
+def difference_rows(
+    found: Sequence[Difference], time_s: float, is_variable: Callable[[Key], bool]
+) -> list[dict[str, Any]]:
+    """Return differences at a time as pages show them, variables at first."""
+    are = [is_variable((each.robot, each.name)) for each in found]
+    rows = [
+        {
+            "t": time_s,
+            "robot": each.robot,
+            "what": each.name,
+            "here": _shown(each.here),
+            "there": _shown(each.there),
+            "by": by(each.here, each.there),
+            "is_variable": is_one,
+        }
+        for each, is_one in zip(map(narrowed, found), are, strict=True)
+    ]
+    return sorted(rows, key=lambda each: not each["is_variable"])[:MAX_FOUND]
 
 
 class _Branch:
@@ -182,7 +189,7 @@ class _Branch:
         return self._branches.facts(self._name, timesteps)
 
 
-class _Part:
+class ComparedPart:
     """Some of what can be compared of a run."""
 
     def __init__(self, run: ComparedRun, keeps: Callable[[Key], bool]) -> None:

@@ -90,14 +90,14 @@ class OtherRuns:
             raise DebugError(f"at most {MAX_RUNS} recordings: close one first")
         recording = Recording(path)
         try:
-            feed = _feed(recording, (self._opened + 1) * _NUMBERS)
+            feed = recorded_feed(recording, (self._opened + 1) * _NUMBERS)
         except CrsError:
             recording.close()
             raise
         self._opened += 1
         if name in self._runs:
             self.close(name)
-        self._runs[name] = OtherRun(name, _title(recording), feed, recording)
+        self._runs[name] = OtherRun(name, title_of(recording), feed, recording)
         return self._runs[name]
 
     def take(self, name: str, offset: int, data: str) -> None:
@@ -177,8 +177,12 @@ class OtherRuns:
             recording.path.unlink(missing_ok=True)
 
 
-def _feed(recording: Recording, first: int) -> Feed:
-    """Return what is recorded; its blocks are numbered from a number on."""
+def recorded_feed(recording: Recording, first: int = 0) -> Feed:
+    """Return what is recorded; its blocks are numbered from a number on.
+
+    Raises:
+        RecordingError: it is damaged, or has no frames.
+    """
     blocks, _ = frame_blocks(recording, MAX_FRAMES)
     if not blocks:
         raise recording.mcap.error("no frames: there is nothing to compare")
@@ -192,7 +196,8 @@ def _feed(recording: Recording, first: int) -> Feed:
     return feed
 
 
-def _title(recording: Recording) -> str:
+def title_of(recording: Recording) -> str:
+    """Return the programs, the world and the seed of a recorded run."""
     run = recording.description
     names = ", ".join(dict.fromkeys(Path(source).name for source in run.sources)) or "programs"
     return f"{names} in {Path(run.world).name or 'an empty world'}, seed {run.seed}"

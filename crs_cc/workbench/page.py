@@ -20,6 +20,7 @@ from crs_cc.recording import topics
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.shapes import robot_data
 from crs_cc.workbench.messages import plain_text
+from crs_cc.workbench.page_comparison import OtherRecording, compared_run
 from crs_cc.workbench.recorded_content import (
     events_in,
     fields_in,
@@ -74,13 +75,27 @@ class _Paths:
         return [[round(float(x), 3), round(float(y), 3)] for x, y in found if not math.isnan(x)]
 
 
-def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYTES) -> str:
+def html_page(
+    recording: Recording,
+    world: WorldModel,
+    most_bytes: int = MAX_BYTES,
+    *,
+    other: OtherRecording | None = None,
+) -> str:
     """Return the page of a recorded run.
 
+    Args:
+        recording: the run.
+        world: its world.
+        most_bytes: of the page.
+        other: a run to compare it with, whose frames take half of the room.
+
     Raises:
-        RecordingError: the recording is damaged.
+        RecordingError: a recording is damaged.
+        DebugError: the other run has no robot in common with it.
     """
-    blocks, stride = frame_blocks(recording, int(most_bytes * _SHARE))
+    most = int(most_bytes * _SHARE) // (1 if other is None else 2)
+    blocks, stride = frame_blocks(recording, most)
     if not blocks:
         raise recording.mcap.error("no frames: there is nothing to show")
     events, lost_events = events_in(recording)
@@ -89,6 +104,9 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
     marks, lost_marks = marks_in(recording, radius_m)
     fields, field_stride = fields_in(recording, int(most_bytes * _FIELDS))
     left_out = [f"all but 1 in {stride} frames"] if stride > 1 else []
+    compared = None if other is None else compared_run(recording, other, most)
+    if compared is not None and compared["thinned"] > 1:
+        left_out += [f"all but 1 in {compared['thinned']} frames of {compared['name']}"]
     left_out += [f"{lost_events} events"] if lost_events else []
     left_out += [f"{lost_output} pieces of output"] if lost_output else []
     left_out += [f"{lost_marks} marks of programs"] if lost_marks else []
@@ -115,6 +133,7 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
         "events": events,
         "output": output,
         "blocks": [[*span, b64encode(block).decode("ascii")] for *span, block in blocks],
+        "other": compared,
     }
     return page_of(data)
 

@@ -245,9 +245,9 @@ def test_a_copied_member_is_not_explained_by_what_the_copy_replaced(tmp_path: Pa
     debugger = debugger_of(MEMBERS, folder=tmp_path)
     debugger.stop_points.add_breakpoint("12")
     debugger.resume()
-    for member in "first", "second":
+    for member, value in ("first", 1), ("second", 3):
         causes = explained(debugger, f"to.{member}").causes
-        assert [each.text for each in causes] == ["from = {first = 1, second = 3}"]
+        assert [each.text for each in causes] == [f"from.{member} = {value}"]
     # the statement was shown without its negation
     assert explained(debugger, "number").how == '!sscanf("7", "%d", &number)'
 

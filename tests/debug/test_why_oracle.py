@@ -9,6 +9,7 @@ pointer, what a function of the library has copied, a message of another robot, 
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -101,7 +102,7 @@ class Oracle:
         """Single-step through a program."""
         found = cls([], [])
         debugger.start()
-        while not debugger.view.is_over:
+        while not debugger.run.is_over(0):
             found.positions.append(debugger.position)
             memory = debugger.run.stopped(0).memory
             found.memories.append(memory[STACK_TOP - ROOM : STACK_TOP + ROOM].copy())
@@ -125,7 +126,10 @@ class Checker:
         checked: how many nodes have been compared, by what they are.
     """
 
-    def __init__(self, debugger: Debugger, oracle: Oracle) -> None:
+    def __init__(
+        self, debugger: Debugger, oracle: Oracle, functions: Sequence[int] | None = None
+    ) -> None:
+        self.functions = FUNCTIONS if functions is None else functions
         self.debugger = debugger
         self.oracle = oracle
         self.checked = {"global": 0, "local": 0}
@@ -138,7 +142,7 @@ class Checker:
             self._compare(cause, at, until, frame)
         if cause.causes:
             self.debugger.goto(at)
-            below = self._frame(cause)
+            below = self.frame(cause)
             for each in cause.causes:
                 self.check(each, at, below)
 
@@ -158,14 +162,14 @@ class Checker:
         assert values <= {value.content}, (cause, values)
         self.checked["local" if place.address < STACK_TOP else "global"] += 1
 
-    def _frame(self, cause: Cause) -> StackFrame | None:
+    def frame(self, cause: Cause) -> StackFrame | None:
         """Return the frame in which a statement is executed: the run is before it."""
         if cause.location is None:
             return None
         stack = self.debugger.run.stopped(0).stack
         for each in stack:
             info = self.debugger.run.stopped(0).compiled.info(each.function).function.location
-            lines = [line for line in FUNCTIONS if line <= cause.location.line]
+            lines = [line for line in self.functions if line <= cause.location.line]
             if info.file == cause.location.file and info.line in {lines[-1], lines[-1] + 1}:
                 return replace(each, location=cause.location)
         return None
@@ -223,6 +227,79 @@ int main(void)
     return 0;
 }
 """
+PARTS = """\
+#include <string.h>
+#include <crs.h>
+#include "Nclient.h"
+struct report { int number; short kind; double range; char name[6]; };
+int second, told;
+double far;
+char letter;
+struct report got;
+int main(void)
+{
+    int i;
+    connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400);
+    for (i = 0; i < 3; i++) {
+        if (crs_my_number() == 0) {
+            struct report report;
+            int pair[2];
+            report.number = 40 + i;
+            report.kind = 7;
+            report.range = i * 2.5;
+            strcpy(report.name, "left");
+            crs_send(1, 7, &report, sizeof report);
+            pair[0] = i;
+            pair[1] = 100 + i;
+            crs_broadcast(7, pair, sizeof pair);
+        } else {
+            struct crs_message message;
+            if (crs_receive(&message, 2000)) {
+                memcpy(&got, message.data, sizeof got);
+                told = ((struct report *) message.data)->number;
+                far = got.range;
+                letter = got.name[1];
+            }
+            if (crs_receive(&message, 2000))
+                second = *(int *) (message.data + 4);
+        }
+        ws(1, 1, 1, 1);
+    }
+    return 0;
+}
+"""
+BEGINS = 9
+"""The line at which its function begins."""
+
+SENT = {
+    "second": "pair[1] = 102",
+    "told": "report.number = 42",
+    "far": "report.range = 5.0",
+    "letter": "((char *)(&report))[17] = 101 'e'",
+    "got.kind": "report.kind = 7",
+}
+"""What was sent of each."""
+
+
+def test_a_part_of_a_message_comes_from_the_bytes_that_were_sent(tmp_path: Path) -> None:
+    debugger = debugger_of(PARTS, folder=tmp_path, world="pair.xml")
+    checker = Checker(debugger, Oracle.of(debugger), [BEGINS])
+    debugger.goto_end()
+    here = debugger.position
+    for expression, text in SENT.items():
+        debugger.goto(here)
+        debugger.view.select_robot(1)
+        cause = find(Why(debugger.view, debugger.navigator).explain(expression), "sent it")
+        assert cause is not None
+        assert cause.position is not None
+        assert [each.text for each in cause.causes] == [text]
+        debugger.goto(cause.position)
+        frame = checker.frame(cause)
+        for each in cause.causes:
+            checker.check(each, cause.position, frame)
+    assert checker.checked["local"] >= len(SENT)
+
+
 INCH_M = 0.0254
 
 

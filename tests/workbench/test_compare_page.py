@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -10,12 +11,16 @@ from typing import Any
 import pytest
 
 from crs_cc.cli.main import main
+from crs_cc.cli.recording_plot import world_of
 from crs_cc.cli.start_view import open_others
 from crs_cc.cli.view_recording import recording_screen
 from crs_cc.recording.recording import Recording
+from crs_cc.workbench.page import html_page
+from crs_cc.workbench.page_comparison import OtherRecording
 from crs_cc.workbench.screen import Screen
 from tests.recording.test_compare import PROGRAM
-from tests.workbench.in_browser import page_in, played, wait
+from tests.workbench.in_browser import page_at, page_in, played, wait
+from tests.workbench.test_page import run_in
 
 WORLD = """<world version="1" timestep="50ms">
   <area length="9m" width="6m"/><robot id="ada" x="2m" y="2m"/><robot id="bob" x="2m" y="4m"/>
@@ -124,3 +129,75 @@ def test_two_recordings_are_seen_side_by_side(browser: Any, screen: Screen, runs
     looks.goto(address)
     a_page_that_looks_only_compares_too(looks)
     looks.close()
+
+
+@pytest.fixture(scope="module")
+def held(runs: Path) -> Path:
+    """A page that holds two runs."""
+    path = runs / "two.html"
+    words = [str(runs / "near.mcap"), "--compare", str(runs / "far.mcap"), "--html", str(path)]
+    assert main(["replay", *words]) == 125, "they differ"
+    return path
+
+
+def test_a_page_holds_what_is_known_of_both_runs(held: Path) -> None:
+    other = run_in(held.read_text())["other"]
+    assert (other["name"], other["end"], other["until"]) == ("far.mcap", 4.0, 4.0)
+    assert [
+        (each["robot"], each["what"], each["is_variable"]) for each in other["exact"]["found"]
+    ] == [
+        ("ada", "limit", True),
+        ("bob", "limit", True),
+    ]
+    assert {each["what"] for each in other["differences"]} == {"pose.x"}
+    assert set(other["paths"]) == set(other["own"]) == set(other["apart"]) == {"ada", "bob"}
+    distances = other["apart"]["ada"]
+    assert distances[0] == [0.0, 0.0]
+    assert distances[-1][1] == pytest.approx(0.0994, abs=1e-4)
+
+
+def test_two_runs_share_the_room_of_a_page(runs: Path) -> None:
+    with ExitStack() as stack:
+        near, far = (Recording(runs / f"{name}.mcap") for name in ("near", "far"))
+        for each in (near, far):
+            stack.callback(each.close)
+        text = html_page(near, world_of(near), most_bytes=1500, other=OtherRecording(far))
+    run = run_in(text)
+    assert re.search(
+        r"left out: all but 1 in \d+ frames, all but 1 in \d+ frames of far", run["note"]
+    )
+    size = sum(len(block) for each in (run, run["other"]) for *_, block in each["blocks"])
+    assert size <= 1500
+    assert run["other"]["frame_s"] > 0.05
+
+
+def test_a_page_of_runs_without_a_common_robot_is_refused(
+    runs: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    (runs / "eve.xml").write_text(WORLD.replace("ada", "eve").replace("bob", "joe"))
+    words = [str(runs / "drive.c"), str(runs / "eve.xml"), "-D", "LIMIT=40", "--max-time", "1"]
+    assert main(["run", "-q", *words, "--record", str(runs / "eve.mcap")]) == 0
+    target = runs / "none.html"
+    words = [str(runs / "near.mcap"), "--compare", str(runs / "eve.mcap"), "--html", str(target)]
+    assert main(["replay", *words]) not in {0, 125}
+    assert "no robot of the same name" in capfd.readouterr().err
+    assert not target.exists()
+
+
+def test_two_runs_are_seen_in_one_file(browser: Any, held: Path) -> None:
+    with page_at(browser, held.as_uri(), 1200, 800) as page:
+        wait(page, "crs.compared.run?.name === 'far.mcap'")
+        first = page.locator(".differences .first").inner_text()
+        said = "First difference from far.mcap: 0.000 s ada limit is 40 here, 80 there, by 40."
+        assert first == said
+        a_click_goes_to_the_instant_where_the_ghost_parts(page)
+        assert page.locator("canvas.apart").is_visible()
+        box = page.locator("canvas.apart").bounding_box()
+        page.mouse.click(box["x"] + box["width"] / 2, box["y"] + 20)
+        wait(page, "Math.abs(crs.model.state.t - 2) < 0.2")
+        for name in ("Open a recording", "Find the first variable", "Plot the distance"):
+            assert not page.locator(f"#panel-compare button:has-text('{name}')").is_visible()
+        page.click("#panel-compare button:has-text('End')")
+        wait(page, "!crs.look.other")
+        page.select_option("#panel-compare select", "far.mcap")
+        wait(page, "crs.compared.run && crs.compared.firstVariable")

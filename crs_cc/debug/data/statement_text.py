@@ -44,6 +44,21 @@ def source_of(text: str) -> list[str]:
     return operands(text)
 
 
+def value_of(text: str) -> str:
+    """Return the expression that a statement assigns or returns; empty for anything else.
+
+    >>> value_of("told = *(int *)message.data;"), value_of("return a + 1;"), value_of("a += 2;")
+    ('*(int *)message.data', 'a + 1', '')
+    """
+    text = cut(text).strip()
+    if text.startswith("return"):
+        return text.removeprefix("return").strip()
+    for found in _ASSIGNS.finditer(text):
+        if _depth(text, found.start()) == 0:
+            return "" if found["op"] is not None else text[found.end() :].strip()
+    return ""
+
+
 def is_count(text: str) -> bool:
     """Return whether a statement changes a variable by itself: `i++`."""
     return bool(_STEP.search(cut(text))) and len(operands(cut(text))) == 1

@@ -50,6 +50,7 @@ export class Compared {
     this.exact = null;
     const answer = await this.model.ask("compare", { name });
     if (!answer) return;
+    this.exact = answer.exact ?? null; // a page that holds both runs knows it
     this.take(answer);
     if (this.model.can("debug") && this.model.run.follows !== false) this.search();
   }

@@ -34,7 +34,7 @@ export class Layout {
     document.title = `${this.title.textContent} · crs`;
     if (this.isBuilt) return;
     this.isBuilt = true;
-    const panels = PANELS.filter((panel) => (!panel.needs || model.run.can.includes(panel.needs)) && !(panel.asks && model.channel.isLocal));
+    const panels = PANELS.filter((panel) => (!panel.needs || model.run.can.includes(panel.needs)) && !(panel.asks && model.channel.isLocal && !panel.isHeld?.(run)));
     const left = el("aside.left", { "aria-label": "robots" });
     const right = el("aside.right", { "aria-label": "program" });
     const tabs = el("div.tabs", { role: "tablist" });

@@ -1,4 +1,5 @@
 /** The channel of a page that holds a recorded run: it plays by itself. */
+import { fromBase64 } from "crs/frames.js";
 
 export class PageChannel {
   /** @param {any} run the contents of the page @param {(message: any) => void} hear */
@@ -15,11 +16,16 @@ export class PageChannel {
     queueMicrotask(() => {
       this.hear(hello);
       this.tell();
+      if (run.other) this.hear({ type: "others", runs: [run.other] });
     });
   }
 
   /** @param {string} name @param {any} fields */
   async ask(name, fields = {}) {
+    if (name === "compare" && this.run.other) {
+      const { other } = this.run;
+      return { ...other, blocks: other.blocks.map(([begin, end], number) => [number, begin, end]) };
+    }
     if (name === "play") {
       if (this.time >= this.run.end_s) this.time = 0;
       this.isPlaying = true;
@@ -34,6 +40,11 @@ export class PageChannel {
     } else throw new Error("this page contains a recording: it can only be played and viewed");
     this.time = Math.min(this.run.end_s, Math.max(0, this.time));
     this.tell();
+  }
+
+  /** A block of frames of the run that this one is compared with. @param {number} number */
+  async block(number) {
+    return fromBase64(this.run.other.blocks[number][2]);
   }
 
   /** Advance by real time. @param {number} elapsed [s] */

@@ -121,7 +121,7 @@ def test_input_is_prompted_for_and_output_cannot_move_the_cursor(
     worker = threading.Thread(target=lambda: results.append(press(controller, "advance 16")))
     worker.start()
     assert asked.wait(10.0)
-    assert controller.complete("reverse-n") == ["reverse-next"]  # while it waits
+    assert controller.complete("reverse-f") == ["reverse-finish"]  # while it waits
     controller.give("17")
     worker.join(10.0)
     (done,) = results

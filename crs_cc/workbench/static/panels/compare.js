@@ -1,6 +1,7 @@
 /** Comparing with another run: which one, where they first differ, and by how much. */
 import { APART } from "crs/compared.js";
 import { button, el, fill } from "crs/dom.js";
+import { drawPlot, LEFT, LINES, RIGHT } from "crs/plot.js";
 
 const TITLES = { event: "event", print: "output" };
 
@@ -12,6 +13,7 @@ export const compare = {
   key: ";",
   side: "below",
   asks: true,
+  isHeld: (run) => Boolean(run.other),
   make(root, model, look, page) {
     const { compared } = page;
     root.classList.add("compare");
@@ -27,8 +29,13 @@ export const compare = {
     const close = button({ text: "Close the file", title: "Close the recording", onclick: () => compared.close(compared.run.name) });
     const about = el("span.hint", { "aria-live": "polite" });
     const result = el("div.differences", { "aria-live": "polite" });
-    const mayOpen = model.run.role === "control";
-    root.append(el("div.bar", {}, el("label", {}, "with ", chosen), ...(mayOpen ? [open, file] : []), search, plot, close, end, about), result);
+    const isHeld = model.channel.isLocal;
+    const mayOpen = model.run.role === "control" && !isHeld;
+    const distance = el("canvas.apart", { role: "img", hidden: true, title: "How far the selected robot is from where it is in the other run [m]; a click goes there", onclick: (event) => {
+      const share = (event.offsetX - LEFT) / Math.max(1, distance.clientWidth - LEFT - RIGHT);
+      page.timeline.seek(Math.min(1, Math.max(0, share)) * model.run.end_s);
+    } });
+    root.append(el("div.bar", {}, el("label", {}, "with ", chosen), ...(mayOpen ? [open, file] : []), search, plot, close, end, about), distance, result);
 
     page.compare = (name) => {
       page.drawer.open("compare");
@@ -61,17 +68,34 @@ export const compare = {
       fill(chosen, el("option", { value: "" }, choices.length ? "no run" : "no other run yet"), ...shown);
       chosen.value = run?.name ?? "";
       for (const each of [plot, end]) each.hidden = !run;
-      plot.hidden ||= !page.plot;
+      plot.hidden ||= !page.plot || isHeld;
       search.hidden = !run || !model.can("debug") || (exact?.is_done && Boolean(compared.firstVariable));
       close.hidden = !run || !mayOpen || !choices.some(({ name, isFile }) => isFile && name === run.name);
       search.querySelector("span").textContent = isSearching ? "Stop" : "Find the first variable";
       about.textContent = exact?.wrong || (isSearching && exact ? `variables are the same up to ${exact.t.toFixed(2)} of ${exact.until.toFixed(2)} s` : "");
       about.classList.toggle("wrong", Boolean(exact?.wrong));
+      if (!run && isHeld) return fill(result, el("p.hint", {}, "This page holds another run: choose it."));
       if (!run) return fill(result, el("p.hint", {}, "Compare this run with one that was kept after a change in the past (see Changes), or with a recording: open an .mcap file, or drop it on the page. Its robots are drawn as ghosts, its paths dashed."));
       const rows = [...(exact?.found ?? []), ...run.differences].sort((one, another) => one.t - another.t).map(row);
       fill(result, ...said(), ...(rows.length ? [table(run.name, rows)] : []));
     };
-    for (const kind of ["compared", "panel", "others", "hello", "look"]) model.on(kind, show);
+    /** Draw the distance of the selected robot, where the page holds it. */
+    const trace = () => {
+      const robot = model.run.rosters.at(-1).robots[model.state.robot];
+      const rows = compared.run?.apart?.[robot];
+      distance.hidden = !rows;
+      if (!rows || !distance.clientWidth) return;
+      const [times, values] = [0, 1].map((column) => rows.map((row) => row[column] ?? NaN));
+      const series = { times, values, texts: [], places: [], isStep: false };
+      const strips = [{ label: "m apart", words: false, lines: [{ series, colour: LINES[0], until: times.at(-1) ?? 0 }] }];
+      distance.setAttribute("aria-label", `distance of ${robot} from where it is in ${compared.run.name}`);
+      drawPlot(distance, { strips, begin: 0, end: Math.max(model.run.end_s, 1e-3), now: model.state.t, pointed: null, colours: look.colours });
+    };
+    for (const kind of ["compared", "panel", "others", "hello", "look"]) model.on(kind, () => (show(), trace()));
     show();
+    if (!isHeld) return;
+    model.on("state", trace);
+    addEventListener("resize", trace);
+    model.on("others", () => model.others[0] && !compared.run && page.compare(model.others[0].name));
   },
 };

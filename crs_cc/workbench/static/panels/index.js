@@ -5,7 +5,7 @@
  * hold a run.
  *
  * @typedef {{id: string, title: string, side: "left" | "right" | "below" | "under",
- *   summary?: string, key?: string, needs?: string, asks?: boolean, recorded?: boolean,
+ *   summary?: string, key?: string, needs?: string, asks?: boolean, recorded?: boolean, isHeld?: (run: any) => boolean,
  *   make: (root: HTMLElement, model: any, look: any, page: any) => void}} Panel
  */
 import { changes } from "crs/panels/changes.js";
