@@ -106,9 +106,11 @@ class Server:
 
 
 def _surroundings() -> dict[str, object]:
-    from tests.fork_client import surroundings  # which imports what only Unix has
+    from tests.fork_client import READ_AT_START, surroundings  # which imports what only Unix has
 
-    return surroundings()
+    read = {name: value for name, value in os.environ.items() if name.startswith(READ_AT_START)}
+    read.setdefault("OPENBLAS_NUM_THREADS", "1")  # as `crs` sets it, where a test runs that itself
+    return {**surroundings(), "environment": read}
 
 
 _servers: list[Server] = []

@@ -109,11 +109,13 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_runtest_teardown() -> Iterator[None]:
+def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> Iterator[None]:
     yield
+    if nextitem is not None and nextitem.path == item.path:  # may be with what all of a file share
+        return
     changed = commands.left_behind()
     if changed:
-        pytest.fail(f"this test has left behind what later ones would meet: {changed}")
+        pytest.fail(f"tests of this file have left behind what later ones would meet: {changed}")
 
 
 def pytest_collection_finish() -> None:

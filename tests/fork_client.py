@@ -20,6 +20,12 @@ FORWARDED = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGUSR1", "SIGUSR2", "SI
 NAMESPACES = ("mnt", "net")
 """What a fork can enter."""
 
+READ_AT_START = (
+    *("PYTHON", "LC_", "LANG", "LANGUAGE", "LD_", "MALLOC_", "GLIBC_", "OPENBLAS_", "OMP_"),
+    *("NPY_", "RUST_", "TZ", "TEXTUAL"),
+)
+"""How environment variables begin that Python or a library reads once."""
+
 LIMITS = [each for each in vars(resource) if each.startswith("RLIMIT_")]
 
 

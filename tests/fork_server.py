@@ -29,7 +29,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Final
 
-from fork_client import FORWARDED, NAMESPACES, surroundings
+from fork_client import FORWARDED, NAMESPACES, READ_AT_START, surroundings
 
 PACKAGE: Final = Path(__file__).parents[1] / "crs_cc"
 
@@ -43,12 +43,6 @@ MOST_FILES: Final = 1024
 
 SILENCE_S: Final = 30.0
 """A client that says so long nothing does not get what it wants."""
-
-READ_AT_START: Final = (
-    *("PYTHON", "LC_", "LANG", "LANGUAGE", "LD_", "MALLOC_", "GLIBC_", "OPENBLAS_", "OMP_"),
-    *("NPY_", "RUST_", "TZ", "TEXTUAL"),
-)
-"""How environment variables begin that Python or a library reads once."""
 
 ONE_THREAD: Final = {b"OPENBLAS_NUM_THREADS": b"1"}
 """What `crs` sets itself, before it imports NumPy."""

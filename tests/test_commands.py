@@ -202,6 +202,10 @@ def test_what_a_test_changes_for_good_is_noticed(monkeypatch: pytest.MonkeyPatch
         resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
     assert commands.left_behind().startswith("limits: ")  # they have changed again
     assert commands.left_behind() == ""
+    monkeypatch.setenv("OMP_NUM_THREADS", "3")
+    assert commands.left_behind().startswith("environment: ")
+    monkeypatch.undo()
+    assert commands.left_behind().startswith("environment: ")
     monkeypatch.setattr(server.process, "poll", lambda: -9)
     monkeypatch.setattr(commands, "_servers", [server])
     assert "has ended with -9" in commands.left_behind()

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
+from unittest import mock
 
 import pytest
 
@@ -31,9 +32,12 @@ def dask() -> Iterator[LocalCluster]:
     """A cluster of two workers on this machine."""
     from distributed import LocalCluster
 
-    with LocalCluster(  # type: ignore[no-untyped-call]
-        n_workers=2, threads_per_worker=1, dashboard_address=None
-    ) as found:
+    with (
+        mock.patch.dict(os.environ),  # in which it leaves what its processes are to have
+        LocalCluster(  # type: ignore[no-untyped-call]
+            n_workers=2, threads_per_worker=1, dashboard_address=None
+        ) as found,
+    ):
         yield found
 
 

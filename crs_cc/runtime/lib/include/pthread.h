@@ -1,4 +1,4 @@
-/* POSIX threads for single-threaded programs: locks, pthread_once, pthread_self. None can be created. */
+/* POSIX threads for single-threaded programs: locks, pthread_once, pthread_self; no new threads. */
 #ifndef _PTHREAD_H
 #define _PTHREAD_H
 
