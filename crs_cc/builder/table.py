@@ -133,7 +133,7 @@ _ABOUT: Final = (
 ROWS: Final = (
     Operation("add", "Add an element with these attributes.", "none", (
         Field("kind", str, "The tag, such as box.", required=True),
-        Field("into", str, "The element around it, such as define[table]. Default: the world.", ""),
+        Field("into", str, "The parent element, such as define[table]. Default: the world.", ""),
         Field("text", str, "The text content.", ""),
     ), attributes=True),
     Operation("set", "Set attributes of elements; an empty one is removed.", "some",
@@ -154,7 +154,7 @@ ROWS: Final = (
         Field("axis", ("x", "y"), "x exchanges left and right, y up and down.", "x"),
         Field("at", LENGTH, "Position of the mirror axis. Default: the middle."),
     )),
-    Operation("scale", "Scale elements in x and y; heights stay.", "some", (
+    Operation("scale", "Scale elements in x and y; heights are unchanged.", "some", (
         Field("factor", float, "The factor, such as 2 for twice as large.", required=True), *_ABOUT,
     )),
     Operation("array", "Copy elements into columns and rows.", "some", (
@@ -164,9 +164,9 @@ ROWS: Final = (
         Field("y", LENGTH, "Distance between rows.", 0.0),
     )),
     Operation("ring", "Copy elements around a point, evenly spaced.", "some", (
-        Field("count", int, "Number of each, the original included.", required=True),
-        Field("x", LENGTH, "The point's x. Default: of sonars, the robot's centre."),
-        Field("y", LENGTH, "The point's y. Default: of sonars, the robot's centre."),
+        Field("count", int, "Number of copies of each, including the original.", required=True),
+        Field("x", LENGTH, "The point's x. Default for sonars: the robot's centre."),
+        Field("y", LENGTH, "The point's y. Default for sonars: the robot's centre."),
     )),
     Operation("align", "Align sides or centres of elements.", "some", (
         Field("side", SIDES, "The side.", required=True),

@@ -19,16 +19,17 @@ Examples:
 """
 
 
-@click.command(epilog=_EXAMPLES, short_help="Draw and change a world in the browser.")
+@click.command(epilog=_EXAMPLES, short_help="Draw or edit a world in the browser.")
 @click.argument("world", required=False, type=click.Path(path_type=Path))
 @click.argument("program", required=False, type=click.Path(exists=True, path_type=Path))
 @page_options
 def build(world: Path | None, program: Path | None, port: int, *, opens: bool) -> int:
-    """Draw a world in the browser, or change one: walls, objects, ramps, robots.
+    """Draw or edit a world in the browser: walls, objects, ramps, robots.
 
-    The file is changed in place: comments, order and units stay as they are. It is saved when it is
-    valid. Try runs the world with the programs that it names, or with the one given here. The page
-    is served to this machine only; anyone who has the printed address can change the world.
+    The file is edited in place: comments, order and units are preserved. It is saved when it is
+    valid. The button Try runs the world with the programs that it names, or with the one given
+    here. The page is served to this machine only; anyone who has the printed address can change the
+    world.
     """
     from crs_cc.cli.start_build import serve_builder
 

@@ -53,7 +53,7 @@ def cache(context: click.Context) -> int:
 
 @cache.command(epilog="\b\nExamples:\n  crs cache clear", short_help="Remove all entries.")
 def clear() -> int:
-    """Remove all entries; programs are compiled again when they are run next."""
+    """Remove all entries; programs are compiled again the next time they run."""
     from crs_cc.toolchain.cache_size import remove
 
     folder = _folder()

@@ -17,11 +17,11 @@ VARIABLE: Final = "_CRS_COMPLETE"
 """Where such a script says what it wants, as click expects it of a command `crs`."""
 
 
-@click.command(epilog=_EXAMPLES, short_help="Print a script for completion in a shell.")
+@click.command(epilog=_EXAMPLES, short_help="Print a shell completion script.")
 @click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
 @click.pass_context
 def completion(context: click.Context, shell: str) -> int:
-    """Print the script with which a shell completes commands, options and file names of crs."""
+    """Print a script for shell completion of crs commands, options and file names."""
     from click.shell_completion import get_completion_class
 
     made = get_completion_class(shell)

@@ -128,7 +128,8 @@ class _Targets:
     default=1024,
     show_default=True,
     metavar="MIB",
-    help="Memory to compile a program, on Linux: a last resort. A running one has 16 MiB.",
+    help="Memory limit for compiling a program, on Linux: a last resort. A running program has "
+    "16 MiB.",
 )
 @click.option(
     "--max-compile",
@@ -137,7 +138,7 @@ class _Targets:
     default=60.0,
     show_default=True,
     metavar="S",
-    help="Real time to compile: the last resort.",
+    help="Limit of the real time for compiling: a last resort.",
 )
 @click.option(
     "--max-wall",
@@ -146,7 +147,7 @@ class _Targets:
     default=300.0,
     show_default=True,
     metavar="S",
-    help="Real time of a run after that: the last resort.",
+    help="Limit of the real time of a run, without compiling: a last resort.",
 )
 @program_options.robot_options
 @click.option("-q", "--quiet", is_flag=True, help="Do not write the grades to stdout.")
@@ -163,8 +164,8 @@ def grade(
     each seed, in a process of its own, as the program of the robots for which the world names none.
     Links are not followed, and outside a submission, only files named by --file can be read.
 
-    The same submissions get the same grades on every machine, unless a limit of real time, the last
-    resort, ends a run; the grade then reports it. The exit status is 0 whatever the grades are.
+    The same submissions get the same grades on every machine, unless a run exceeds a limit of real
+    time, a last resort; the grade then says so. The exit status is 0 regardless of the grades.
     """
     from crs_cc.cli.grading.grading import Settings
     from crs_cc.cli.grading.job import Limits, Robots

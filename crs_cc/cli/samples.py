@@ -39,7 +39,7 @@ Examples:
 )
 @click.pass_context
 def samples(context: click.Context) -> int:
-    """List the sample programs and worlds that come with crs, with one line on each."""
+    """List the sample programs and worlds of crs, with a one-line description of each."""
     if context.invoked_subcommand is not None:
         return 0
     from crs_cc.cli.sample_files import all_samples

@@ -98,7 +98,7 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     "--tokens",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Tokens that permit access: lines of a role (robot, view or control) and a token. "
+    help="Tokens that permit access: each line has a role (robot, view or control) and a token.  "
     "Default: new tokens, which are printed.",
 )
 @click.option(
@@ -121,7 +121,7 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
 @click.option(
     "--insecure",
     is_flag=True,
-    help="Permit other machines without TLS: tokens and programs can be intercepted.",
+    help="Accept other machines without TLS: tokens and programs can be intercepted.",
 )
 @click.option(
     "--only-tcp",
@@ -181,7 +181,9 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     "--unchecked", is_flag=True, help="Do not check memory accesses of programs on the cluster."
 )
 @click.option(
-    "--trap-overflow", is_flag=True, help="Stop a program on the cluster at signed overflow."
+    "--trap-overflow",
+    is_flag=True,
+    help="Stop programs on the cluster on signed integer overflow.",
 )
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")
 @compiler_options
@@ -195,7 +197,7 @@ def serve(
     shows: bool,
     **options: Any,
 ) -> int:
-    """Run a world whose robots' programs are on other machines, or in other processes.
+    """Run a world whose robots' programs run on other machines, or in other processes.
 
     The run starts when crs join has provided a program for each robot. It is the same as that of
     crs run, to the bit, for any number of hosts, at any speed, connecting in any order. Files that

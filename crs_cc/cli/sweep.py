@@ -75,7 +75,7 @@ def sweep() -> None:
     help="Run on the Dask cluster with this scheduler, such as tcp://hall:8786, instead of on this "
     "machine (extra 'cluster').",
 )
-@click.option("--resume", is_flag=True, help="Go on with a sweep that was interrupted.")
+@click.option("--resume", is_flag=True, help="Continue an interrupted sweep.")
 @click.option("--parquet", is_flag=True, help="Write runs.parquet as well (extra 'arrow').")
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only.")
 def run_sweep(
@@ -92,11 +92,11 @@ def run_sweep(
 
     EXPERIMENT.toml names a world, programs and what is varied; docs/experiments.md describes it.
     Everything is checked and compiled before the first run. Each run is a row of DIR/runs.csv with
-    its parameters, seed, status, goals and measures; one that fails is a row with its error, and
+    its parameters, seed, status, goals and measures; a failed run is a row with its error, and
     is recorded for crs debug in DIR/failed. The table does not depend on --jobs or --dask, nor on
     interruptions.
 
-    The exit status is 0 if all runs ended as they should, otherwise 1.
+    The exit status is 0 if no run failed, otherwise 1.
     """
     from crs_cc.cli.columnar import check_pyarrow, write_records
     from crs_cc.jobs.cluster import ClusterError

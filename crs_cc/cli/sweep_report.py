@@ -31,20 +31,20 @@ _CELL_M: Final = 0.1
     "--measure",
     default="",
     metavar="COLUMN",
-    help="What to report on, a column of the table. Default: what was searched for, else the time "
+    help="The column of the table to report on. Default: the measure of a search, else the time "
     "of the first goal that was met, else the points.",
 )
 @click.option(
     "--replays/--no-replays",
     default=True,
-    help="Run three runs again, and link pages that replay them. Default: do so.",
+    help="Repeat three runs, and link pages that replay them (default).",
 )
 def report(*, folder: Path, measure: str, replays: bool) -> int:
     """Report on the sweep in DIR: write DIR/report.html, DIR/summary.csv and DIR/figures.
 
-    It has medians with quartiles and bootstrapped intervals over the seeds, tests and effect sizes,
-    figures, and replays of the runs with the smallest, the median and the largest value. It needs
-    the extra 'analysis'.
+    It has medians with quartiles and bootstrap confidence intervals over the seeds, tests and
+    effect sizes, figures, and replays of the runs with the smallest, the median and the largest
+    value. The extra 'analysis' is required.
     """
     if not all(map(find_spec, _NEEDED)):
         raise click.UsageError(

@@ -25,8 +25,8 @@ _ANSWER_S: Final = 2.0
 _EXAMPLES: Final = """
 \b
 Examples:
-  crs view wander.c room.xml                     watch, steer and debug a run
-  crs view convoy.c platoon.xml --speed 5        five times as fast as real time
+  crs view wander.c room.xml                     watch, control and debug a run
+    crs view wander.c room.xml --play              start at once
   crs view run.mcap                              view a recorded run
   crs view new.mcap --compare old.mcap           where two recorded runs differ
   crs view wander.c room.xml --compare old.mcap  where a run differs from a recorded one
@@ -49,7 +49,7 @@ class _View(WithProgramArguments):
 @click.command(
     cls=_View,
     epilog=_EXAMPLES,
-    short_help="Watch, steer and debug a run in the browser.",
+    short_help="Watch, control and debug a run in the browser.",
     options_metavar="[OPTIONS]",
 )
 @page_options
@@ -73,7 +73,7 @@ class _View(WithProgramArguments):
     metavar="RECORDING",
     multiple=True,
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    help="Compare the run with a recorded one, which is drawn beside it; can be repeated.",
+    help="Compare the run with a recorded one, which is drawn beside it; may be repeated.",
 )
 @record_options
 @click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings.")

@@ -29,12 +29,16 @@ Examples:
 """
 
 
-@click.group(epilog=_EXAMPLES, short_help="Edit a world file by commands.", no_args_is_help=True)
+@click.group(
+    epilog=_EXAMPLES,
+    short_help="Edit a world file from the command line.",
+    no_args_is_help=True,
+)
 def world() -> None:
     """Edit a world file, a robot definition or a file of definitions.
 
-    Comments, order, spaces and units stay as they are; only what is changed is rewritten. The file
-    is replaced in one step, and only if the result is valid (crs check). Elements are
+    Comments, order, spaces and units are preserved; only what changes is rewritten. The file is
+    replaced atomically, and only if the result is valid (crs check). Elements are
     named by their ids, or by their paths: crate, surface/ramp[1], define[table]/leg0.
     """
 
@@ -76,7 +80,7 @@ def import_(file: Path, plan: Path, **given: Any) -> int:
 
     A plan is an SVG drawing (lines, polylines, polygons, rectangles, circles, paths of straight
     segments), a PNG picture whose dark pixels are walls, a world of Stage (.world), or SDF with
-    boxes and cylinders. What is left out is listed. Of a new world the area fits the plan.
+    boxes and cylinders. Whatever is omitted is listed. A new world gets an area that fits the plan.
     """
     from crs_cc.cli.edit_world import imported
 
@@ -91,7 +95,7 @@ def import_(file: Path, plan: Path, **given: Any) -> int:
 def export(file: Path, target: Path) -> int:
     """Write a picture of a world (.svg, .png), or its walls, boxes and cylinders for Gazebo (.sdf).
 
-    What is left out is listed.
+    Whatever is omitted is listed.
     """
     from crs_cc.cli.edit_world import exported
 

@@ -77,7 +77,9 @@ WORLD: Final = Group("World", (
     Function(
         "int get_robot_conf(long *conf)", "asks the user to select a position in the window",
         units="0.1 in, 0.1 in, 0.1 deg, 0.1 deg", posts=("GET_CONF",),
-        under_ndirect=_NOTHING, source=_BOTH, chosen="There is no user: FALSE.",
+        under_ndirect=_NOTHING, source=_BOTH,
+        chosen="Programs that crs compiles have no user to ask: FALSE. For linked programs,"
+               " the page of `crs serve` asks.",
     ),
 ))  # fmt: skip
 

@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 Status = Literal["ended", "run-time error", "limit", "time out", "crashed", "measure error"]
 
 STATUSES: Final[dict[Status, str]] = {
-    "ended": "the run ended regularly",
+    "ended": "the run ended normally",
     "run-time error": "a program was stopped by an error; the others went on",
     "limit": "a program computed or printed more than is allowed",
-    "time out": "the run exceeded `wall_s`, the last resort, which depends on the machine",
+    "time out": "the run exceeded `wall_s`, a last resort that depends on the machine",
     "crashed": "the process of the run died at each attempt",
     "measure error": "a function of `measures` failed",
 }

@@ -1,4 +1,4 @@
-"""The screen in the browser: watch, steer and debug a run.
+"""The screen in the browser: watch, control and debug a run.
 
 It is one more screen of the debug engine, beside prompt, full screen and editors: what a user does
 is an engine command, and part of the run's history.

@@ -325,8 +325,8 @@ BREAKPOINTS: Final = Group(
             "watch", "[-location] EXPRESSION [if CONDITION]",
             "Stop when the value of an expression changes.", partial(_watch, kind="change"),
             text="Stops after the statement that changed it (in reverse: before it). EXPRESSION is"
-            " evaluated anew each time: a[i] is another element when i has changed. With -location"
-            " (-l), it names an object, which is watched whatever EXPRESSION means later. A local"
+            " evaluated anew each time: a[i] is another element after i has changed. With -location"
+            " (-l), the object that EXPRESSION names now is watched. A local"
             " variable is watched until its function returns.",
             completes="expression",
         ),

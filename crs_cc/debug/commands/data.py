@@ -220,7 +220,7 @@ DATA: Final = Group(
         ),
         Command(
             "printf", '"FORMAT",EXPRESSION...', "Print values as the function printf would.",
-            _printf, text="FORMAT is that of C; a string is what a pointer or an array holds.",
+            _printf, text="FORMAT is that of C; %s prints the string in an array or at a pointer.",
             completes="expression",
         ),
         Command(
@@ -230,8 +230,8 @@ DATA: Final = Group(
         Command(
             "set", "[var] VARIABLE = EXPRESSION|SETTING VALUE",
             "Assign to a variable or memory, or change a setting.", _set,
-            text=f"{_CHANGES} Settings are {', '.join(each.name for each in SETTINGS)}; what is set"
-            " at a terminal is kept for later sessions.", completes="expression",
+            text=f"{_CHANGES} Settings are {', '.join(each.name for each in SETTINGS)}; settings"
+            " made at a terminal are kept for later sessions.", completes="expression",
         ),
         Command(
             "show", "[SETTING]", "Show the settings.", _show, completes="setting",

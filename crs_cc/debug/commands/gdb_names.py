@@ -37,7 +37,7 @@ LACKING: Final = (
     ("record, record stop", "the whole run is always recorded"),
     ("info registers, disassemble", "`crs compile --emit wat` prints a program's code"),
     ("handle, info signals", "programs receive only signals that they send to themselves"),
-    ("hbreak, thbreak", "`break` and `tbreak` will do: there are no hardware breakpoints"),
+    ("hbreak, thbreak", "use `break` and `tbreak`: there are no hardware breakpoints"),
     ("tui, layout, focus", "`crs debug --tui` starts in full-screen mode"),
     ("return", "set the variable on which the result depends, or go back"),
     (

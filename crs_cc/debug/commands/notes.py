@@ -80,7 +80,7 @@ NOTES: Final[tuple[Command, ...]] = (
     Command(
         "save run", "FILE.mcap", "Save the run up to here as a recording.", _save_run,
         text="It has the changes, the input, notes and breakpoints; crs debug FILE.mcap opens it."
-        " Only recordings are overwritten. save run.mcap will do for a file of that name.",
+        " Only recordings are overwritten. To save to run.mcap, \"save run.mcap\" suffices.",
         completes="file",
     ),
 )  # fmt: skip

@@ -174,7 +174,7 @@ _RANGE_TEXT: Final = (
 
 PAST: Final = Group(
     "past",
-    "Questions about the recorded run, without moving it.",
+    "Query the recorded run without moving it.",
     (
         Command(
             "when", "[CONDITION [FROM..TO]]",

@@ -187,7 +187,7 @@ RUNNING: Final = Group(
         Command(
             "run", "[-keep]", "Go to the start, then continue to the first breakpoint.",
             _run, ("r",),
-            text="The run begins anew: changes and what was typed for programs are forgotten, see"
+            text="The run starts over: changes and lines typed for programs are discarded, see"
             ' "info edits". With -keep, they are repeated.',
         ),
         Command(
@@ -217,7 +217,7 @@ RUNNING: Final = Group(
         Command(
             "finish", "", "Continue until the selected function returns, and show its value.",
             _finish, ("fin",),
-            text="It stops right behind the call, in the caller's line, before the value is used."
+            text="It stops right after the call, in the caller's line, before the value is used."
             ' The value is recorded, as by "print".',
             repeats="same",
         ),
@@ -272,12 +272,12 @@ RUNNING: Final = Group(
             text="TIME, in seconds, goes to the start of the timestep that contains it; tick N is"
             " the start of timestep N; stmt N is the point just before statement N of the robot's"
             ' program (see "when"), where returns from calls are counted, too. Breakpoints on the'
-            " way are ignored; end runs until all programs have ended. @N is an instant of the last"
+            " way are ignored; end runs until all programs have ended. @N is a position of the last"
             ' list (see "when" and "history"), output N the statement that printed line N of the'
             ' output (see "output /n").',
         ),
         Command(
-            "info program", "", "Show where the robot's program stands, and why it stopped.",
+            "info program", "", "Show where the robot's program is, and why it stopped.",
             _info_program,
         ),
         *SKIPPING,

@@ -128,8 +128,8 @@ SCRIPTS: Final = Group(
             completes="file",
         ),
         Command(
-            "echo", "TEXT", "Print a text.", _echo,
-            text=r"Escape sequences of C, such as \n and \t, have their meaning.",
+            "echo", "TEXT", "Print text.", _echo,
+            text=r"Escape sequences of C, such as \n and \t, are supported.",
         ),
     ),
 )  # fmt: skip

@@ -67,9 +67,9 @@ SKIPPING: Final = (
     Command(
         "skip", "[[function] NAME|file [FILE]|delete|enable|disable [N...]]",
         "Do not enter a function when stepping.", _skip,
-        text="Or any function of a file. step and reverse-step step over its calls, with all that"
-        " they call; breakpoints there stop all the same. Default is the current function. delete"
-        " ends it, for all without numbers.", completes="place",
+        text="With file, do not enter any function of a file. step and reverse-step step over these"
+        " calls and all that they call; breakpoints in them still stop. Default is the current"
+        " function. delete removes entries, all if no number is given.", completes="place",
     ),
     Command("info skip", "", "List the functions and files that are skipped.", _info_skip),
 )  # fmt: skip

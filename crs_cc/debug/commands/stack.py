@@ -264,7 +264,7 @@ STACK: Final = Group(
         ),
         Command(
             "frame", "[[level] N|function NAME]", "Select a frame, or show the selected one.",
-            _frame, ("f",), text="N is its number, NAME a function: then its innermost frame."
+            _frame, ("f",), text="N is its number; NAME selects the innermost frame of a function."
             " Expressions and listings refer to the selected frame.",
         ),
         Command("up", "[N]", "Select the caller's frame.", _up, repeats="same"),

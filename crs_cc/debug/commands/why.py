@@ -100,10 +100,10 @@ WHY: Final = Group(
             "why", "EXPRESSION", "Show where a value came from.", _why,
             text="Shows the last write of the object, what that was computed from, and so on:"
             " through assignments, arguments, returned values and messages of other robots, to"
-            " sensors, with the object that a beam met and the degradation that bent it. Of a value"
-            " of the world, such as leader.heading, it shows the motion command, contacts, changes"
-            ' by hand and degradations. The run stays where it is; "goto @3" goes to the instant'
-            " with that number.",
+            " sensors, with the object that a beam met and the degradation that changed it. For a"
+            " value of the world, such as leader.heading, it shows the motion command, contacts,"
+            " changes by hand and degradations. The run does not move;"
+            ' "goto @3" goes to the position with that number.',
             completes="expression",
         ),
     ),

@@ -226,13 +226,13 @@ CHANGES: Final = Group(
         ),
         Command(
             "info edits", "",
-            "List the changes to the run, and what was typed for programs.",
+            "List the changes to the run, and the lines typed for programs.",
             _info_edits, ("info changes",),
         ),
         Command(
             "undo", "[N]", "Undo a change, and go to where it was made.", _undo,
             text="N is its number, see \"info edits\"; all later changes are undone with it."
-            " Default is the last change. A line that was typed for a program is asked for again.",
+            " Default is the last change. A program waits again for a line that was typed for it.",
         ),
     ),
 )  # fmt: skip

@@ -265,7 +265,7 @@ EDITS: Final = {
     "move": Edit(
         "NAME to X Y [HEADING]",
         "Move a robot or a movable object to a free place.",
-        "As if by hand: a robot's odometry does not notice, its motors keep running, and what"
+        "As if by hand: a robot's odometry does not change, its motors keep running, and what"
         " it holds stays behind. X and Y are in metres, HEADING in degrees counter-clockwise from"
         " the x axis; all may have units.",
         _move,

@@ -108,19 +108,19 @@ MESSAGES: Final = {
     "shut": Edit(
         _SYNTAX["shut"],
         "Block messages that are sent from now on.",
-        "shut all blocks every link. With a time it begins then, or lasts so long.",
+        'shut all blocks every link. "at TIME" sets the start, "for TIME" the duration.',
         _shut,
     ),
     "open": Edit(
         _SYNTAX["open"],
         "Unblock a link that was shut with the same arguments.",
-        "With a time it is unblocked then.",
+        'With "at TIME", it is unblocked then.',
         _open,
     ),
     "message": Edit(
         _SYNTAX["message"],
         "Send a message, as if a robot's program had sent it.",
-        "It goes to all robots, on the channel radio and with type 0, unless told otherwise.",
+        "By default, it goes to all robots, on the channel radio and with type 0.",
         _message,
     ),
 }

@@ -17,8 +17,9 @@ _SYNTAX: Final = "reach NAME PORT|call ROBOT PORT|N accept|N refuse|N send TEXT|
 
 _HELP: Final = (
     "'reach' lets programs connect to a port of a computer that is not in the world; 'call' "
-    "connects to a robot's port. Connections are numbered from 0, those that programs open, too, "
-    "which wait until they are accepted or refused. In a text, \\n, \\r, \\t and \\xNN are bytes."
+    "connects to a robot's port. Connections are numbered from 0, including those that programs "
+    "open, which wait until they are accepted or refused. In a text, \\n, \\r, \\t and \\xNN are "
+    "bytes."
 )
 
 NETWORK_HELP: Final = (

@@ -176,22 +176,22 @@ RUN_EDITS: Final = {
     "sleep": RunEdit(
         _SLEEP,
         "Put a robot's program to sleep for a time.",
-        "Its motors go on as they were told, and its processor stands still.",
+        "Its motors continue to follow their last command; its processor is idle.",
         _sleep,
     ),
     "network": RunEdit(*NETWORK_HELP, change_network),
-    "wake": RunEdit("ROBOT", "Wake a robot's program, whatever it sleeps for.", "", _wake),
+    "wake": RunEdit("ROBOT", "Wake a robot's program from any kind of sleep.", "", _wake),
     "delay": RunEdit(
         "ROBOT [ROBOT ...]",
         "Keep robots out of the world until 'join ROBOT'.",
-        "Only before anything else happens. It is as if the world gave that as their time to join.",
+        "Only at the start of a run. It has the effect of a join time in the world file.",
         _delay,
     ),
     "join": RunEdit(
         f"{_JOIN}, or ROBOT [ROBOT ...]",
         "Add a robot of the kind of another: join two like robot0 to 1 2.",
         "It runs the same program, or another one of the run, by its name. With names alone, "
-        "robots of the world join now whose time to join is later, or when their place is free.",
+        "robots of the world whose join time is later join now, or when their place is free.",
         _join,
     ),
 }

@@ -66,16 +66,16 @@ STEERING: Final = {
     "drive": Edit(
         _DRIVE,
         "Set the speed of a robot's motors: drive robot0 0.3 45.",
-        "As its program's vm does: SPEED is in m/s, TURN in degrees a second, counter-clockwise."
+        "Like vm in its program: SPEED is in m/s, TURN in degrees per second, counter-clockwise."
         " The next command of its program replaces it.",
         _drive,
     ),
     "hold": Edit(
         "ROBOT",
-        "Keep a robot's motors from turning, whatever its program wants.",
-        "It is a degradation of its drive, by the name hold-ROBOT.",
+        "Keep a robot's motors from turning, regardless of its program's commands.",
+        "It is a degradation of its drive, named hold-ROBOT.",
         _hold,
     ),
-    "release": Edit("ROBOT", "Let go of a robot that is held.", "", _release),
+    "release": Edit("ROBOT", "Release a robot that is held.", "", _release),
 }
 """Changes by name."""
