@@ -35,7 +35,7 @@ ALIVE_S: Final = 0.4
 MAGIC: Final = b"CRS slots\r\n\x1a"
 """The first bytes of a connection: no request of HTTP and no greeting of TLS begins so."""
 
-PROTOCOL: Final = 5
+PROTOCOL: Final = 6
 """The version of what is said here."""
 
 
@@ -105,6 +105,26 @@ class Message(NamedTuple):
     content: bytes
 
 
+class Way(NamedTuple):
+    """A way between two processes of one machine: a connection for each direction.
+
+    With one connection for both, whoever waits for an answer is also woken when its question is
+    read, because it might wait for room to send more.
+
+    Attributes:
+        into: the connection on which to receive.
+        out: the connection on which to send.
+    """
+
+    into: socket.socket
+    out: socket.socket
+
+    def close(self) -> None:
+        """Close both connections."""
+        for each in self:
+            each.close()
+
+
 class Channel:
     """A connection, over which any thread may send and one may receive.
 
@@ -123,7 +143,7 @@ class Channel:
         with contextlib.suppress(OSError):  # a socket of another family
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.is_closed = False
-        self._connection = self._sender = connection  # the same, but while it moves
+        self._connection = self._sender = connection  # two once it has moved
         self._sends_sums = self._expects_sums = True
         self.limit_silence(SILENCE_S if silence_s is None else silence_s)
         self._sending, self._receiving = threading.Lock(), threading.Lock()
@@ -144,7 +164,8 @@ class Channel:
         """
         self._silence_s = silence_s
         try:
-            limit_waits(self._connection, silence_s)
+            for each in {self._connection, self._sender}:
+                limit_waits(each, silence_s)
         except OSError as error:
             raise ConnectionLostError(_reason(error)) from None
 
@@ -281,14 +302,14 @@ class Channel:
         finally:
             self._receiving.release()
 
-    def move(self, connection: socket.socket, *, is_told: bool) -> None:
+    def move(self, way: Way, *, is_told: bool) -> None:
         """Go another way, between two processes of one machine, on which nothing is damaged.
 
         What each side says last on the old way is that it moves; so nothing is lost or doubled,
         though another thread may be sending. On the new way, contents have no checksums.
 
         Args:
-            connection: the other way, which is closed with this channel.
+            way: the other way, which is closed with this channel.
             is_told: whether the other side has said already that it moves.
 
         Raises:
@@ -296,13 +317,13 @@ class Channel:
         """
         with self._sending:
             self._send(Kind.MOVED, MOVES)
-            self._sender, self._sends_sums = connection, False
+            self._sender, self._sends_sums = way.out, False
         if not is_told and self.receive(Kind.MOVED, within_s=GREETING_S).content != MOVES:
             raise ConnectionLostError("it does not move")
         with self._receiving:
             if self._rest:
                 raise ConnectionLostError(_DAMAGED)
-            self._connection, old = connection, self._connection
+            self._connection, old = way.into, self._connection
             self._expects_sums = False
         self.limit_silence(self._silence_s)
         old.close()

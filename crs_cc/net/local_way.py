@@ -25,7 +25,7 @@ import sys
 import time
 from typing import Final, Self
 
-from crs_cc.net.channel import GREETING_S, ConnectionLostError
+from crs_cc.net.channel import GREETING_S, ConnectionLostError, Way
 from crs_cc.net.tls import Connection
 
 _MAPPED: Final = "::ffff:"
@@ -54,7 +54,7 @@ def ends(connection: Connection) -> str:
 
 
 class Offer:
-    """A local socket to which one host may connect.
+    """A local socket to which one host may connect: first for what it sends, then for the rest.
 
     Attributes:
         name: the name by which the host finds it.
@@ -66,18 +66,27 @@ class Offer:
         self._listener = socket.socket(socket.AF_UNIX)
         try:
             self._listener.bind(_PREFIX + self.name)
-            self._listener.listen(1)
+            self._listener.listen(2)
         except OSError:
             self._listener.close()
             raise
 
-    def taken(self) -> socket.socket:
-        """Return the connection of a host that says that it has connected.
+    def taken(self) -> Way:
+        """Return the way of a host that says that it has connected.
 
         Raises:
             ConnectionLostError: it has not.
         """
         end_s = time.monotonic() + GREETING_S
+        into = self._accepted(end_s)
+        try:
+            return Way(into, self._accepted(end_s))
+        except ConnectionLostError:
+            into.close()
+            raise
+
+    def _accepted(self, end_s: float) -> socket.socket:
+        """Return the next connection of a process of our user, up to a time."""
         while (left_s := end_s - time.monotonic()) > 0.0:
             self._listener.settimeout(left_s)
             with contextlib.suppress(OSError):
@@ -109,8 +118,18 @@ def offered(connection: Connection, seen: str) -> Offer | None:
         return None  # by a sandbox, or without descriptors: it works as well without
 
 
-def take(name: str) -> socket.socket | None:
-    """Return a connection to an environment that has offered it; None if it is not to be had."""
+def take(name: str) -> Way | None:
+    """Return the way to an environment that has offered it; None if it is not to be had."""
+    out = _connected(name)
+    into = out and _connected(name)
+    if out is None or into is None:
+        if out is not None:
+            out.close()
+        return None
+    return Way(into, out)
+
+
+def _connected(name: str) -> socket.socket | None:
     connection = socket.socket(socket.AF_UNIX)
     try:
         connection.settimeout(GREETING_S)

@@ -96,11 +96,11 @@ def visit(
 
 def _move(channel: Channel, offer: str) -> None:
     """Go the way that an environment offers, or tell it that this is not possible."""
-    connection = take(offer)
-    if connection is None:
+    way = take(offer)
+    if way is None:
         channel.send(Kind.MOVED)
     else:
-        channel.move(connection, is_told=False)
+        channel.move(way, is_told=False)
 
 
 def _welcome(channel: Channel) -> tuple[tuple[str, ...], tuple[str, ...], bool, str]:

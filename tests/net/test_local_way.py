@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import random
+import resource
 import socket
 import struct
 import sys
 import threading
+import time
 from collections.abc import Iterator
 
 import pytest
 
 from crs_cc.net import local_way
 from crs_cc.net.access import Access
-from crs_cc.net.channel import Channel, ConnectionLostError, Kind, Pulse
+from crs_cc.net.channel import Channel, ConnectionLostError, Kind, Pulse, Way
 from crs_cc.net.gate import Gate, bound
 from crs_cc.net.handshake import Hello, Program, devices_digest
 from crs_cc.net.roster import Roster
@@ -128,20 +130,23 @@ def test_a_connection_that_is_gone_has_no_ends(proxy: socket.socket) -> None:
 
 
 def test_other_users_do_not_take_what_is_offered(monkeypatch: pytest.MonkeyPatch) -> None:
-    owners = [False, True]
+    owners = [False, True, True]
     with local_way.Offer() as offer:
-        strange, own = local_way.take(offer.name), None
+        strange, own = (socket.socket(socket.AF_UNIX) for _ in range(2))
         thread = threading.Thread(target=lambda: taken.append(offer.taken()))
-        taken: list[socket.socket] = []
+        taken: list[Way] = []
+        strange.connect("\0crs-" + offer.name)
         monkeypatch.setattr(local_way, "_is_own", lambda _connection: owners.pop(0))
         thread.start()
-        assert strange
         assert strange.recv(1) == b""
-        own = socket.socket(socket.AF_UNIX)
         own.connect("\0crs-" + offer.name)
-        thread.join()
-    own.sendall(b"own")
-    assert taken[0].recv(3) == b"own"
+        with socket.socket(socket.AF_UNIX) as back:
+            back.connect("\0crs-" + offer.name)
+            thread.join()
+            own.sendall(b"own")
+            assert taken[0].into.recv(3) == b"own"
+            taken[0].out.sendall(b"back")
+            assert back.recv(4) == b"back"
     for each in (strange, own, *taken):
         each.close()
 
@@ -152,10 +157,50 @@ def test_who_says_that_it_has_come_and_has_not_is_lost(monkeypatch: pytest.Monke
         offer.taken()
 
 
+def test_who_comes_by_half_a_way_is_lost(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(local_way, "GREETING_S", 0.05)
+    with local_way.Offer() as offer, socket.socket(socket.AF_UNIX) as half:
+        half.connect("\0crs-" + offer.name)
+        with pytest.raises(ConnectionLostError, match="not taken"):
+            offer.taken()
+        assert half.recv(1) == b""
+
+
+def test_who_waits_for_an_answer_is_not_woken_when_its_question_is_read() -> None:
+    with local_way.Offer() as offer:
+        one = local_way.take(offer.name)
+        assert one
+        other = offer.taken()
+    asker, answerer, count = Channel(one.out), Channel(other.into), 50
+    for channel, way in ((asker, one), (answerer, other)):
+        channel._connection, channel._sender = way
+    switches: list[int] = []
+
+    def ask() -> None:
+        begin = resource.getrusage(resource.RUSAGE_THREAD).ru_nvcsw
+        for _ in range(count):
+            asker.send(Kind.RAN, b"question")
+            asker.receive(Kind.GRANT)
+        switches.append(resource.getrusage(resource.RUSAGE_THREAD).ru_nvcsw - begin)
+
+    thread = threading.Thread(target=ask)
+    thread.start()
+    for _ in range(count):
+        time.sleep(0.001)  # until it waits
+        answerer.receive(Kind.RAN)
+        time.sleep(0.001)  # until it has been woken, if it is
+        answerer.send(Kind.GRANT)
+    thread.join()
+    one.close()
+    other.close()
+    assert switches[0] < 1.6 * count
+
+
 def test_nothing_is_lost_while_other_threads_send() -> None:
     for _ in range(20):
         one, other = map(Channel, socket.socketpair())
-        ways = socket.socketpair()
+        (there, here), (back, forth) = socket.socketpair(), socket.socketpair()
+        ways = Way(back, there), Way(here, forth)
         done = threading.Event()
 
         def chatter(channel: Channel, done: threading.Event = done) -> None:
@@ -163,7 +208,7 @@ def test_nothing_is_lost_while_other_threads_send() -> None:
                 channel.send(Kind.ALIVE)
                 done.wait(0.0002)
 
-        def answer(other: Channel = other, way: socket.socket = ways[1]) -> None:
+        def answer(other: Channel = other, way: Way = ways[1]) -> None:
             other.receive(Kind.MOVED)
             other.move(way, is_told=True)
             other.receive(Kind.GRANT)
