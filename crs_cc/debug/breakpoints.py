@@ -36,6 +36,7 @@ class Breakpoint:
         every: of so many hits only the last stops the run.
         hits: how often it was hit, ignored hits included.
         temporary: whether it is deleted when hit.
+        stops_left: after how many more stops it is disabled, 0 if it is; None for never.
         enabled: whether it is enabled.
         robot: the only robot that it stops; None for all robots.
         log: the message to log instead of stopping, with C expressions in braces; empty to stop.
@@ -51,9 +52,16 @@ class Breakpoint:
     every: int = 1
     hits: int = 0
     temporary: bool = False
+    stops_left: int | None = None
     enabled: bool = True
     robot: int | None = None
     log: str = ""
+
+    def has_stopped(self) -> None:
+        """Count a stop, and disable it after the last one that it was enabled for."""
+        if self.stops_left is not None:
+            self.stops_left = max(0, self.stops_left - 1)
+            self.enabled = self.stops_left > 0
 
     def concerns(self, robot: int) -> bool:
         """Return whether it is enabled for a robot."""

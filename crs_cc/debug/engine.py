@@ -339,9 +339,7 @@ class Debugger:
             self.view.robot = stop.robot
         elif self.view.robot >= len(self.names):  # a robot that has been added, and is no more
             self.view.robot = 0
-        for number in stop.breakpoints:
-            if self.stop_points.breakpoints.get(number).temporary:
-                self.stop_points.breakpoints.remove(number)
+        self.stop_points.have_stopped(stop.breakpoints)
         frames = (each for each in self.view.frames() if each.active.function == stop.function)
         about = next(frames, None)
         self.view.frame = self.view.first_own_frame() if about is None else about.number

@@ -40,6 +40,7 @@ def kept_stops(points: StopPoints) -> Iterator[dict[str, Any]]:
                 "every": each.every,
                 "robot": -1 if each.robot is None else each.robot,
                 "enabled": each.enabled,
+                **({} if each.stops_left is None else {"stops_left": each.stops_left}),
             }
 
 
@@ -77,6 +78,7 @@ def _restore(points: StopPoints, data: Mapping[str, Any], robots: int) -> None:
         case _:
             return
     made.log, made.enabled = _text(data, "log"), bool(data.get("enabled", True))
+    made.stops_left = max(0, int(data["stops_left"])) if "stops_left" in data else None
     made.every = max(1, int(data.get("every", 1)))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -228,7 +228,30 @@ class StopPoints:
         own = self.breakpoints.get(number)
         if on and own.watch and not own.enabled and own.robot is not None:
             self._make_room(own.robot)
+        if on and own.stops_left == 0:
+            own.stops_left = 1
         own.enabled = on
+
+    def enable_for(self, number: int, stops: int | None) -> None:
+        """Enable a breakpoint for some stops.
+
+        Args:
+            number: its number.
+            stops: after how many stops it is disabled; None to delete it after the first.
+
+        Raises:
+            DebugError: it does not exist.
+        """
+        self.enable(number)
+        own = self.breakpoints.get(number)
+        own.temporary, own.stops_left = stops is None, stops
+
+    def have_stopped(self, numbers: Iterable[int]) -> None:
+        """Disable or delete the breakpoints that have stopped the run for the last time."""
+        for own in map(self.breakpoints.get, numbers):
+            own.has_stopped()
+            if own.temporary:
+                self.breakpoints.remove(own.number)
 
     def ignore(self, number: int, count: int) -> None:
         """Ignore the next hits of a breakpoint; raise DebugError if it does not exist."""

@@ -72,11 +72,13 @@ def test_breakpoints_are_in_the_recording_and_set_when_it_is_opened(
     line = 1 + [each.strip() for each in DRIVES.splitlines()].index("scout_vm(speed, 0);")
     shown(
         capfd, f"break {line} if speed == 120", "watch speed", "catch collision", "disable 3",
+        "enable count 3 1",
         "goto 1", "set var speed = 120", "goto 2", "save run run.mcap", file="drive.c",
     )  # fmt: skip
     said = shown(capfd, "info breakpoints", "delete 2", "continue", "print speed", file="run.mcap")
     assert f"drive.c:{line}" in said
     assert "speed == 120" in said
+    assert "will be disabled after 3 stops" in said
     assert "collision" in said
     assert "$1 = 120" in said
 

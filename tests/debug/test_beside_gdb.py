@@ -30,18 +30,19 @@ SESSIONS: Final = [
     if not line.startswith("#")
 ]
 
-SHOWS: Final = re.compile(r"(print|call|whatis|info (locals|args))\b")
+SHOWS: Final = re.compile(r"(print|call|whatis|show values|info (locals|args))\b")
+_LINES: Final = re.compile(r"^[=>* ]*(\d+)(?=\s|$)", re.MULTILINE)
 LISTED: Final = {
-    "list": re.compile(r"^[=>* ]*(\d+)(?=\s|$)", re.MULTILINE),
+    **dict.fromkeys(("list", "search", "forward-search", "reverse-search"), _LINES),
     "info line": re.compile(r"\A(?:Line |.*:)(\d+)\b"),
 }
 """The numbers of the lines that a command shows."""
 
 MOVES: Final = re.compile(r"(run|continue|next|step|finish|until|advance|up|down|frame)\b")
-NEWEST: Final = re.compile(r"(ignore|delete|disable) \$")
+NEWEST: Final = re.compile(r"(ignore|delete|disable|enable(?: once| delete| count \d)?) \$")
 
 SPELLING: Final = (
-    (r"^\$\d+ = ", ""),
+    (r"(?m)^\$\d+ = ", ""),
     (r"^type = ", ""),
     (r" \[", "["),  # in types
     (r"(\\000)+\"", '"'),  # gdb shows all bytes of an array of characters

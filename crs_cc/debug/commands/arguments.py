@@ -50,6 +50,7 @@ def parse_format(text: str) -> tuple[OutputFormat, str]:
     assert found
     digits, letters = found[1], found[2]
     sizes = [each for each in letters if each in _SIZES]
+    letters = letters.replace("r", "")  # "raw": there are no pretty-printers to leave out
     shapes = [each for each in letters if each in _LETTERS]
     if len(sizes) > 1 or len(shapes) > 1 or len(sizes) + len(shapes) < len(letters):
         raise DebugError(f"'/{digits}{letters}' is not a format: try \"help x\"")

@@ -19,10 +19,12 @@ from crs_cc.debug.commands.arguments import (
     require_argument,
     split_arguments,
 )
+from crs_cc.debug.commands.breakpoint_numbers import numbers, numbers_or_all
 from crs_cc.debug.commands.breakpoint_text import described, name_of
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext, CommandInput
 from crs_cc.debug.commands.display import remove_displays
+from crs_cc.debug.commands.enabling import DISABLE, DISPLAY, ENABLE, NUMBERS
 from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.commands.past import log_past
 from crs_cc.debug.commands.stack import functions
@@ -35,8 +37,6 @@ if TYPE_CHECKING:
 
 _LOCATION: Final = re.compile(r"-l(?:oc(?:ation)?)?(?:\s+|$)")
 _OFFSET: Final = re.compile(r"[+-]\d{1,6}")
-_BREAKPOINTS: Final = re.compile(r"(?:br|breakpoints?)(?:\s+|$)")
-_DISPLAY: Final = re.compile(r"display(?:\s+|$)")
 _MAX_FUNCTIONS: Final = 200
 
 
@@ -121,12 +121,15 @@ def _watch(context: CommandContext, text: str, *, kind: AccessKind) -> Answer:
     return _made(context, made)
 
 
-def _catch(context: CommandContext, text: str) -> Answer:
+def _catch(context: CommandContext, text: str, *, temporary: bool = False) -> Answer:
     where = parse_breakpoint_arguments(
         require_argument(text, "an event, such as exit or collision")
     )
     made = context.debugger.stop_points.add_catchpoint(
-        where.place, condition=where.condition, robot=_robot(context, where.robot)
+        where.place,
+        condition=where.condition,
+        robot=_robot(context, where.robot),
+        temporary=temporary,
     )
     return _made(context, made)
 
@@ -163,23 +166,11 @@ def _place(context: CommandContext, text: str) -> str:
     return f"{place.file}:{place.line + (int(text) if offset else 0)}"
 
 
-def _all_or(context: CommandContext, text: str) -> list[int]:
-    return _numbers(context, text) or [
-        each.number for each in context.debugger.stop_points.breakpoints
-    ]
-
-
-def _numbers(context: CommandContext, text: str) -> list[int]:
-    text = _BREAKPOINTS.sub("", text, count=1)
-    newest = max((each.number for each in context.debugger.stop_points.breakpoints), default=None)
-    return parse_numbers(text, newest)
-
-
 def _delete(context: CommandContext, text: str) -> Answer:
-    if display := _DISPLAY.match(text):
+    if display := DISPLAY.match(text):
         remove_displays(context.displays, parse_numbers(text[display.end() :]))
         return
-    for number in _all_or(context, text):
+    for number in numbers_or_all(context, text):
         context.debugger.stop_points.remove(number)
         context.scripts.pop(number, None)
     yield from ()
@@ -204,17 +195,11 @@ def _clear(context: CommandContext, text: str) -> Answer:
         yield f"Deleted breakpoint {number}."
 
 
-def _enable(context: CommandContext, text: str, *, on: bool) -> Answer:
-    for number in _all_or(context, text):
-        context.debugger.stop_points.enable(number, on=on)
-    yield from ()
-
-
 def _condition(context: CommandContext, text: str) -> Answer:
     number, _, condition = require_argument(
         text, "a breakpoint's number and a condition"
     ).partition(" ")
-    for each in _numbers(context, number):
+    for each in numbers(context, number):
         context.debugger.stop_points.set_condition(each, condition.strip())
         yield from _warned(context, context.debugger.stop_points.breakpoints.get(each))
         if not condition.strip():
@@ -224,28 +209,28 @@ def _condition(context: CommandContext, text: str) -> Answer:
 def _ignore(context: CommandContext, text: str) -> Answer:
     number, _, count = require_argument(text, "a breakpoint's number and a count").partition(" ")
     times = 0 if count.strip() == "0" else parse_count(require_argument(count, "an ignore count"))
-    for each in _numbers(context, number):
+    for each in numbers(context, number):
         context.debugger.stop_points.ignore(each, times)
         yield f"Will ignore next {times} crossings of breakpoint {each}."
 
 
 def _commands(context: CommandContext, text: str) -> Answer:
     known = [each.number for each in context.debugger.stop_points.breakpoints]
-    numbers = _numbers(context, text) or known[-1:]
-    if not numbers:
+    chosen = numbers(context, text) or known[-1:]
+    if not chosen:
         raise DebugError("no breakpoints")
-    missing = [each for each in numbers if each not in known]
+    missing = [each for each in chosen if each not in known]
     if missing:
         raise DebugError(f"no breakpoint {missing[0]}")
-    context.input = CommandInput(numbers)
-    shown = ", ".join(map(str, numbers))
+    context.input = CommandInput(chosen)
+    shown = ", ".join(map(str, chosen))
     yield (
         f"Type commands for breakpoint {shown}, one per line. End with a line saying just 'end'."
     )
 
 
 def _info(context: CommandContext, text: str, *, kind: str = "") -> Answer:
-    wanted = set(_numbers(context, text))
+    wanted = set(numbers(context, text))
     rows = [
         each
         for each in context.debugger.stop_points.breakpoints
@@ -265,6 +250,8 @@ def _info(context: CommandContext, text: str, *, kind: str = "") -> Answer:
             yield f"    breakpoint already hit {times}" + (
                 f", ignore next {one.ignore} hits" if one.ignore else ""
             )
+        if one.stops_left:
+            yield f"    will be disabled after {one.stops_left} stop{'s' * (one.stops_left > 1)}"
         yield from (f"        {line}" for line in context.scripts.get(one.number, ()))
 
 
@@ -290,9 +277,6 @@ _PLACES: Final = (
     " CONDITION uses the world and no local variable, the start of any timestep at which it"
     " becomes true. With several robots it stops any of them unless one is named. CONDITION is a"
     " C expression."
-)
-_NUMBERS: Final = (
-    "N is a number, a range such as 2-4, or $ for the newest breakpoint; default is all."
 )
 
 
@@ -349,6 +333,10 @@ BREAKPOINTS: Final = Group(
             _catch, text=f"EVENT is exit (a program ended) or {_kinds()}.", completes="catch",
         ),
         Command(
+            "tcatch", "EVENT [robot NAME]", "Set a catchpoint that is deleted when hit.",
+            partial(_catch, temporary=True), text='EVENT is that of "catch".', completes="catch",
+        ),
+        Command(
             "dprintf", 'LOCATION,"FORMAT",EXPRESSION...',
             "Print a formatted message without stopping.", _dprintf,
             text="FORMAT and values are those of printf.",
@@ -365,20 +353,14 @@ BREAKPOINTS: Final = Group(
         ),
         Command(
             "delete", "[N...]", "Delete breakpoints.", _delete, ("d",),
-            text=f'{_NUMBERS} "delete display" is "undisplay".', completes="breakpoint",
+            text=f'{NUMBERS} "delete display" is "undisplay".', completes="breakpoint",
         ),
         Command(
             "clear", "[LOCATION]", "Delete the breakpoints at a line or a function.", _clear,
             text='LOCATION is that of "break".', completes="place",
         ),
-        Command(
-            "disable", "[N...]", "Disable breakpoints.", partial(_enable, on=False),
-            text=_NUMBERS, completes="breakpoint",
-        ),
-        Command(
-            "enable", "[N...]", "Enable breakpoints.", partial(_enable, on=True),
-            ("en",), text=_NUMBERS, completes="breakpoint",
-        ),
+        DISABLE,
+        ENABLE,
         Command(
             "condition", "N [CONDITION]", "Make a breakpoint conditional on a C expression.",
             _condition, text="Without CONDITION, make it unconditional.", completes="breakpoint",

@@ -28,11 +28,19 @@ _UNITS: Final = {1: CHAR, 2: SHORT, 4: INT, 8: LLONG}
 
 @dataclass(frozen=True, slots=True)
 class Listing:
-    """The lines that `list` showed last: a file, the first line and the last."""
+    """The lines that `list` showed last.
+
+    Attributes:
+        file: their file.
+        first: the first line.
+        last: the last line.
+        is_found: whether it is a line that a search has found, which `list` shows in the middle.
+    """
 
     file: str
     first: int
     last: int
+    is_found: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +81,8 @@ class CommandContext:
         has_ended: whether the user has quit.
         depth: how many scripts are being read inside each other.
         settings: the values of the settings.
+        value_count: how many values have been printed.
+        shown_value: the number of the value that `show values` showed last.
     """
 
     def __init__(
@@ -91,7 +101,8 @@ class CommandContext:
         self.depth = 0
         self.settings = Settings()
         debugger.view.settings = self.settings.values
-        self._value_count = 0
+        self.value_count = 0
+        self.shown_value = 0
         self._selection: Selection | None = None
 
     def move(self, go: Callable[[], Stop]) -> Answer:
@@ -124,6 +135,8 @@ class CommandContext:
     def show_displays(self) -> Answer:
         """Show every display; leave out those that have no value here."""
         for number, display in self.displays.items():
+            if not display.is_enabled:
+                continue
             try:
                 yield f"{number}: {display.text(self.debugger)}"
             except DebugError:
@@ -154,7 +167,7 @@ class CommandContext:
 
     def record(self, value: Value) -> int:
         """Append a value to the value history; return its number there."""
-        self._value_count += 1
+        self.value_count += 1
         saved = self.debugger.view.convenience_values
-        saved[""] = saved[str(self._value_count)] = value
-        return self._value_count
+        saved[""] = saved[str(self.value_count)] = value
+        return self.value_count

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
@@ -21,6 +24,7 @@ from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.display import Display, remove_displays
 from crs_cc.debug.commands.formats import MAX_TEXT_LENGTH, dump, formatted, place_text, quoted
 from crs_cc.debug.commands.settings import SETTINGS, WITHOUT_EFFECT, parse_setting
+from crs_cc.debug.commands.show import SHOW
 from crs_cc.debug.commands.stack import frame, variable_text
 from crs_cc.debug.commands.type_declaration import declared
 from crs_cc.debug.errors import DebugError
@@ -31,13 +35,31 @@ if TYPE_CHECKING:
     from crs_cc.debug.data.variables import Variable
 
 _MAX_STRINGS: Final = 100
+_OPTION: Final = re.compile(r"-(elements|pretty)(?:\s+(on|off|unlimited|\d+))?\s+")
+_OPTIONS: Final = re.compile(rf"(?:{_OPTION.pattern})+--\s+")
 
 
 def _print(context: CommandContext, text: str) -> Answer:
+    if options := _OPTIONS.match(text):
+        chosen = [(f"print {name}", value or "on") for name, value in _OPTION.findall(options[0])]
+        with _changed(context, chosen):
+            yield from _print(context, text[options.end() :])
+        return
     wanted, expression = parse_format(text)
     value = context.debugger.evaluate(expression or "$")
     shown = formatted(value, wanted)
     yield shown if isinstance(value.type, VoidType) else f"${context.record(value)} = {shown}"
+
+
+@contextmanager
+def _changed(context: CommandContext, changes: list[tuple[str, str]]) -> Iterator[None]:
+    """Change settings for a while."""
+    try:
+        with context.settings.temporarily(changes):
+            context.apply_settings()
+            yield
+    finally:
+        context.apply_settings()
 
 
 def _printf(context: CommandContext, text: str) -> Answer:
@@ -64,10 +86,10 @@ def _set(context: CommandContext, text: str) -> Answer:
         text = require_argument(
             words[1] if len(words) > 1 else "", "an assignment, such as speed = 3"
         )
+    elif words[0] in WITHOUT_EFFECT and (len(words) == 1 or words[1][:1].isalnum()):
+        yield f"'{words[0]}' has no effect here: {WITHOUT_EFFECT[words[0]]}"
+        return
     if "=" not in text:
-        if words[0] in WITHOUT_EFFECT:
-            yield f"'{words[0]}' has no effect here: {WITHOUT_EFFECT[words[0]]}"
-            return
         raise DebugError(
             f"'{text}' is neither an assignment (VARIABLE = EXPRESSION) nor a setting"
             f" (known: {', '.join(each.name for each in SETTINGS)})"
@@ -76,12 +98,14 @@ def _set(context: CommandContext, text: str) -> Answer:
     yield from ()
 
 
-def _show(context: CommandContext, text: str) -> Answer:
-    found = [each for each in SETTINGS if each.name.startswith(text)]
-    if not found:
-        raise DebugError(unknown("setting", text, [each.name for each in SETTINGS]))
-    for each in found:
-        yield f"{each.name} = {each.text(context.settings[each.name])}: {each.summary}"
+def _with(context: CommandContext, text: str) -> Answer:
+    setting, _, command = text.partition(" -- ")
+    command = require_argument(command, "a command: with SETTING VALUE -- COMMAND")
+    found, value = parse_setting(setting)
+    if found is None:
+        raise DebugError(unknown("setting", setting, [each.name for each in SETTINGS]))
+    with _changed(context, [(found.name, value)]):
+        yield from context.execute(command)
 
 
 def _whatis(context: CommandContext, text: str) -> Answer:
@@ -89,9 +113,9 @@ def _whatis(context: CommandContext, text: str) -> Answer:
 
 
 def _ptype(context: CommandContext, text: str) -> Answer:
-    yield from declared(
-        context.debugger.view.type_of(require_argument(text, "an expression or a type"))
-    )
+    is_laid_out = text.startswith("/o")
+    named = require_argument(text.removeprefix("/o"), "an expression or a type")
+    yield from declared(context.debugger.view.type_of(named), is_laid_out=is_laid_out)
 
 
 def _examine(context: CommandContext, text: str) -> Answer:
@@ -158,7 +182,8 @@ def _info_display(context: CommandContext, _text: str) -> Answer:
     if not context.displays:
         yield "No displays."
     for number, display in context.displays.items():
-        yield f"{number}: {display.name}"
+        disabled = "" if display.is_enabled else "  (disabled)"
+        yield f"{number}: {display.name}{disabled}"
 
 
 def _variable(context: CommandContext, each: Variable) -> str:
@@ -208,14 +233,17 @@ DATA: Final = Group(
     "Expressions, variables and memory.",
     (
         Command(
-            "print", "[/FMT] [EXPRESSION]", "Print the value of a C expression.", _print,
+            "print", "[-OPTION... --] [/FMT] [EXPRESSION]", "Print the value of a C expression.",
+            _print,
             ("p", "inspect"),
             text="All operators, casts, macros and calls of the program's functions. Extensions:"
             " a[2..5] and *p@4 are slices, turn::count and 'map.c'::size are variables of"
             " other functions and files, $3 is a printed value, $ the last one, $$ the one before,"
             " $$4 the fourth before the last; $_ is the address that x examined last and $__ what"
             " is there, $_exitcode the exit status of the program; $name = 7 sets"
-            f" a convenience variable. Without EXPRESSION, print $. {_FORMATS} {_CHANGES}",
+            f" a convenience variable. Without EXPRESSION, print $. {_FORMATS} Options, -pretty"
+            " and -elements N, are the settings of print for this value, and end with --."
+            f" {_CHANGES}",
             completes="expression",
         ),
         Command(
@@ -234,8 +262,10 @@ DATA: Final = Group(
             " made at a terminal are kept for later sessions.", completes="expression",
         ),
         Command(
-            "show", "[SETTING]", "Show the settings.", _show, completes="setting",
+            "with", "SETTING VALUE -- COMMAND", "Execute a command with a setting changed.", _with,
+            completes="setting",
         ),
+        SHOW,
         Command(
             "display", "[/FMT] [EXPRESSION]", "Show an expression now and at every stop.", _display,
             text=f"Omitted where it cannot be evaluated. {_FORMATS}",
@@ -251,7 +281,8 @@ DATA: Final = Group(
             completes="expression",
         ),
         Command(
-            "ptype", "EXPRESSION|TYPE", "Print the definition of a type.", _ptype,
+            "ptype", "[/o] EXPRESSION|TYPE", "Print the definition of a type.", _ptype,
+            text="With /o, also offsets and sizes of members.",
             completes="expression",
         ),
         Command(

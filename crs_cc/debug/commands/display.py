@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from crs_cc.debug.commands.arguments import OutputFormat
@@ -16,10 +16,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Display:
-    """An expression and its output format."""
+    """An expression and its output format, and whether it is shown at stops."""
 
     expression: str
     format: OutputFormat
+    is_enabled: bool = True
 
     @property
     def name(self) -> str:
@@ -35,5 +36,21 @@ class Display:
 def remove_displays(displays: dict[int, Display], numbers: Sequence[int]) -> None:
     """Remove displays, all if no numbers are given; raise DebugError if one does not exist."""
     for number in numbers or list(displays):
-        if displays.pop(number, None) is None:
-            raise DebugError(f"no display {number}")
+        _find(displays, number)
+        del displays[number]
+
+
+def enable_displays(displays: dict[int, Display], numbers: Sequence[int], *, on: bool) -> None:
+    """Enable or disable displays, all if no numbers are given.
+
+    Raises:
+        DebugError: one does not exist.
+    """
+    for number in numbers or list(displays):
+        displays[number] = replace(_find(displays, number), is_enabled=on)
+
+
+def _find(displays: dict[int, Display], number: int) -> Display:
+    if number not in displays:
+        raise DebugError(f"no display {number}")
+    return displays[number]

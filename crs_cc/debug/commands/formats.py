@@ -38,6 +38,8 @@ def formatted(value: Value, wanted: OutputFormat, depth: int = 0) -> str:
     """
     if not wanted.letter:
         return _function(value) or value.full
+    if wanted.letter == "s" and not _is_text(value):
+        return value.full
     if isinstance(value.type, ArrayType | RecordType) and wanted.letter != "s":
         is_array = isinstance(value.type, ArrayType)
         parts = [
@@ -57,6 +59,15 @@ def formatted(value: Value, wanted: OutputFormat, depth: int = 0) -> str:
     if wanted.letter == "a" and isinstance(value.type, PointerType):
         return _function(value) or f"{value.number:#x} {value.full}"
     return letters(value.content, wanted.letter)
+
+
+def _is_text(value: Value) -> bool:
+    """Return whether a value is an array of characters, or points to one."""
+    inner = None
+    match value.type:
+        case ArrayType(element=ctype) | PointerType(target=ctype):
+            inner = ctype
+    return inner is not None and inner.size == 1
 
 
 def _function(value: Value) -> str:

@@ -32,16 +32,52 @@ _SHORTEST: Final = 3
 """Shorter abbreviations of commands that do not exist are not recognised."""
 
 LACKING: Final = (
-    ("attach, detach, kill", "programs run in the simulator, and end with the debugger"),
-    ("set args, run ARGS", "give arguments on the command line: `crs debug wander.c -- 500`"),
-    ("record, record stop", "the whole run is always recorded"),
-    ("info registers, disassemble", "`crs compile --emit wat` prints a program's code"),
-    ("handle, info signals", "programs receive only signals that they send to themselves"),
+    (
+        "attach, detach, kill, disconnect, inferior, info inferiors, target, info proc",
+        "programs run in the simulator, and end with the debugger",
+    ),
+    (
+        "file, exec-file, core-file, symbol-file, load, generate-core-file, gcore, info files",
+        "start the debugger with other files; `save run.mcap` saves a run",
+    ),
+    (
+        "cd, pwd, directory, path, info sharedlibrary",
+        "file names are those of the command line; all sources are known",
+    ),
+    ("edit, make", "edit and build in your editor, see docs/editors.md"),
+    (
+        "set args, show args, run ARGS",
+        "give arguments on the command line: `crs debug wander.c -- 500`",
+    ),
+    ("record, record stop, info record", "the whole run is always recorded"),
+    (
+        "info registers, info all-registers, disassemble, compile",
+        "`crs compile --emit wat` prints a program's code",
+    ),
+    (
+        "handle, info signals, signal, queue-signal",
+        "programs receive only signals that they send to themselves",
+    ),
+    ("interrupt", "Ctrl-C stops a running program"),
+    ("bookmark, goto-bookmark, info bookmarks", "see `checkpoint`, `restart` and `note`"),
+    (
+        "trace, tstart, tstop, tstatus, actions, collect, ftrace, strace",
+        "`log` and `history` answer without tracepoints",
+    ),
+    (
+        "dump, append, restore",
+        "scripts of others must not write files; `x` shows memory, `set` changes it",
+    ),
+    ("find, explore", "`x` and `print` show memory and its objects"),
+    (
+        "macro define, macro list, macro undef, info macros",
+        "macros are those of the source: see `info macro` and `macro expand`",
+    ),
     ("hbreak, thbreak", "use `break` and `tbreak`: there are no hardware breakpoints"),
-    ("tui, layout, focus", "`crs debug --tui` starts in full-screen mode"),
+    ("tui, layout, focus, refresh, winheight", "`crs debug --tui` starts in full-screen mode"),
     ("return", "set the variable on which the result depends, or go back"),
     (
-        "define, document, alias, python",
+        "define, document, alias, if, while, python, py, guile, pipe",
         "scripts contain commands of the debugger only, see `source`",
     ),
 )

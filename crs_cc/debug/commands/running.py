@@ -181,6 +181,7 @@ RUNNING: Final = Group(
     (
         Command(
             "start", "", "Go to the first statement of the first program.", _start,
+            ("starti",),
             text="Breakpoints are kept. Recorded history is discarded only when"
             " the past is changed.",
         ),

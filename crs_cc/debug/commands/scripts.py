@@ -71,6 +71,8 @@ def _written(context: CommandContext, one: Breakpoint) -> Iterator[str]:
         yield f"condition $ {one.condition}"
     if one.ignore:
         yield f"ignore $ {one.ignore}"
+    if one.stops_left is not None:
+        yield f"enable count {max(1, one.stops_left)} $"
     if not one.enabled:
         yield "disable $"
     if commands := context.scripts.get(one.number):
@@ -86,8 +88,8 @@ def _command(context: CommandContext, one: Breakpoint) -> str:
     if one.watch is not None:
         location = "-location " * one.watch.is_location
         return f"{_WATCHES[one.watch.watched.kind]} {location}{one.text}{robot}"
-    word = "catch" if one.kind == "catchpoint" else "tbreak" if one.temporary else "break"
-    return f"{word} {one.text}{robot}"
+    word = "catch" if one.kind == "catchpoint" else "break"
+    return f"{'t' * one.temporary}{word} {one.text}{robot}"
 
 
 def _write(path: Path, content: str) -> None:

@@ -10,11 +10,13 @@ Only a session at a terminal reads the file: what a script prints does not depen
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.commands.user_files import read_lines, write_lines
 from crs_cc.debug.errors import DebugError
 
@@ -79,6 +81,28 @@ WITHOUT_EFFECT: Final = {
     "pagination": "output is not paged",
     "height": "output is not paged",
     "width": "lines are as wide as the terminal",
+    "args": "arguments of programs are given on the command line: crs debug wander.c -- 500",
+    "breakpoint": "locations must exist when a breakpoint is set",
+    "can-use-hw-watchpoints": "there are no hardware watchpoints, and none are needed",
+    "commands": "the cursor keys and Ctrl-R find earlier commands",
+    "cwd": "programs have no files",
+    "disassembly-flavor": "there are no machine instructions",
+    "environment": "programs have no environment",
+    "exec-direction": 'each command has one that goes back, such as "reverse-step"',
+    "follow-fork-mode": "programs cannot fork",
+    "language": "the language is C",
+    "logging": "use the terminal's, or redirect the output of a script",
+    "max-value-size": 'see "print elements"',
+    "output-radix": "print/x, print/o and print/t show other bases",
+    "prompt": "the prompt is fixed",
+    "radix": "print/x, print/o and print/t show other bases",
+    "scheduler-locking": "all robots share one time",
+    "startup-with-shell": "programs run in the simulator",
+    "step-mode": "step enters functions that have source",
+    "style": "colours are those of the terminal; NO_COLOR=1 leaves them out",
+    "trace-commands": "scripts show their commands, unless crs debug has -q",
+    "tui": "the full screen is laid out by the size of the terminal",
+    "verbose": "there are no messages to add",
 }
 """Settings that scripts for gdb often have, and why there is nothing to set."""
 
@@ -122,6 +146,23 @@ class Settings:
         if self._file is not None:
             self._kept[name] = value
             write_lines(self._file, self._kept_lines())
+
+    @contextmanager
+    def temporarily(self, changes: Iterable[tuple[str, str]]) -> Iterator[None]:
+        """Change settings by name; they have their old values afterwards.
+
+        Raises:
+            DebugError: there is no such setting, or the text is no value of it.
+        """
+        before = dict(self._values)
+        try:
+            for name, text in changes:
+                if name not in _BY_NAME:
+                    raise DebugError(unknown("setting", name, list(_BY_NAME)))
+                self._values[name] = _BY_NAME[name].parse(text)
+            yield
+        finally:
+            self._values.update(before)
 
     def load(self, path: Path) -> Iterator[str]:
         """Take over the values in a file; return a message for each line that is invalid."""

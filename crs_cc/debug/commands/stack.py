@@ -78,6 +78,8 @@ def _shown(found: list[BacktraceFrame]) -> Iterator[BacktraceFrame]:
 
 def _frame(context: CommandContext, text: str) -> Answer:
     kind, _, rest = text.partition(" ")
+    if kind == "apply":
+        return _apply(context, rest.strip())
     if kind == "function":
         context.debugger.view.select_frame(_frame_of(context, rest.strip()))
     elif text:
@@ -88,6 +90,30 @@ def _frame(context: CommandContext, text: str) -> Answer:
         context.debugger.view.select_frame(numbers[wanted])
     frame(context)
     return context.show_selection()
+
+
+def _apply(context: CommandContext, text: str) -> Answer:
+    """Execute a command in some frames, and select the one that was selected again."""
+    count, _, command = require_argument(text, "frame apply (all|N) COMMAND").partition(" ")
+    command = require_argument(command, "a command: frame apply all print n")
+    found = list(_shown(frames(context)))
+    if count != "all":
+        most = parse_count(count.removeprefix("-"))
+        found = found[-most:] if count.startswith("-") else found[:most]
+    view, before = context.debugger.view, context.debugger.view.frame
+    try:
+        for each in found:
+            view.select_frame(each.number)
+            yield f"#{each.number}  {frame_text(context.debugger, each)}"
+            yield from context.execute(command)
+    finally:
+        view.frame = before
+
+
+def _select_frame(context: CommandContext, text: str) -> Answer:
+    for _ in _frame(context, require_argument(text, "a frame's number, or function NAME")):
+        pass
+    yield from ()
 
 
 def _frame_of(context: CommandContext, function: str) -> int:
@@ -137,7 +163,12 @@ def _list(context: CommandContext, text: str) -> Answer:
         raise DebugError(f"'{file}' has only {count} lines")
     last = min(last, count)
     context.listing = Listing(file, first, last)
-    here = context.debugger.view.location()
+    yield from source_lines(context, file, first, last)
+
+
+def source_lines(context: CommandContext, file: str, first: int, last: int) -> Iterator[SourceLine]:
+    """Return lines of a file, with their marks."""
+    lines, here = context.debugger.view.source(file), context.debugger.view.location()
     current = here.line if here is not None and here.file == file else 0
     stops = _lines_with_breakpoints(context, file)
     for number in range(first, last + 1):
@@ -159,16 +190,10 @@ def _lines_with_breakpoints(context: CommandContext, file: str) -> set[int]:
 def _range(context: CommandContext, text: str) -> tuple[str, int, int]:
     """Return the file and the first and last line to list."""
     listed, lines = context.listing, context.settings["listsize"]
-    if text == "+":
-        text = ""
-    if not text and listed is not None:
-        return listed.file, listed.last + 1, listed.last + lines
-    if text == "-" and listed is not None:
-        if listed.first == 1:
-            raise DebugError(f"already at the start of '{listed.file}'")
-        return listed.file, max(1, listed.first - lines), listed.first - 1
+    if text in {"", "+", "-"} and listed is not None:
+        return _further(listed, lines, is_back=text == "-")
     first, comma, last = text.partition(",")
-    if not text or text == "-":
+    if text in {"", "+", "-"}:
         middle = _here(context)
         return _around(middle.file, middle.line, lines)
     if not comma:
@@ -198,6 +223,17 @@ def _listed(context: CommandContext, text: str) -> Location:
                 return Location(path, int(line))
     found = None if file else function_body(context, line)
     return found or find_line(context, text)
+
+
+def _further(listed: Listing, lines: int, *, is_back: bool) -> tuple[str, int, int]:
+    """Return what to list after, or before, what was listed last."""
+    if listed.is_found and not is_back:
+        return _around(listed.file, listed.first, lines)
+    if not is_back:
+        return listed.file, listed.last + 1, listed.last + lines
+    if listed.first == 1:
+        raise DebugError(f"already at the start of '{listed.file}'")
+    return listed.file, max(1, listed.first - lines), listed.first - 1
 
 
 def _around(file: str, line: int, lines: int) -> tuple[str, int, int]:
@@ -259,13 +295,19 @@ STACK: Final = Group(
     (
         Command(
             "backtrace", "[full] [N]", "Show the stack frames, innermost first.", _backtrace,
-            ("bt", "where"), text="With N, the innermost N; with -N, the outermost N. With full,"
-            " also their local variables.",
+            ("bt", "where", "info stack"), text="With N, the innermost N; with -N, the outermost N."
+            " With full, also their local variables.",
         ),
         Command(
-            "frame", "[[level] N|function NAME]", "Select a frame, or show the selected one.",
+            "frame", "[[level] N|function NAME|apply (all|N) COMMAND]",
+            "Select a frame, or show the selected one.",
             _frame, ("f",), text="N is its number; NAME selects the innermost frame of a function."
-            " Expressions and listings refer to the selected frame.",
+            " Expressions and listings refer to the selected frame. With apply, execute a command"
+            " in all frames, or in the innermost N, or with -N in the outermost N.",
+        ),
+        Command(
+            "select-frame", "[level] N|function NAME", "Select a frame without showing it.",
+            _select_frame,
         ),
         Command("up", "[N]", "Select the caller's frame.", _up, repeats="same"),
         Command(

@@ -11,6 +11,7 @@ from crs_cc.debug.commands.arguments import OutputFormat, parse_pattern, require
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.formats import formatted
+from crs_cc.debug.commands.source_search import FORWARD_SEARCH, REVERSE_SEARCH
 from crs_cc.debug.commands.stack import find_line, function_body, functions, line_count
 from crs_cc.debug.data.scope import is_own
 from crs_cc.debug.errors import DebugError
@@ -141,8 +142,10 @@ def _macro_expand(context: CommandContext, text: str) -> Answer:
 
 SYMBOLS: Final = Group(
     "symbols",
-    "What the source declares.",
+    "What the source contains and declares.",
     (
+        FORWARD_SEARCH,
+        REVERSE_SEARCH,
         Command(
             "info line", "[LOCATION]", "Show the location of a line or a function.", _info_line,
             text="Default is the current line.",

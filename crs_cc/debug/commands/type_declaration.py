@@ -9,6 +9,11 @@ struct point {
     char *name;
     int on : 1;
 } *
+>>> print("\n".join(declared(RecordType(point), is_laid_out=True)))
+struct point {                      /* 8 bytes */
+    char *name;                     /* at 0, 4 bytes */
+    int on : 1;                     /* at 4, bit 0 */
+}
 """
 
 from __future__ import annotations
@@ -21,16 +26,28 @@ from crs_cc.ir.types import (
     CType,
     EnumType,
     FunctionType,
+    Member,
     PointerType,
     RecordType,
     spell,
 )
 
 _INDENT: Final = "    "
+_COLUMN: Final = 36
+"""Where the comments with offsets begin."""
 
 
-def declared(ctype: CType, declarator: str = "") -> Iterator[str]:
-    """Return the C declaration of a type, with the definition of its struct, union or enum."""
+def declared(
+    ctype: CType, declarator: str = "", *, is_laid_out: bool = False, offset: int = 0
+) -> Iterator[str]:
+    """Return the C declaration of a type, with the definition of its struct, union or enum.
+
+    Args:
+        ctype: the type.
+        declarator: what is declared.
+        is_laid_out: whether comments give offsets and sizes.
+        offset: the offset of what is declared [bytes].
+    """
     core = ctype
     while not isinstance(core, RecordType | EnumType):
         match core:
@@ -39,12 +56,13 @@ def declared(ctype: CType, declarator: str = "") -> Iterator[str]:
             case _:
                 yield spell(ctype, declarator)
                 return
-    inside = list(_members(core))
+    inside = list(_members(core, offset if is_laid_out else None))
     if not inside:
         yield spell(ctype, declarator)
         return
     head = str(core)
-    yield f"{head} {{"
+    size = f"{core.size} bytes" if is_laid_out and isinstance(core, RecordType) else ""
+    yield _commented(f"{head} {{", size)
     yield from inside
     yield f"}}{spell(ctype, declarator).removeprefix(head)}"
 
@@ -56,17 +74,34 @@ def _has_no_name(ctype: CType) -> bool:
     return isinstance(ctype, RecordType) and not (ctype.record.tag or ctype.record.alias)
 
 
-def _members(core: RecordType | EnumType) -> Iterator[str]:
-    """Return the lines in the braces."""
+def _commented(line: str, comment: str) -> str:
+    return f"{line:{_COLUMN - 1}} /* {comment} */" if comment else line
+
+
+def _members(core: RecordType | EnumType, offset: int | None) -> Iterator[str]:
+    """Return the lines in the braces; with offsets, if that of the whole is given [bytes]."""
     if isinstance(core, EnumType):
         for name, value in (core.definition.constants or {}).items():
             yield f"{_INDENT}{name} = {value},"
         return
     for member in core.record.members or ():
         width = "" if member.bit_width is None else f" : {member.bit_width}"
+        at = member.offset + (offset or 0)
         if _has_no_name(member.type):
-            lines = list(declared(member.type, member.name or ""))
+            is_laid_out = offset is not None
+            lines = list(
+                declared(member.type, member.name or "", is_laid_out=is_laid_out, offset=at)
+            )
         else:
             lines = [spell(member.type, member.name or "")]
         yield from (f"{_INDENT}{line}" for line in lines[:-1])
-        yield f"{_INDENT}{lines[-1]}{width};"
+        last = f"{_INDENT}{lines[-1]}{width};"
+        yield last if offset is None else _commented(last, _place(member, at))
+
+
+def _place(member: Member, offset: int) -> str:
+    """Return offset and size of a member."""
+    if member.bit_width is not None:
+        bit = member.bit_offset
+        return f"at {offset + bit // 8}, bit {bit % 8}"
+    return f"at {offset}, {member.type.size} byte{'s' * (member.type.size != 1)}"

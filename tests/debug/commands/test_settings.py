@@ -57,6 +57,20 @@ def test_invalid_settings_are_refused(shell: Shell, command: str, message: str) 
     assert answers(shell, command)[0].startswith(message)
 
 
+def test_with_changes_a_setting_for_one_command_and_keeps_nothing(
+    shell: Shell, config: Path
+) -> None:
+    UserSession(shell.context).keep_settings()
+    answers(shell, "set var row[0] = 1", "set var row[1] = 2", "set var row[9] = 3")
+    assert len(answers(shell, "with listsize 2 -- list 1,")) == 2
+    assert answers(shell, "with print elements 2 -- print row") == ["$1 = {1, 2, ...}"]
+    assert answers(shell, "print -elements 3 -- row") == ["$2 = {1, 2, 0, ...}"]
+    assert answers(shell, "with listsize 2 -- nonsense")[0].startswith("Undefined command")
+    assert answers(shell, "show listsize") == ["listsize = 10: How many source lines list shows."]
+    assert "print elements = 200" in answers(shell, "show print elements")[0]
+    assert not config.exists()
+
+
 def test_only_a_session_at_a_terminal_keeps_settings(shell: Shell, config: Path) -> None:
     answers(shell, "set listsize 3")  # a script
     assert not config.exists()

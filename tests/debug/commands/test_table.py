@@ -63,7 +63,7 @@ def test_every_command_has_one_group_and_a_summary() -> None:
 
 
 def test_names_are_completed_word_by_word() -> None:
-    assert list(matching("reverse-s")) == ["reverse-step", "reverse-stepi"]
+    assert list(matching("reverse-st")) == ["reverse-step", "reverse-stepi"]
     assert "info" in list(matching("in"))
     assert "info breakpoints" not in list(matching("in"))
     assert "info breakpoints" in list(matching("info br"))
