@@ -72,7 +72,7 @@ STEERING: Final = {
     ),
     "hold": Edit(
         "ROBOT",
-        "Keep a robot's motors from turning, regardless of its program's commands.",
+        "Keep a robot's motors from turning, whatever its program does.",
         "It is a degradation of its drive, named hold-ROBOT.",
         _hold,
     ),
