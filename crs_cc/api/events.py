@@ -47,7 +47,7 @@ class EventCallbacks:
             ValueError: there is no such kind.
         """
         if not callable(function):
-            raise TypeError(f"an event calls a function, not {function!r}")
+            raise TypeError(f"function must be callable, not {function!r}")
         if kind not in EVENT_KINDS:
             raise ValueError(unknown("event kind", kind, tuple(EVENT_KINDS)))
         self._callbacks.append((kind, function))

@@ -307,9 +307,9 @@ class Session(Edits):
                 are on a cluster; nothing changes.
         """
         if self._hosts is not None:
-            raise ValueError("a session whose programs are on a cluster goes forward only")
+            raise ValueError("a session with programs on a cluster can only go forward")
         if not isinstance(snapshot, Snapshot):
-            raise TypeError(f"a session restores a Snapshot, not {type(snapshot).__name__}")
+            raise TypeError(f"restore takes a Snapshot, not {type(snapshot).__name__}")
         codes = tuple(each.machine_code for each in self.programs)
         for what, is_same in (
             ("another world", snapshot.world == self.world),

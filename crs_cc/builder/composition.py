@@ -57,7 +57,9 @@ def group(
     """
     root, whole = document.root, outermost(nodes)
     if not name or name in definitions(root):
-        raise ValueError(f"the definition {name!r} exists" if name else "a definition has a name")
+        raise ValueError(
+            f"the definition {name!r} already exists" if name else "a definition has a name"
+        )
     for node in whole:
         if node.tag not in PARTS or node.parent is not root:
             raise ValueError(f"{address(node)} cannot be a part of an object")

@@ -46,7 +46,7 @@ def docs(page: str | None) -> int:
 
         near = closest(name, list(pages))
         hint = f"did you mean '{near}'?" if near else "'crs docs' lists the pages."
-        raise click.UsageError(f"no page is named '{page}': {hint}")
+        raise click.UsageError(f"unknown page '{page}': {hint}")
     click.echo_via_pager(_rendered(pages[name]))
     return 0
 

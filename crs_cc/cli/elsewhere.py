@@ -165,7 +165,7 @@ class Elsewhere:
         for seat in self._roster.newcomers():
             self._seats[seat.names] = seat
             self.fleet.add_link(self._link(seat))
-            say(f"crs: {shown_names(seat.names)}: here now")
+            say(f"crs: {shown_names(seat.names)}: connected")
         ready = [
             name
             for names in self._seats

@@ -57,7 +57,7 @@ class RecordedRunCheck:
         try:
             changed.finish()
         except DebugError as error:
-            self._warn(f"a change by hand cannot be made again: {error}")
+            self._warn(f"a recorded change cannot be repeated: {error}")
         debugger.goto(BEGINNING)
 
     @property

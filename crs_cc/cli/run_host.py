@@ -132,7 +132,7 @@ class _Host:
                     return self._serve(found)
                 except ConnectionLostError as error:
                     if not self._options.quiet:
-                        say(f"crs: the environment is lost ({error}); trying to reach it again")
+                        say(f"crs: connection to the environment lost ({error}); reconnecting")
                 finally:
                     found.channel.close()
 

@@ -113,4 +113,4 @@ def _sample(name: str) -> Sample:
     near = closest(last, [each.name for each in known])
     near = near or closest(Path(last).stem, [each.path.stem for each in known])
     hint = f"did you mean '{near}'?" if near else "'crs samples' lists them."
-    raise click.UsageError(f"no sample is named '{name}': {hint}")
+    raise click.UsageError(f"unknown sample '{name}': {hint}")

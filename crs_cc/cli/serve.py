@@ -98,7 +98,7 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     "--tokens",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Tokens that permit access: each line has a role (robot, view or control) and a token.  "
+    help="Tokens that permit access: each line has a role (robot, view or control) and a token. "
     "Default: new tokens, which are printed.",
 )
 @click.option(

@@ -42,7 +42,7 @@ class Trial:
         idle = [robot.id for robot in builder.world().robots if not robot.program]
         if self._program is None and idle:
             raise ValueError(
-                f"robot {idle[0]!r} has no program: select it, and name a C file at its 'program'"
+                f"robot {idle[0]!r} has no program: select it, and name a C file under 'program'"
             )
         path = builder.path or Path("new.xml")
         file = self._file = path.with_name(f".{path.stem}.trial.xml")

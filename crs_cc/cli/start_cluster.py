@@ -92,8 +92,8 @@ def _seats(hosts: ClusterHosts, cluster: Cluster, options: ServeOptions) -> list
     try:
         seats = hosts.seats()
     except KeyboardInterrupt:
-        say("crs: interrupted before the run began")
+        say("crs: interrupted before the run started")
         return None
     if not options.quiet:
-        say("crs: every robot has its program: the run begins")
+        say("crs: every robot has a program: the run starts")
     return seats

@@ -48,7 +48,7 @@ def start_serve(options: ServeOptions) -> int:
         try:
             seats = _seats(roster, options, resumption)
         except KeyboardInterrupt:
-            say("crs: interrupted before the run began")
+            say("crs: interrupted before the run started")
             return 130
         programs = _programs(world, seats)
         loaded = _loaded(options, world, programs, users_files(files_read))
@@ -78,7 +78,7 @@ def _greet(options: ServeOptions, port: ServedPort) -> None:
         is_own = is_own_name(options.listen[0])
         host = shown_address((options.listen[0] if is_own else "HOST", port.number))
         others = "through a tunnel" if is_own else "from other machines"
-        say(f"crs: robots join by: crs join ROBOT {host} PROGRAM.c{secured}")
+        say(f"crs: to join: crs join ROBOT {host} PROGRAM.c{secured}")
         say(f"crs: {others} with: --token {port.access.token('robot')}")
 
 
@@ -104,7 +104,7 @@ def _seats(roster: Roster, options: ServeOptions, resumption: Resumption | None)
     if not options.quiet:
         late = roster.without(seats)
         without = f"crs: the run begins without {shown_names(late)}"
-        say(without if late else "crs: every robot has its program: the run begins")
+        say(without if late else "crs: every robot has a program: the run starts")
     return seats
 
 

@@ -130,9 +130,9 @@ class VendorClients:
             if name not in self._names:
                 raise click.UsageError(f"{unknown('robot', name, self._names)}.")
             if self._names.index(name) not in self._board.robots:
-                raise click.UsageError(f"'{name}' has a program and is not driven from outside.")
+                raise click.UsageError(f"'{name}' has a program: it cannot be controlled.")
             if names.count(name) > 1:
-                raise click.UsageError(f"'{name}' has one line only.")
+                raise click.UsageError(f"'{name}' has only one line.")
 
     @property
     def _clock(self) -> Pace | None:

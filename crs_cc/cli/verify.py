@@ -102,7 +102,7 @@ class _Rerun:
             if self._session.timesteps != timesteps or expected.digest != digest(self._session):
                 raise self._mismatch(timesteps, "the state differs")
             if expected.output != self._output_crc & DIGEST_BITS:
-                raise self._mismatch(timesteps, "the programs have printed something else")
+                raise self._mismatch(timesteps, "the programs' output differs")
             hashes += 1
             if expected.state:
                 states += 1

@@ -194,7 +194,7 @@ class Cluster:
             return future.result()
         except FutureCancelledError as error:
             hint = "what has ended is kept: go on with another one, or on this machine"
-            raise self._error(f"the cluster is lost: {error.reason}", hint) from None
+            raise self._error(f"connection to the cluster lost: {error.reason}", hint) from None
         except KilledWorker as error:
             text = f"{error.allowed_failures + 1} workers ended while they ran it"
             return Outcome(number, None, "crashed", text)

@@ -279,7 +279,7 @@ class Channel:
         try:
             part = self._connection.recv(min(max(size, _LEAST), _CHUNK))
         except (TimeoutError, BlockingIOError):  # by Python, or by the operating system
-            raise ConnectionLostError(f"nothing heard for {self._silence_s:g} s") from None
+            raise ConnectionLostError(f"no message for {self._silence_s:g} s") from None
         except OSError as error:
             raise ConnectionLostError(_reason(error)) from None
         if not part:
@@ -319,7 +319,7 @@ class Channel:
             self._send(Kind.MOVED, MOVES)
             self._sender, self._sends_sums = way.out, False
         if not is_told and self.receive(Kind.MOVED, within_s=GREETING_S).content != MOVES:
-            raise ConnectionLostError("it does not move")
+            raise ConnectionLostError("no progress")
         with self._receiving:
             if self._rest:
                 raise ConnectionLostError(_DAMAGED)

@@ -57,7 +57,7 @@ def report_of(data: Mapping[str, Any]) -> ErrorReport:
             tuple(map(_call, data["stack"][:_MOST])),
         )
     except (KeyError, TypeError, AttributeError, IndexError):
-        raise ValueError("the report of an error is not valid") from None
+        raise ValueError("an error report is not valid") from None
 
 
 def _place(place: Location) -> list[str | int]:
@@ -84,4 +84,4 @@ def _pairs(rows: Any) -> tuple[tuple[str, str], ...]:
 def _text(value: Any) -> str:
     if isinstance(value, str):
         return value[:_LONGEST]
-    raise ValueError("the report of an error has something else than text")
+    raise ValueError("an error report has a field that is not text")

@@ -145,7 +145,7 @@ class Program:
         program = cls(**_checked(cls, _object(content)))
         program.check()
         if program.digest != digest:
-            raise RefusedError("the host sends another program than it has announced")
+            raise RefusedError("the host sent a program other than the announced one")
         return program
 
     def check(self) -> None:

@@ -157,14 +157,14 @@ class HostLink:
     def _note(self, content: bytes) -> None:
         number, rounds = RAN.unpack_from(content)
         if number != self._number or rounds > MAX_ROUNDS:
-            raise ValueError("answer to another grant")
+            raise ValueError("reply to a different grant")
         assert self._rows is not None
         self._rows.put(self.number, memoryview(content)[RAN.size :], rounds)
 
     def _note_failure(self, data: Any) -> None:
         robot = data.get("robot") if isinstance(data, dict) else None
         if not isinstance(robot, int) or not 0 <= robot < len(self.robots):
-            raise ValueError("the failure of a robot that is not there")
+            raise ValueError("failure of an unknown robot")
         self.reports[robot] = report_of(data)
 
     # -- memories and input ----------------------------------------------------------------------

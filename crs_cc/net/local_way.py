@@ -94,7 +94,7 @@ class Offer:
                 if _is_own(connection):
                     return connection
                 connection.close()
-        raise ConnectionLostError("it has not taken the way that it says")
+        raise ConnectionLostError("it did not connect to the local socket as announced")
 
     def __enter__(self) -> Self:
         return self

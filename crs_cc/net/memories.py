@@ -55,7 +55,7 @@ def unpack(content: bytes, count: int) -> list[Memory]:
         at, shadow_chunks, shadow_pages = _half(content, at)
         memories.append(Memory(chunks, pages, shadow_chunks, shadow_pages))
     if at != len(content):
-        raise ValueError("memories are followed by something else")
+        raise ValueError("unexpected data after memories")
     return memories
 
 
@@ -69,6 +69,6 @@ def _half(content: bytes, at: int) -> tuple[int, IndexArray, ByteArray]:
         raise ValueError("memories end early")
     chunks = np.frombuffer(content, _NUMBER, count, at + _COUNT.size).astype(np.intp)
     if count and (chunks[-1] >= _CHUNKS or (chunks[1:] <= chunks[:-1]).any()):
-        raise ValueError("memories have pages that are not there")
+        raise ValueError("memories refer to missing pages")
     pages = np.frombuffer(content, np.uint8, count * CHUNK, pages_at)
     return end, chunks, pages.reshape(count, CHUNK)

@@ -193,7 +193,7 @@ class ProgramHost:
         except TypeError:
             raise ValueError("a question about input is not valid") from None
         if not 0 <= robot < len(self.fleet):
-            raise ValueError("input of a robot that is not there")
+            raise ValueError("input of an unknown robot")
         if wanted >= 0:
             return self._streams.read(robot, min(wanted, DATA_SIZE))
         size, wait_s = self._streams.waiting(robot, float(clock_s))

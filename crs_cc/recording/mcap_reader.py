@@ -214,7 +214,7 @@ class McapReader:
             source = zstandard.ZstdDecompressor(max_window_size=_MAX_WINDOW).stream_reader(packed)
             content = source.read(chunk.size)
             if len(content) != chunk.size or source.read(1):
-                raise ValueError("it has another size than it declares")
+                raise ValueError("its size differs from the declared size")
         elif compression:
             raise ValueError(f"unknown compression {compression[:20]!r}")
         else:

@@ -82,7 +82,7 @@ def unpacked(data: bytes) -> Second:
     robots, objects, turret, before, *rest = cursor.numbers(HEAD)
     outputs, hashes, entries, *sizes = rest
     if robots + objects > MAX_ROWS or before > _MOST_FRAMES:
-        raise ValueError("what was saved has too many rows")
+        raise ValueError("the saved data has too many rows")
     second = Second(
         Shape(robots, objects, bool(turret)),
         before,
@@ -92,7 +92,7 @@ def unpacked(data: bytes) -> Second:
         [cursor.entry() for _ in range(entries)],
     )
     if cursor.at != len(data):
-        raise ValueError("what was saved is longer than its content")
+        raise ValueError("the saved data is longer than its content")
     return second
 
 
@@ -110,7 +110,7 @@ class _Cursor:
 
     def take(self, size: int) -> bytes:
         if size > len(self._data) - self.at:
-            raise ValueError("what was saved is shorter than its content")
+            raise ValueError("the saved data is shorter than its content")
         self.at += size
         return self._data[self.at - size : self.at]
 

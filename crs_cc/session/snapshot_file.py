@@ -144,7 +144,7 @@ def _content(path: Path, most: int) -> bytes:
     source = zstandard.ZstdDecompressor(max_window_size=2**27).stream_reader(packed)
     content = source.read(size)
     if len(content) != size or source.read(1):
-        raise ValueError("it has another size than it declares")
+        raise ValueError("its size differs from the declared size")
     return content
 
 
@@ -307,7 +307,7 @@ class _Reader:
         whole = size // PAGE
         numbers = struct.unpack(f"<{whole}I", self._take(4 * whole))
         if numbers and max(numbers) >= self._pages:
-            raise ValueError("it refers to a page that is not there")
+            raise ValueError("it refers to a missing page")
         parts = [self._content[4 + n * PAGE : 4 + (n + 1) * PAGE] for n in numbers]
         return b"".join([*parts, self._take(size - whole * PAGE)])
 

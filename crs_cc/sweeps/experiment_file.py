@@ -126,7 +126,7 @@ def _check(experiment: Experiment) -> None:
             f"'{key}' needs a parameter with a range, such as {{ low = 1, high = 9 }}"
         )
     if experiment.samples and experiment.search:
-        raise InvalidError("'samples' and [search] exclude each other")
+        raise InvalidError("'samples' and [search] are mutually exclusive")
     if experiment.search and (experiment.cases or experiment.parameters):
         raise InvalidError("[search] requires ranges: lists of values and 'cases' are not allowed")
     names = set(experiment.cases[0]) if experiment.cases else set()
@@ -206,7 +206,7 @@ def _seeds(name: str, value: object) -> tuple[int, ...]:
         return tuple(range(1, _whole(name, value, 1, MAX_SEEDS) + 1))
     seeds = _each(name, value, lambda name, each: _whole(name, each, 0, 2**63))
     if not seeds or len(set(seeds)) < len(seeds):
-        raise InvalidError(f"'{name}' must have at least one seed, and each once")
+        raise InvalidError(f"'{name}' must have at least one seed, without duplicates")
     return seeds
 
 
@@ -230,7 +230,7 @@ def _parameters(name: str, value: object) -> tuple[dict[str, tuple[Value, ...]],
             continue
         values = _each(key, each, _value)
         if not values or len({repr(each) for each in values}) < len(values):
-            raise InvalidError(f"'{key}' must have at least one value, and each once")
+            raise InvalidError(f"'{key}' must have at least one value, without duplicates")
         grid[target] = values
     return grid, ranges
 

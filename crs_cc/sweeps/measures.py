@@ -125,11 +125,11 @@ def load_measures(path: Path) -> tuple[Measure, ...]:
             hint = "names that begin with _ are no measures"
             raise ExperimentError.at(place, f"{text}recording", hint)
         if name in OURS:
-            raise ExperimentError.at(place, f"'{name}' is a measure that every run has")
+            raise ExperimentError.at(place, f"'{name}' is a predefined measure")
         found.append(Measure(name, "session" if parameters == ["session"] else "recording",
                              function))  # fmt: skip
     if not found:
-        raise ExperimentError.at(place, "no functions of a session or a recording")
+        raise ExperimentError.at(place, "no function has a parameter 'session' or 'recording'")
     return tuple(found)
 
 

@@ -257,7 +257,7 @@ class Sweep:
             macro = name.removeprefix("define.")
             if macro != name and all(macro in each for each in unused):
                 place = Location(str(self.experiment.path))
-                raise ExperimentError.at(place, f"{name}: no C file names the macro '{macro}'")
+                raise ExperimentError.at(place, f"{name}: no C file uses the macro '{macro}'")
 
     def _check_plan(self, plan: dict[str, Any], *, resume: bool) -> None:
         """Refuse to go on with results of something else."""

@@ -73,7 +73,7 @@ def inspect(screen: Context, robot: int, expressions: str) -> dict[str, Any]:
     run, wanted = screen.run, _listed(expressions)
     debugger = _debugger(screen, robot) if run.stands else None
     if debugger is None and "debug" in run.can:
-        raise DebugError("the programs are not at the time that is shown")
+        raise DebugError("the programs are not at the displayed time")
     environment = run.session().environment
     if not 0 <= robot < len(environment.world.robots):
         raise DebugError(f"no robot {robot}")

@@ -111,7 +111,7 @@ class OtherRuns:
         try:
             content = b64decode(data, validate=True)
         except (Base64Error, ValueError):
-            raise ValueError("the piece is not base 64") from None
+            raise ValueError("the part is not valid base64") from None
         with self._lock:
             if offset == 0:
                 self._folder = self._folder or tempfile.TemporaryDirectory(prefix="crs-compare-")

@@ -32,9 +32,9 @@ def position_of(debugger: Debugger, text: str) -> Position:
     """
     found = _PLACE.fullmatch(text)
     if found is None:
-        raise DebugError(f"'{text[:40]}' is not a place in the run")
+        raise DebugError(f"'{text[:40]}' is not a position in the run")
     position = Position(*map(int, found.groups()))
     known = Past(debugger.view, debugger.stop_points).whole().end
     if position > known or position.robot >= len(debugger.names):
-        raise DebugError("the run has not been there, or has changed since")
+        raise DebugError("the run has not reached this position, or has changed since")
     return position

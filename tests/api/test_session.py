@@ -230,7 +230,7 @@ def test_python_receives_the_messages_to_a_robot_that_it_steers() -> None:
         (lambda run: run.step(-1), "timesteps must be 0 or more, not -1"),
         (lambda run: run.run(until_s=math.nan), "until_s must be a number, not nan"),
         (lambda run: run.restore(crs_cc.Session().snapshot()), "of a session with another world"),
-        (lambda run: run.restore(5), "a session restores a Snapshot, not int"),
+        (lambda run: run.restore(5), "restore takes a Snapshot, not int"),
     ],
 )
 def test_an_invalid_change_is_one_clear_error_and_changes_nothing(

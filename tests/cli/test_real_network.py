@@ -152,7 +152,7 @@ def test_a_script_does_what_the_real_network_would(capfd: pytest.CaptureFixture[
     [
         ("--connect", "logger", "is not NAME=HOST:PORT"),
         ("--connect", "logger=somewhere:70000", "70000 is not a port"),
-        ("--connect", "robot0=127.0.0.1:9", "'robot0' is the name of a computer already"),
+        ("--connect", "robot0=127.0.0.1:9", "a computer 'robot0' already exists"),
         ("--forward", "x", "is not PORT or PORT:ROBOT"),
         ("--forward", "7000:nobody", "unknown robot 'nobody' (known: robot0)"),
     ],
@@ -182,7 +182,7 @@ def test_a_port_that_is_taken_is_an_error(capfd: pytest.CaptureFixture[str]) -> 
         ("network 0 send", "expected: network"),
         ("network call nobody 7", "unknown robot 'nobody'"),
         ("network call robot0 x", "'x' is not a number"),
-        ("network reach robot0 7", "is the name of a computer already"),
+        ("network reach robot0 7", "a computer 'robot0' already exists"),
         ("network reach a/b 7", "is not a name for a computer"),
         ("network reach a 0", "0 is not a port"),
     ],

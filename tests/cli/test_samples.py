@@ -56,13 +56,13 @@ def test_a_sample_is_named_with_or_without_its_folder_and_ending(name: str) -> N
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["wandr.c", "."], "no sample is named 'wandr.c': did you mean 'wander.c'?"),
-        (["zzzz", "."], "no sample is named 'zzzz': 'crs samples' lists them."),
-        (["../../setup.py", "."], "no sample is named '../../setup.py'"),
+        (["wandr.c", "."], "unknown sample 'wandr.c': did you mean 'wander.c'?"),
+        (["zzzz", "."], "unknown sample 'zzzz': 'crs samples' lists them."),
+        (["../../setup.py", "."], "unknown sample '../../setup.py'"),
         (["platoon", "."], "choose 'scout_c/platoon.c' or 'worlds/platoon.xml'."),
         (["wander.c", "room.xml"], "'room.xml' is not a folder: name the folder to copy to last"),
         (["wander.c"], "'wander.c' is not a folder"),
-        (["mine.c", "wander.c", "."], "no sample is named 'mine.c'"),
+        (["mine.c", "wander.c", "."], "unknown sample 'mine.c'"),
     ],
 )
 def test_what_cannot_be_copied_is_one_error_and_copies_nothing(
@@ -96,7 +96,7 @@ def test_pages_are_listed_and_shown(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_an_unknown_page_is_an_error_with_a_suggestion(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["docs", "sensor"]) == 2
-    assert "no page is named 'sensor': did you mean 'sensors'?" in capsys.readouterr().err
+    assert "unknown page 'sensor': did you mean 'sensors'?" in capsys.readouterr().err
 
 
 def test_an_installation_without_its_files_says_so() -> None:

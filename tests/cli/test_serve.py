@@ -197,7 +197,7 @@ def test_robots_whose_hosts_come_later_join_then_as_by_the_recorded_inputs(folde
         hosts = [join(folder, "left", at, "roam.c")]
         environment.wait_for("the run begins without right\n")
         hosts.append(join(folder, "right", at, "roam.c"))
-        environment.wait_for("right: here now")
+        environment.wait_for("right: connected")
         assert environment.finish()[0] == 0
         outputs(hosts)
     assert main(["replay", str(folder / "late.mcap"), "--verify"]) == 0

@@ -22,7 +22,7 @@ PAIR = str(Path(__file__).parents[2] / "worlds" / "pair.xml")
     [
         (["--serial", "robo"], "unknown robot 'robo' (known: robot0, robot1)"),
         (["--tcp-robot", "robot1=x"], "'robot1=x' is not [ROBOT=]PORT"),
-        (["--tcp-robot", "0", "--tcp-robot", "robot0=0"], "'robot0' has one line only"),
+        (["--tcp-robot", "0", "--tcp-robot", "robot0=0"], "'robot0' has only one line"),
         (["--nserver", "65536"], "65536 is not in the range"),
     ],
 )

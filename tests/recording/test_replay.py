@@ -303,6 +303,6 @@ def test_what_was_changed_by_hand_is_recorded_and_done_again(
     assert main(["replay", str(again), "--verify"]) == 125
     assert "memory of a robot that does not exist" in capfd.readouterr().err
     assert main(["debug", "--batch", str(again), "--at", "3"]) == 0
-    assert "a change by hand cannot be made again" in capfd.readouterr().err
+    assert "a recorded change cannot be repeated" in capfd.readouterr().err
     rewritten_event(path, again, {"position": [1, 2]})
     assert main(["replay", str(again), "--verify"]) == 120

@@ -74,7 +74,7 @@ def test_a_robot_that_is_delayed_is_one_that_joins_later(roam: Executable):
     edit_run(session, "join guest")
     assert session.state_hash() == at_its_time.state_hash()
     assert run_to(session, 3.0).state_hash() == run_to(at_its_time, 3.0).state_hash()
-    with pytest.raises(DebugError, match="before anything else happens"):
+    with pytest.raises(DebugError, match="only at the start of a run"):
         edit_run(session, "delay home")
 
 

@@ -114,7 +114,7 @@ def test_faults_arguments_and_definitions_can_be_varied(folder: Path) -> None:
 WRONG = {
     'world = "hall.xml"\nseed = 3': "unknown key 'seed'\n    hint: did you mean 'seeds'?",
     "seeds = 3": "'world' is missing: name a world file",
-    'world = "hall.xml"\nseeds = [1, 1]': "'seeds' must have at least one seed, and each once",
+    'world = "hall.xml"\nseeds = [1, 1]': "'seeds' must have at least one seed, without duplicates",
     'world = "hall.xml"\nseeds = 0': "'seeds' must be a whole number from 1 to 1000000, not 0",
     'world = "hall.xml"\nduration = "3 kg"': "'3 kg' is not a time",
     'world = "hall.xml"\n[parameters]\nspeed = [1]': "unknown parameter 'speed' (known: define.",
@@ -159,7 +159,7 @@ robots = [2, 3]
 @pytest.mark.parametrize(
     ("more", "text"),
     [
-        ("[parameters]\ndefine.SPED = [1]", "define.SPED: no C file names the macro 'SPED'"),
+        ("[parameters]\ndefine.SPED = [1]", "define.SPED: no C file uses the macro 'SPED'"),
         ("[parameters]\nworld.crat.x = [1]", "world.crat.x: unknown element 'crat'"),
         ("[parameters]\nworld.crate.z = [1]", "world.crate.z: unknown attribute 'z'"),
         ('[parameters]\nrobot = ["scot"]', "unknown robot 'scot'"),

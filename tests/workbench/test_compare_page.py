@@ -26,6 +26,7 @@ WORLD = """<world version="1" timestep="50ms">
   <area length="9m" width="6m"/><robot id="ada" x="2m" y="2m"/><robot id="bob" x="2m" y="4m"/>
 </world>
 """
+FIRST = "First difference from far.mcap: 0.000 s ada limit is 40 here, 80 there (difference 40)."
 
 
 @pytest.fixture(scope="module")
@@ -55,7 +56,7 @@ def a_recording_is_chosen_and_the_first_difference_is_named(page: Any) -> None:
     page.select_option("#panel-compare select", "far.mcap")
     wait(page, "crs.compared.exact?.is_done")
     first = page.locator(".differences .first").inner_text()
-    assert first == "First difference from far.mcap: 0.000 s ada limit is 40 here, 80 there, by 40."
+    assert first == FIRST
     rows = [each.inner_text() for each in page.locator(".differences tbody td:nth-child(2)").all()]
     assert rows[:2] == ["ada limit", "bob limit"]
     assert {"ada pose.x", "bob pose.x"} <= set(rows)
@@ -188,8 +189,7 @@ def test_two_runs_are_seen_in_one_file(browser: Any, held: Path) -> None:
     with page_at(browser, held.as_uri(), 1200, 800) as page:
         wait(page, "crs.compared.run?.name === 'far.mcap'")
         first = page.locator(".differences .first").inner_text()
-        said = "First difference from far.mcap: 0.000 s ada limit is 40 here, 80 there, by 40."
-        assert first == said
+        assert first == FIRST
         a_click_goes_to_the_instant_where_the_ghost_parts(page)
         assert page.locator("canvas.apart").is_visible()
         box = page.locator("canvas.apart").bounding_box()

@@ -91,7 +91,7 @@ class ConvenienceFunctions:
         elif isinstance(value.type, PointerType) and isinstance(value.number, int):
             content = value.inspector.read(value.number, MAX_TEXT)
         else:
-            raise DebugError(f"'{argument}' is not a text")
+            raise DebugError(f"'{argument}' is not a string")
         return content.partition(b"\0")[0].decode(errors="replace")
 
     def _whole(self, arguments: Sequence[str], frame: StackFrame | None) -> int:
@@ -118,7 +118,7 @@ class ConvenienceFunctions:
     def _as_string(self, arguments: Sequence[str], frame: StackFrame | None) -> str:
         value = self._evaluate(arguments[0], frame)
         if not isinstance(value.type, EnumType):
-            raise DebugError(f"'{arguments[0]}' is not of an enumeration")
+            raise DebugError(f"'{arguments[0]}' is not a value of an enumeration")
         return value.text
 
     def _isvoid(self, arguments: Sequence[str], frame: StackFrame | None) -> int:

@@ -54,7 +54,7 @@ def global_scope(
     """
     for each in prepared.uses:
         if isinstance(each, bytes):
-            raise DebugError(f"'{text}' uses values of the debugger's")
+            raise DebugError(f"'{text}' uses values that only the debugger has")
         if isinstance(each, Use) and each.storage.in_frame:
             raise DebugError(
                 f"'{text}' uses the world and the local variable '{each.storage.variable.name}':"

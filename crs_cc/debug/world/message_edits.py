@@ -63,7 +63,7 @@ def _way(words: Words, name: str) -> tuple[dict[str, str], dict[str, float]]:
 def _time_s(text: str) -> float:
     time_s = TIME.parse(text)
     if time_s < 0.0:
-        raise ValueError(f"a time must not be negative, as '{text[:20]}' is")
+        raise ValueError(f"a time must not be negative: '{text[:20]}'")
     return time_s
 
 

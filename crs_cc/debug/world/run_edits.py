@@ -76,10 +76,10 @@ def _sleep(session: Session, _programs: Sequence[Executable], words: Words) -> s
     number = _running(session, words[0])
     for_s = TIME.parse(words[1])
     if for_s <= 0.0:
-        raise ValueError("a time to sleep must be above 0")
+        raise ValueError("the time to sleep must be greater than 0")
     state, until_s = session.state, session.time_s + for_s
     if math.isinf(state.clock_s[number]) and math.isinf(state.due_s[number]):
-        raise ValueError(f"{words[0]}'s program waits for its robot: put it to sleep after that")
+        raise ValueError(f"{words[0]}'s program is waiting for its robot: try again later")
     on_link = state.due_s if math.isfinite(state.due_s[number]) else state.clock_s
     on_link[number] = max(float(on_link[number]), until_s)
     return f"{words[0]}'s program sleeps until {instant(until_s)}"
@@ -100,7 +100,7 @@ def _running(session: Session, name: str) -> int:
     robots = session.environment.world.robots
     number = robots.index(find_robot(session.environment, name))
     if not session.state.alive[number]:
-        raise ValueError(f"{name}'s program does not run")
+        raise ValueError(f"{name}'s program is not running")
     return number
 
 

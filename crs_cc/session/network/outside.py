@@ -45,11 +45,11 @@ def add_machine(network: Network, name: str, port: int) -> None:
     if not 0 < port <= 0xFFFF:
         raise ValueError(f"{port} is not a port (1 to 65535)")
     if network.addresses.find(name, OUTSIDE) is not None and name not in network.machine_names:
-        raise ValueError(f"{name!r} is the name of a computer already")
+        raise ValueError(f"a computer {name!r} already exists")
     if Machine(name, port) in machines:
-        raise ValueError(f"{name}:{port} can be reached already")
+        raise ValueError(f"{name}:{port} is already reachable")
     if len(machines) == MOST_MACHINES:
-        raise ValueError(f"too many ways to the real network (maximum: {MOST_MACHINES})")
+        raise ValueError(f"too many computers of the real network (maximum: {MOST_MACHINES})")
     network.state.machines = (*machines, Machine(name, port))
 
 

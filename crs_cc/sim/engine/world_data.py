@@ -212,7 +212,7 @@ class WorldData:
                 raise ValueError(f"no robot number {number}")
             robots[number] = replace(robots[number], join_s=np.inf)
         if self.state.sha256() != type(self)(self.world, self._seed).state.sha256():
-            raise ValueError("robots are delayed before anything else happens")
+            raise ValueError("robots can be delayed only at the start of a run")
         self._start(replace(self.world, robots=tuple(robots)))
 
     def dismiss_robot(self, number: int) -> None:

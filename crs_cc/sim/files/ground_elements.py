@@ -100,7 +100,7 @@ def _grey(image: str, folder: Path | None) -> FloatArray:
     grey = picture(folder, image)
     if min(grey.shape) < _LEAST_PIXELS or max(grey.shape) > MOST_PIXELS:
         size = f"{grey.shape[1]} x {grey.shape[0]}"
-        raise ValueError(f"must have {_LEAST_PIXELS} to {MOST_PIXELS} pixels a side, not {size}")
+        raise ValueError(f"must have {_LEAST_PIXELS} to {MOST_PIXELS} pixels per side, not {size}")
     return grey
 
 

@@ -170,7 +170,7 @@ def _area(element: Element, reader: Reader, materials: Materials) -> Area:
 def _timestep(root: Element, reader: Reader) -> float:
     value_s = reader.positive(root, "timestep", TIME, 0.05)
     if not SHORTEST_TIMESTEP_S <= value_s <= LONGEST_TIMESTEP_S:
-        reader.refuse(root, "timestep: must be 1ms or more and 100ms or less")
+        reader.refuse(root, "timestep: must be from 1ms to 100ms")
         return 0.05
     return value_s
 

@@ -44,7 +44,7 @@ function table(page) {
     { keys: ["ArrowUp"], text: "previous robot", does: () => model.select((model.state.robot + robots() - 1) % robots()) },
     { keys: ["v"], text: "one view or four", does: () => views.split() },
     { keys: ["f"], text: "2-D or 3-D", does: () => views.setFlat(!views.isFlat) },
-    { keys: ["i"], text: "infra-red", does: () => look.setInfrared(!look.isInfrared) },
+    { keys: ["i"], text: "infrared view", does: () => look.setInfrared(!look.isInfrared) },
     { keys: ["m"], text: "menu of the view", does: () => views.menu.toggle() },
     { keys: ["Escape"], text: "close the menu", does: () => views.menu.close() },
     { keys: ["r"], text: "start or end a video", does: () => views.video.toggle() },

@@ -129,7 +129,7 @@ export class Overlay {
   }
 }
 
-/** The scale of infra-red: which colour is which heat. */
+/** The scale of the infrared view: which colour is which heat. */
 function heatScale(o) {
   const { pen, look } = o;
   const most = mostHeat(o.scene);

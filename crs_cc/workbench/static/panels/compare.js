@@ -31,7 +31,7 @@ export const compare = {
     const result = el("div.differences", { "aria-live": "polite" });
     const isHeld = model.channel.isLocal;
     const mayOpen = model.run.role === "control" && !isHeld;
-    const distance = el("canvas.apart", { role: "img", hidden: true, title: "How far the selected robot is from where it is in the other run [m]; a click goes there", onclick: (event) => {
+    const distance = el("canvas.apart", { role: "img", hidden: true, title: "Distance of the selected robot from its position in the other run [m]; click to go to a time", onclick: (event) => {
       const share = (event.offsetX - LEFT) / Math.max(1, distance.clientWidth - LEFT - RIGHT);
       page.timeline.seek(Math.min(1, Math.max(0, share)) * model.run.end_s);
     } });
@@ -47,7 +47,7 @@ export const compare = {
     const named = ({ robot, what }) => `${robot} ${TITLES[what] ?? what}`;
     const row = (each) => el("tr", {}, el("td", {}, there(each.t)), el("td", {}, named(each)), el("td", {}, each.here), el("td", {}, each.there), el("td", {}, each.by));
     const table = (name, rows) => el("table", {},
-      el("thead", {}, el("tr", {}, ...["first at", "what", "this run", name, "by"].map((each) => el("th", {}, each)))), el("tbody", {}, ...rows));
+      el("thead", {}, el("tr", {}, ...["first at", "what", "this run", name, "difference"].map((each) => el("th", {}, each)))), el("tbody", {}, ...rows));
 
     /** The sentence that says it. */
     const said = () => {
@@ -55,7 +55,7 @@ export const compare = {
       const upTo = (t) => `up to ${t.toFixed(2)} s`;
       if (!first) return [el("p", {}, `No difference from ${run.name} found, ${upTo(run.until)}.`, exact?.is_done && !exact.wrong ? ` All variables are the same, ${upTo(exact.t)}.` : "")];
       const variable = compared.firstVariable;
-      const is = (each) => [there(each.t), " ", el("b", {}, named(each)), ` is ${each.here} here, ${each.there} there${each.by ? `, by ${each.by}` : ""}.`];
+      const is = (each) => [there(each.t), " ", el("b", {}, named(each)), ` is ${each.here} here, ${each.there} there${each.by ? ` (difference ${each.by})` : ""}.`];
       const isOther = variable && (variable.t !== first.t || variable.what !== first.what);
       return [el("p.first", {}, "First difference from ", el("b", {}, run.name), ": ", ...is(first)),
         ...(isOther ? [el("p.first", {}, "First variable: ", ...is(variable))] : []),
@@ -74,7 +74,7 @@ export const compare = {
       search.querySelector("span").textContent = isSearching ? "Stop" : "Find the first variable";
       about.textContent = exact?.wrong || (isSearching && exact ? `variables are the same up to ${exact.t.toFixed(2)} of ${exact.until.toFixed(2)} s` : "");
       about.classList.toggle("wrong", Boolean(exact?.wrong));
-      if (!run && isHeld) return fill(result, el("p.hint", {}, "This page holds another run: choose it."));
+      if (!run && isHeld) return fill(result, el("p.hint", {}, "This page contains another run: select it above."));
       if (!run) return fill(result, el("p.hint", {}, "Compare this run with one that was kept after a change in the past (see Changes), or with a recording: open an .mcap file, or drop it on the page. Its robots are drawn as ghosts, its paths dashed."));
       const rows = [...(exact?.found ?? []), ...run.differences].sort((one, another) => one.t - another.t).map(row);
       fill(result, ...said(), ...(rows.length ? [table(run.name, rows)] : []));
@@ -87,8 +87,8 @@ export const compare = {
       if (!rows || !distance.clientWidth) return;
       const [times, values] = [0, 1].map((column) => rows.map((row) => row[column] ?? NaN));
       const series = { times, values, texts: [], places: [], isStep: false };
-      const strips = [{ label: "m apart", words: false, lines: [{ series, colour: LINES[0], until: times.at(-1) ?? 0 }] }];
-      distance.setAttribute("aria-label", `distance of ${robot} from where it is in ${compared.run.name}`);
+      const strips = [{ label: "distance [m]", words: false, lines: [{ series, colour: LINES[0], until: times.at(-1) ?? 0 }] }];
+      distance.setAttribute("aria-label", `distance of ${robot} from its position in ${compared.run.name}`);
       drawPlot(distance, { strips, begin: 0, end: Math.max(model.run.end_s, 1e-3), now: model.state.t, pointed: null, colours: look.colours });
     };
     for (const kind of ["compared", "panel", "others", "hello", "look"]) model.on(kind, () => (show(), trace()));
