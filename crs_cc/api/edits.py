@@ -1,4 +1,4 @@
-"""Changes of a running world from Python: what the debugger's `world` edits do, and more."""
+"""Changes to a running world from Python: the debugger's `world` edits, and more."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What Python sees of the robots that it steers, by name, as bounded numbers.
+"""Observations for Python policies: what they see of the robots they control, as bounded numbers.
 
 A name is that of a sensor, or one of `pose`, `odometry` and `speeds`.
 """

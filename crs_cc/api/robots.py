@@ -1,4 +1,4 @@
-"""Robots of a session: their poses and readings, in SI units, and how Python steers them."""
+"""Robots of a session: their poses and readings, in SI units, and their control from Python."""
 
 from __future__ import annotations
 

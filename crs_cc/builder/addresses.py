@@ -1,4 +1,4 @@
-"""How elements of a document are named: by their ids, else by where they stand.
+"""Names of elements in a document: their ids, or else their paths.
 
 `crate` is the element with this id, given or by default (`wall0`); `area`, `surface/ramp[1]` and
 `sensor[3]/position` are elements by their tags, counted from 0; `define[table]/leg0` is a part of a

@@ -1,4 +1,4 @@
-"""Copies in rows and rings, and elements in line: array, ring, align, distribute."""
+"""Copies in rows and rings, and alignment of elements: array, ring, align, distribute."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""Elements on their way from one world to another, as text, with the definitions they need.
+r"""Copies of elements for other worlds, as text, with the definitions that they need.
 
 A clip is XML with the root `<clip>`: materials, definitions, then the elements. It can be pasted
 into the same world, another one, or a text editor.

@@ -1,4 +1,4 @@
-"""A document that is changed in place: its bytes, its elements, and how it came to be.
+"""A document that is edited in place: its bytes, its elements, and its edit history.
 
 A change is a list of splices: these bytes become those. Its inverse is a list of splices too, so
 undoing gives the very bytes back, without end, and costs what has changed.

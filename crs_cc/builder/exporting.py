@@ -1,4 +1,4 @@
-"""A world for other programs: its picture as SVG or PNG, and its objects as SDF for Gazebo."""
+"""Export of a world to other programs: a picture as SVG or PNG, and SDF for Gazebo."""
 
 from __future__ import annotations
 

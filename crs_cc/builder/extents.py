@@ -1,4 +1,4 @@
-"""What the elements of a world cover, from the world as it is loaded."""
+"""The extents of a world's elements, taken from the loaded world."""
 
 from __future__ import annotations
 

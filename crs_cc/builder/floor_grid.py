@@ -1,4 +1,4 @@
-"""The floor of a world as a grid, and where bodies can go on it.
+"""The floor of a world as a grid of the places that bodies can reach.
 
 What could just be passed counts as passable, and movable objects are in nobody's way: where a body
 cannot go by this grid, it cannot go.

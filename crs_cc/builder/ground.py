@@ -1,4 +1,4 @@
-"""The ground raised by a brush: its map of heights is made, or changed number by number."""
+"""Raising the ground with a brush: a height map is created, or changed number by number."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Changes of elements as splices: attributes, new elements, elements that go.
+"""Edits of elements as splices: attributes, new elements, removed elements.
 
 What is new is written as the rest of the file: its indentation, its line ends, its encoding. What
 goes takes its line with it if nothing else stands there.

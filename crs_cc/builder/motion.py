@@ -1,4 +1,4 @@
-"""Moving, turning and mirroring elements: what becomes of their coordinates, in their own units.
+"""Moving, turning and mirroring elements: new coordinates, in the units of the old ones.
 
 >>> from crs_cc.builder.document import Document
 >>> room = Document(b"<world><wall x1='75in' y1='0' x2='150cm' y2='0'/></world>", "room.xml")

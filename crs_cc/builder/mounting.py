@@ -1,4 +1,4 @@
-"""Sensors and limbs of a robot definition: where they are on the robot, and what moves them.
+"""Sensors and limbs of a robot definition: their positions on the robot, and changes of them.
 
 >>> from crs_cc.builder.document import Document
 >>> rover = Document(b'''<robot-definition><sensor><position><x-relative>8in</x-relative>

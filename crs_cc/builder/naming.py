@@ -1,4 +1,4 @@
-"""What refers to an element by its name, and follows when that changes."""
+"""References to elements by name, which are updated when a name changes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the operations of the table change: how each is worked out from its values."""
+"""The implementations of the operations in the table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A robot definition from above, as JSON: what the page of the builder draws of it.
+"""A robot definition from above, as JSON for the page of the builder.
 
 Shapes are as in `shapes`, in the robot's frame: its body, its wheels, and each sensor with the
 beginning of its beam.

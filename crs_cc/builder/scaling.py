@@ -1,4 +1,4 @@
-"""Scaling of elements about a point: their places, and the sizes that they have from above.
+"""Scaling of elements about a point: their positions, and their sizes in plan view.
 
 >>> from crs_cc.builder.document import Document
 >>> room = Document(b"<world><box x='1m' y='1m' length='40cm' width='20cm'/></world>", "room.xml")

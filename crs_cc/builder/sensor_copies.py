@@ -1,4 +1,4 @@
-"""Copies of the sonars of a robot definition: each has its own number and fires after others."""
+"""Copies of sonars in a robot definition: each has its own number and fires after the others."""
 
 from __future__ import annotations
 

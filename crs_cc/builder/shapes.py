@@ -1,4 +1,4 @@
-"""The shapes of a world's elements from above, as JSON: what the page of the builder draws.
+"""The shapes of a world's elements from above, as JSON for the page of the builder.
 
 A shape is a polygon (`points`), a disc (`x`, `y`, `radius`) or a wall (`points` and `thickness`);
 lengths are in metres. Those of an object made of parts have the name of their `part`. Warm ones

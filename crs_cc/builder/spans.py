@@ -1,4 +1,4 @@
-"""Where each element and attribute of an XML document stands in its bytes.
+"""The positions of elements and attributes in the bytes of an XML document.
 
 No library writes XML back byte for byte: quotes, spaces between attributes and character references
 are lost in a tree. Here the bytes stay what they are, and the tree says where each part of them is,

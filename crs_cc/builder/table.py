@@ -1,4 +1,4 @@
-"""The table of operations: what page, shell and Python can do with a world, by the same names.
+"""The table of operations: those of the page, the shell and Python, by the same names.
 
 A row says what an operation acts on and what values it takes. `operations` works out what it
 changes, `WorldBuilder.apply` does it; the command line makes a subcommand of each row, and the page

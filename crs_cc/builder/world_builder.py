@@ -1,4 +1,4 @@
-"""The builder of worlds: a file that is changed by operations, checked and saved.
+"""The world builder: a file that is edited by operations, checked and saved.
 
 >>> builder = WorldBuilder.new(length=6.0, width=4.0)
 >>> builder.add("wall", x1=2.0, y1=0.0, x2=2.0, y2="250cm")

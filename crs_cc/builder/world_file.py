@@ -1,4 +1,4 @@
-"""The file of a world that is edited: read, noticed when somebody else changes it, replaced whole.
+"""The file of an edited world: reading, detecting changes by others, replacing atomically.
 
 The new text is written beside the old file, brought to the disk, and then takes its name in one
 step. So at any instant, also after `kill -9` or a power failure, the name stands for all of the old

@@ -1,4 +1,4 @@
-"""A run that its user changed in the debugger, run again with the same changes."""
+"""A run that was changed in the debugger, repeated with the same changes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tables of a recorded run as Parquet or Arrow files, by pyarrow, which is an extra."""
+"""The tables of a recorded run as Parquet or Arrow files, written by pyarrow, an extra."""
 
 from __future__ import annotations
 

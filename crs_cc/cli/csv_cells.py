@@ -1,4 +1,4 @@
-"""Cells of CSV files that spreadsheets take for what they are."""
+"""Cells of CSV files that spreadsheets do not interpret as formulas."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A run whose programs are on other hosts, as `crs serve` has it."""
+"""A run of `crs serve` whose programs are on other hosts."""
 
 from __future__ import annotations
 

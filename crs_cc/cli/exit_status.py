@@ -1,4 +1,4 @@
-"""The exit statuses of `crs` that are not an error class's own (see `crs_cc.core.errors`)."""
+"""The exit statuses of `crs` that do not belong to an error class (see `crs_cc.core.errors`)."""
 
 from typing import Final
 

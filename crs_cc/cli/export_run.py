@@ -1,4 +1,4 @@
-"""What is made of a run from its recording: tables and an animation."""
+"""Exports of a recorded run: tables and an animation."""
 
 from __future__ import annotations
 

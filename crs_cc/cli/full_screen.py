@@ -1,4 +1,4 @@
-"""The full-screen interface of `crs debug`: whether to show it, and how it starts.
+"""The full-screen interface of `crs debug`: when to show it, and how to start it.
 
 It is the default on a terminal. Its packages take half a second to import, so they are imported
 only when it is shown.

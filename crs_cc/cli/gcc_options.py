@@ -1,4 +1,4 @@
-"""Options of gcc that makefiles and habits put on every command line.
+"""Options of gcc that are common in makefiles, and are ignored.
 
 >>> without_gcc_options(["-O2", "-ansi", "-Wall", "wander.c", "-lm"])
 ['-std=c89', '-Wall', 'wander.c']

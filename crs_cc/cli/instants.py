@@ -1,4 +1,4 @@
-"""Instants on the command line."""
+"""Times on the command line."""
 
 from __future__ import annotations
 

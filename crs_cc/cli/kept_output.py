@@ -1,4 +1,4 @@
-"""What the programs print, kept for the results in JSON.
+"""The programs' output, kept for the results in JSON.
 
 >>> kept = KeptOutput(robots=1)
 >>> kept.add(0, 1, b"hello")

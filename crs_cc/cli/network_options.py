@@ -1,4 +1,4 @@
-"""The options that open named ways between a run and the real network."""
+"""The options that connect a run to the real network."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the options of a run to its ways to the real network."""
+"""Opening the connections of a run to the real network, from its options."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Hosts in the environment's own process, in place of those that are lost.
+"""Hosts in the environment's own process, which replace lost ones.
 
 They run what the lost hosts have sent when they came: their sources, compiled again here.
 """

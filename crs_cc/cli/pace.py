@@ -1,4 +1,4 @@
-"""How fast a run goes compared with real time, and what the progress line says of it.
+"""The speed of a run relative to real time, and its part of the progress line.
 
 >>> Pace(math.inf).behind_s(5.0, 0.1)
 0.0

@@ -1,4 +1,4 @@
-"""Options that name what a command writes."""
+"""Options for the files that a command writes."""
 
 from __future__ import annotations
 

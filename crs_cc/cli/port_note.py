@@ -1,4 +1,4 @@
-"""What a command that listens on a port leaves there for other commands of the same user.
+"""The file that a server leaves for other commands of the same user, with its address.
 
 It is a file in the user's cache that nobody else can read, because it holds a token.
 """

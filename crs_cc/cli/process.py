@@ -1,4 +1,4 @@
-"""`crs` as a process of its own: started and left faster than as a library.
+"""`crs` as a process: it starts and exits faster than as a library.
 
 Python's garbage collector would scan what starting creates again and again, and OpenBLAS would
 start threads that nothing here uses. The end of the interpreter would free every object one by

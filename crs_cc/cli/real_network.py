@@ -1,4 +1,4 @@
-"""The ways between a run and the real network, while it goes on.
+"""The connections between a run and the real network.
 
 Connections are looked at between two timesteps. Whatever comes from outside is made a change of the
 run, as `network 0 send hello`, and recorded as such; what programs send goes out.

@@ -1,4 +1,4 @@
-"""Record the run of a debugger: it is run once more, from the start to where it stands.
+"""Recording of a debugged run: it is repeated from the start to its current position.
 
 A run that went back and forth is at each instant what it would have been otherwise, so it is the
 same run. What the user changed by hand is done again, and recorded as input.

@@ -1,4 +1,4 @@
-"""From a recording back to a run: its options, its files on a disk, its input."""
+"""Repeating a recorded run: its options, its files on a disk, its input."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A run that goes on where a recording of it ends: it is run again, to the same bits."""
+"""A run that continues where a recording ends: it is repeated up to there, bit for bit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Hints at mistakes that show only in a run, each once: on stderr, and in the JSON."""
+"""Hints about mistakes that show only in a run, each once: on stderr, and in the JSON."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Run the programs of robots for an environment elsewhere, until it says that the run has ended."""
+"""Run the programs of robots for a remote environment, until the run has ended."""
 
 from __future__ import annotations
 

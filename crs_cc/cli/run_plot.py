@@ -1,4 +1,4 @@
-"""Collects what the plot of a run shows: paths, contacts, objects that were pushed."""
+"""Collection of what the plot of a run shows: paths, contacts, pushed objects."""
 
 from __future__ import annotations
 

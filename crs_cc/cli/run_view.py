@@ -1,4 +1,4 @@
-"""`crs run --view`: pages look at a run that goes on by itself."""
+"""`crs run --view`: pages that show a run while it advances by itself."""
 
 from __future__ import annotations
 

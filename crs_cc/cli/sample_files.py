@@ -1,4 +1,4 @@
-"""The sample programs and worlds that come with crs: what there is, and what belongs together.
+"""The sample programs and worlds of crs, and which of them belong together.
 
 A sample is a file, or a folder whose files belong together. A sample that is a file brings those
 that it names: a world its pictures and robot definitions, a program the files that it reads.

@@ -1,4 +1,4 @@
-"""The port of `crs serve`: who may come, encrypted or not, for hosts and for pages."""
+"""The port of `crs serve`, for hosts and pages: access control and encryption."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The options that say how long a run takes: simulated and real."""
+"""The options that limit the duration of a run: simulated and real time."""
 
 from __future__ import annotations
 

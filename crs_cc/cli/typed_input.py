@@ -1,4 +1,4 @@
-r"""The standard input of programs: ours, or lines typed at simulated times.
+r"""The standard input of programs: that of crs, or lines typed at simulated times.
 
 A script has a line for each time at which something is typed, in order. `\n` is the return key;
 other escapes are those of C:

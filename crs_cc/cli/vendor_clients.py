@@ -1,4 +1,4 @@
-"""Programs linked with the vendor's client libraries, as the drivers of robots of a run."""
+"""Programs linked with the vendor's client libraries that control the robots of a run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs of this user that show themselves in the browser, by their ports: `crs view HOST:PORT`.
+"""Runs of this user that are served to the browser, by port: `crs view HOST:PORT`.
 
 Whoever shows a run leaves its address, which has its token, in a note (`port_note`).
 """

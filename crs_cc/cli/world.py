@@ -1,4 +1,4 @@
-"""`crs world`: edit a world file by commands, of which each operation of the builder is one."""
+"""`crs world`: edit a world file from the command line, one operation of the builder at a time."""
 
 from __future__ import annotations
 

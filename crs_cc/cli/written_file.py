@@ -1,4 +1,4 @@
-"""Files that are written as a whole: an error names the file, and half of one is not left."""
+"""Files that are written as a whole: errors name the file, and no partial file is left."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The distinct members of a sequence: what is computed once for many equal ones.
+"""The distinct members of a sequence, so that equal ones are computed once.
 
 >>> members, places = distinct(["scout", "nomad", "scout"])
 >>> members, places.tolist()

@@ -1,4 +1,4 @@
-"""What differs between operating systems, and in no other module.
+"""All code that depends on the operating system.
 
 Linux is where crs is developed and tested. Here is what macOS and Windows do not have: names that
 `os` lacks there, modules that cannot be imported, files below `/proc`. Where a safeguard of Linux

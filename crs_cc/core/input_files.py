@@ -1,4 +1,4 @@
-"""Which files a run was loaded from: for recordings, which keep a copy of each.
+"""The files from which a run was loaded: recordings keep a copy of each.
 
 >>> with logged() as files:
 ...     note(Path("room.xml"), b"<world/>")

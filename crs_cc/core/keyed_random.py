@@ -1,4 +1,4 @@
-"""Counter-based random numbers: each is a function of seed, stream and integer keys alone.
+"""Counter-based random numbers: each is a function of seed, stream and integer keys only.
 
 What concerns a pair of robots has no stream: a row would have to be held for each pair. So the
 number is a hash of its keys, by the mixing steps of SplitMix64 (G. L. Steele, D. Lea, C. H. Flood,

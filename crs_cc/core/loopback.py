@@ -1,4 +1,4 @@
-"""What a server on this machine checks before it answers: tokens, hosts and origins.
+"""The checks of local servers before they answer: tokens, hosts and origins.
 
 A server listens on the loopback interface, so no other machine reaches it. But each user and each
 web page on this machine does: hence a token that only the user knows, and the names of host and

@@ -1,4 +1,4 @@
-"""Numbers with units, as people write them in world and robot files.
+"""Numbers with units, as written in world and robot files.
 
 >>> LENGTH.parse("150cm"), LENGTH.parse("1.5"), round(LENGTH.parse("60 in"), 6)
 (1.5, 1.5, 1.524)

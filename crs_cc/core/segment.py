@@ -1,4 +1,4 @@
-"""The point of a line segment that is nearest to a place.
+"""The point of a line segment that is nearest to a given point.
 
     share    = clip(across . along / along . along, 0, 1)
     nearest  = start + share * along

@@ -1,4 +1,4 @@
-"""Where the samples, worlds and documentation pages are.
+"""The locations of the samples, worlds and documentation pages.
 
 In a checkout they stand beside the package; a build copies them into it (`setup.py`).
 """

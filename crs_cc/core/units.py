@@ -1,4 +1,4 @@
-"""The only place where lengths and angles change units: SI and radians inside, others outside.
+"""Unit conversions of lengths and angles, which are in SI units and radians everywhere else.
 
 The Nomadic interface counts in tenths of an inch and tenths of a degree (vendor header
 `Nclient.h` 1.29); its sonar readings are whole inches.

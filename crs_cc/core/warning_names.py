@@ -1,4 +1,4 @@
-"""The names of all warnings, and which of them a user wants.
+"""The names of all warnings, and the selection of warnings by the user.
 
 A warning has the name of gcc's or clang's, where these have it; `-W` options select by name:
 

@@ -1,4 +1,4 @@
-"""Why batteries have the charge that they have, and what values of the whole world come from."""
+"""Causes of the charge of batteries, and of values of the whole world."""
 
 from __future__ import annotations
 

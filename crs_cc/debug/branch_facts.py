@@ -1,4 +1,4 @@
-"""The comparable state of a branch at many timesteps, without going there for good."""
+"""The comparable state of a branch at many timesteps, without switching to it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Nodes of the tree that says where a value came from."""
+"""Nodes of the why-tree, which shows where a value came from."""
 
 from __future__ import annotations
 

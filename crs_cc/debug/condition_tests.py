@@ -1,4 +1,4 @@
-"""Conditions of breakpoints that programs test themselves, so that false ones cost no stop.
+"""Breakpoint conditions that programs test themselves, so that false ones cause no stop.
 
 A program that tests a condition stops where it may be true; the debugger then evaluates it as ever.
 So what can be translated changes the time that a run takes, and nothing else.

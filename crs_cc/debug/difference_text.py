@@ -1,4 +1,4 @@
-"""What is said of a difference: in which element or member values differ, and by how much."""
+"""Descriptions of differences: the element or member that differs, and by how much."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where the operands of a statement of the past are evaluated."""
+"""The positions at which the operands of a past statement are evaluated."""
 
 from __future__ import annotations
 

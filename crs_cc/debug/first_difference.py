@@ -1,4 +1,4 @@
-"""The first timestep at whose start two runs differ, looked for a piece at a time."""
+"""The first timestep at whose start two runs differ, searched piece by piece."""
 
 from __future__ import annotations
 

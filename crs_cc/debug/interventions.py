@@ -1,4 +1,4 @@
-"""What the user has done to a run: changes, and lines typed for programs; how it is taken back.
+"""The user's interventions in a run: changes and typed lines, and how they are undone.
 
 Both are in the order of the run. To take one back is to go to where it was done, and to forget it
 with all that was done later: the program asks again for a line.

@@ -1,4 +1,4 @@
-"""Breakpoints, watchpoints and catchpoints as data, which a recording keeps with the run.
+"""Breakpoints, watchpoints and catchpoints as data, for recordings.
 
 Their commands are not kept: whoever opens a run of somebody else would execute them.
 """

@@ -1,4 +1,4 @@
-"""The last write of an object before an instant, and the next one after it."""
+"""The last write of an object before a position, and the next one after it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Breakpoint locations as users write them: a line, a function, a call of the robot.
+"""Breakpoint locations as users type them: a line, a function, a call of the robot.
 
 A line without code means the next one with code. A line or a function stops before its
 first statement; a function of the robot (`ws`, `get_sn`) when its request is posted; another one of

@@ -1,4 +1,4 @@
-"""The messages of log points: texts with expressions in braces.
+"""The messages of log points: text with expressions in braces.
 
 `{speed}` is replaced by the value as `print` shows it. A conversion specification in front of the
 expression, as in `{%5.1f speed}`, formats it as `printf` does; `{%*d width, speed}` has its width

@@ -1,4 +1,4 @@
-"""Messages between robots as causes: where one was sent, and which were lost since."""
+"""Messages between robots as causes: where they were sent, and which were lost since."""
 
 from __future__ import annotations
 

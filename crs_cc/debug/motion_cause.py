@@ -1,4 +1,4 @@
-"""Why objects of the world are where they are: commands, contacts, changes by hand, faults."""
+"""Causes of the positions of objects: commands, contacts, changes by hand, faults."""
 
 from __future__ import annotations
 

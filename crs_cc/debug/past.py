@@ -1,4 +1,4 @@
-"""Questions about the recorded past: the run is replayed, and is then where it was.
+"""Queries about the recorded past: the run is replayed and then restored to its position.
 
 Nothing is shown of the output of the programs, and breakpoints do not count. Only the programs run
 again where that is enough, see `timeline.input_log`.

@@ -1,4 +1,4 @@
-"""A program as the debugger needs it: its debug build and its source."""
+"""A program in the debugger: its debug build and its source."""
 
 from __future__ import annotations
 

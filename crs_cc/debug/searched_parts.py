@@ -1,4 +1,4 @@
-"""The parts of the past in which there may be a reason to stop, the last one first.
+"""The parts of the past that may contain a reason to stop, latest first.
 
 They end at snapshots, and leave out what is known to be of no use: where no program has passed a
 site that has a breakpoint, and none has ended (`timeline.passed_sites`).

@@ -1,4 +1,4 @@
-"""The source of what a statement did, from its location on."""
+"""The source text of a statement, from its location on."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where stepping ends: the conditions of `step`, `next`, `finish` and `until`.
+"""The conditions that end stepping: those of `step`, `next`, `finish` and `until`.
 
 A program steps from line to line. Statements that follow each other in one line of one call belong
 together until one of them is repeated: then the line starts again.

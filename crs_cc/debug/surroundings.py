@@ -1,4 +1,4 @@
-"""The world and the other robots' programs of a run, as expressions use them."""
+"""The world and the other robots' programs of a run, as used by expressions."""
 
 from __future__ import annotations
 

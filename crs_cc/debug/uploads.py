@@ -1,4 +1,4 @@
-"""Programs that a user brings to a run that goes on, as text, for robots that join.
+"""Programs that a user adds to a running run, as text, for robots that join.
 
 Their text is part of the change that uses them, so a recording has all that it needs.
 """

@@ -1,4 +1,4 @@
-"""Where a value came from: a tree of writes, each with what it was computed from.
+"""The why-tree: the writes that a value came from, each with the values it was computed from.
 
 The last write of an object is found as `last_write` does. Its statement says what it was computed
 from; each of these operands is an object with a last write of its own, before that statement. So

@@ -1,1 +1,1 @@
-"""Jobs in processes of their own, several at a time: for `crs grade` and `crs sweep`."""
+"""Jobs in separate processes, several at a time: for `crs grade` and `crs sweep`."""

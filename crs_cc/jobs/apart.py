@@ -1,4 +1,4 @@
-"""Computing in a copy of this process, so that nothing stays of it but the result."""
+"""Computing in a fork of this process, of which only the result remains."""
 
 from __future__ import annotations
 

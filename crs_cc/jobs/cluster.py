@@ -1,4 +1,4 @@
-"""Runs jobs on a Dask cluster instead of processes of this machine (extra `cluster`).
+"""Runs jobs on a Dask cluster instead of local processes (extra `cluster`).
 
 Each thread of a Dask worker has a process that runs jobs, one of those of `jobs.pool`, so a job is
 limited there as it is here. A worker that is lost costs nothing: others run its tasks again, which

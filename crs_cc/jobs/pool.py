@@ -1,4 +1,4 @@
-"""Runs jobs in processes of their own, several at a time, so that none can harm another.
+"""Runs jobs in separate processes, several at a time, so that none can affect another.
 
 A job is plain data, and so is its result. Limits of real time are the last resort: they end a
 process that is still preparing, or running, after so long that only its end is sure.

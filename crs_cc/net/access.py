@@ -1,4 +1,4 @@
-r"""Who may do what: tokens by role, from a file or made at start.
+r"""Access control: tokens by role, from a file or generated at startup.
 
 A line of the file has a role and a token; empty lines and lines that begin with `#` do not count.
 

@@ -1,4 +1,4 @@
-"""What has changed in the slots of some programs, as bytes.
+"""The changed words in the slots of some programs, as bytes.
 
 Both ends of a connection know the same table, with a row of 64-bit words for each program: its slot
 and its clock. Whoever changes rows sends a mask for each

@@ -1,4 +1,4 @@
-"""The hosts of a run on a Dask cluster: tasks, which Dask places and starts again.
+"""The hosts of a run on a Dask cluster: tasks, which Dask starts and restarts.
 
 Dask says nothing about the run: slots cross on the environment's own connections. A lost worker's
 tasks are run again by others; such a host takes over as any other does, see `host_link`. Whether

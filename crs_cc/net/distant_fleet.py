@@ -1,4 +1,4 @@
-"""A fleet whose programs run elsewhere: a session uses it as any other.
+"""A fleet whose programs run on hosts, with the interface of a local fleet.
 
 Each host runs rounds of its own programs until one of them asks for something. So hosts are ahead
 of each other by some rounds of the cycle; what they ask for is handed on in the order of the

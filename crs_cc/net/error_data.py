@@ -1,4 +1,4 @@
-"""The report of a run-time error as JSON, and back: it is made where the program runs.
+"""Serialisation of runtime error reports, which are made where the program runs, as JSON.
 
 >>> import json
 >>> report = ErrorReport("null pointer", Location("a.c", 3, 5), "null pointer: read", "*p = 1;")

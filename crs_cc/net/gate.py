@@ -1,4 +1,4 @@
-"""The one port of an environment: hosts, and pages that look at the run.
+"""The single port of an environment, for hosts and for pages that show the run.
 
 The first bytes of a connection say what it is. Each connection is met in a thread of its own, with
 bounded time and memory, so that one that says nothing, or something else, disturbs nobody.

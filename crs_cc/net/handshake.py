@@ -1,4 +1,4 @@
-"""The first messages of a connection: who a host is, and what it runs.
+"""The first messages of a connection: the identity of a host, and its programs.
 
 >>> hello = Hello("token", "host", ("robot0",), "digest")
 >>> Hello.of(hello.content()) == hello

@@ -1,4 +1,4 @@
-"""A shorter way between an environment and a host that the same user runs on the same machine.
+"""A Unix socket instead of TCP, between an environment and a host of one user on one machine.
 
 A message over TCP takes twice the time of one over a local socket of Unix, though nothing leaves
 the machine. So a host says what it sees of its connection: the addresses of both ends. If that is

@@ -1,4 +1,4 @@
-"""A host: runs the programs of some robots for an environment elsewhere.
+"""A host: runs the programs of some robots for a remote environment.
 
 It does what it is granted, see `host_link`. What its programs write is shown when the environment
 has taken it, so that nothing is shown twice when programs go on from an earlier state.

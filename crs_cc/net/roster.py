@@ -1,4 +1,4 @@
-"""Which host runs which robots' programs: claimed by hosts that come, taken by the run.
+"""The assignment of robots to hosts: claimed by hosts that connect, used by the run.
 
 Hosts are met in threads of their own; the run waits for them in its own thread.
 """

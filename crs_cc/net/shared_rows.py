@@ -1,4 +1,4 @@
-"""The rows of all robots of a run, of which each host knows those of its own robots.
+"""The rows of all robots of a run; each host has those of its own robots.
 
 The session reads and writes one table, which is in the memory of a kernel, just where that looks
 for changes: nothing is copied before changes are packed, nor after those of hosts have been

@@ -1,4 +1,4 @@
-"""What a host may change in the slots and clocks of its programs.
+"""The changes that a host may make to the slots and clocks of its programs.
 
 Each word of a row has bits that never change, a greatest value, and perhaps never falls. Words are
 compared as whole numbers; floating-point numbers that are not negative are ordered as their bits

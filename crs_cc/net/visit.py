@@ -1,4 +1,4 @@
-"""A host's way to an environment: connect, say who it is, and get its robots."""
+"""A host's connection to an environment: connect, authenticate, and claim robots."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The kernel that finds and enters changed words, and how Python calls it, see `kernels/main.c`."""
+"""The kernel that finds and writes changed words, and its calls from Python, see `main.c`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Draws a picture of `svg.Page` on pixels: the shapes and attributes that our plots use.
+"""Renders a picture of `svg.Page` to pixels: the shapes and attributes that our plots use.
 
 Everything is drawn twice as large and made smaller, so edges are smooth. Colours with an opacity
 are mixed with white, which is what plots have below them.

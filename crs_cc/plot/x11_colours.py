@@ -1,4 +1,4 @@
-"""The colours that programs draw in, as the X Window System shows them (X11R6 `rgb.txt`)."""
+"""The colours of programs' drawings, by the X Window System's table (X11R6 `rgb.txt`)."""
 
 from __future__ import annotations
 

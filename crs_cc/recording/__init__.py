@@ -1,1 +1,1 @@
-"""Recordings of runs in files: written while a run goes on, read, checked and exported."""
+"""Recordings of runs in files: written during a run, read, checked and exported."""

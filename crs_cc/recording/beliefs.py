@@ -1,4 +1,4 @@
-"""Where robots believe to be, as the difference to what their motion leads one to expect.
+"""Odometry in recordings, as the difference from a prediction by the true motion.
 
 Odometry goes on as the robot does, turned by the angle between its frame and the world's: where it
 believes to be is told from where it believed to be, where it was then, and where it is now. What is

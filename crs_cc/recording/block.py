@@ -1,4 +1,4 @@
-"""What is gathered of a run until it is encoded.
+"""Data of a run that is collected until it is encoded.
 
 A block is written as one chunk. What a second brings can be saved before, as it is.
 """

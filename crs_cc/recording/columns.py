@@ -1,4 +1,4 @@
-"""Columns of bytes that grow by whole rows: quick to copy to, and little to keep.
+"""Columns of bytes that grow by whole rows: fast to append to, and compact.
 
 >>> columns = Columns(1, 2)
 >>> columns.extend([b"ab", b"1122"])

@@ -1,4 +1,4 @@
-r"""Bytes in JSON: as text where they are UTF-8, else in base 64.
+r"""Bytes in JSON: as text if they are UTF-8, otherwise in base64.
 
 >>> content_of({"text": "bump"}), content_of({"base64": "/w=="})
 (b'bump', b'\xff')

@@ -1,4 +1,4 @@
-"""What odometry should tell at any instant of a block, given its frames.
+"""The predicted odometry at any time of a block, given its frames.
 
 A program that reads `State` is told where its odometry has the robot at that instant, in units of
 the vendor. That is what the frames before and after it say, to within the rounding; so readings

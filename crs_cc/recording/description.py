@@ -1,4 +1,4 @@
-"""What is run: all that a recording needs besides the files to run it again."""
+"""The description of a run: all that is needed besides its files to repeat it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A short hash of a run, cheap enough to be taken each second.
+"""A short hash of a run, cheap enough to be computed each second.
 
 The hash of all state (`Session.state_hash`) reads every robot's memory, which takes seconds for
 10,000 robots. This one covers what depends on all of it: where everything is and goes, what the

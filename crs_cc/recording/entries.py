@@ -1,4 +1,4 @@
-"""What happened, as entries in JSON: a message has those of a span of time.
+"""Events as entries in JSON: a message has those of an interval.
 
 A message has 31 bytes of head in its chunk and 16 in the chunk's index, more than most of what it
 would say if each entry were one.

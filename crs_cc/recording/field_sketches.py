@@ -1,4 +1,4 @@
-"""Sketches of pheromone fields: what lies where, coarsely, as shares of the largest amount.
+"""Pheromone fields in low resolution, as fractions of the largest amount.
 
 A sketch stands alone, so any instant can be shown without those before it. Between two of them a
 field evaporates as the earlier one says; the later one is there because something else happened.

@@ -1,4 +1,4 @@
-"""Frames, and what follows from them, as they are read from the messages of a recording."""
+"""Frames, and values derived from them, as read from the messages of a recording."""
 
 from __future__ import annotations
 

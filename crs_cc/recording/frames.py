@@ -1,4 +1,4 @@
-"""Frames: where everything is, as columns of whole numbers of 0.1 mm and 0.1 mrad.
+"""Frames: the positions of everything, as columns of integers of 0.1 mm and 0.1 mrad.
 
 A frame is a key frame, or the difference to the frame before, or to what the two before it lead
 one to expect, since things mostly go on as they do; the first frame of each recorded second is a

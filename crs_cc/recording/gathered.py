@@ -1,4 +1,4 @@
-"""Where everything was, as it is gathered while a run goes on: bytes, of which nothing is computed.
+"""Frames as they are collected during a run: raw bytes, without computation.
 
 A timestep is copied from the environment's state. Of a passage of many timesteps, the session tells
 where the robots were in each; whatever else can move did not. What a second brings can be saved as

@@ -1,4 +1,4 @@
-"""The `State` vectors that programs were given, as they are gathered while a run goes on."""
+"""The `State` vectors sent to programs, as they are collected during a run."""
 
 from __future__ import annotations
 

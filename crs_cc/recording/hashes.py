@@ -1,4 +1,4 @@
-"""The hashes of a run, by which it is compared with another run of the same.
+"""The hashes of a run, for comparison with a repetition of it.
 
 >>> made = [Hash(20, "0f3a", 7, ""), Hash(40, "77aa", 9, "28212b1101b966de")]
 >>> entry_of(made)["digest"], entry_of(made)["state"]

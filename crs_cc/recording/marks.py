@@ -1,4 +1,4 @@
-"""The marks that programs drew in a recorded run: when each was in the picture."""
+"""The marks that programs drew in a recorded run, and when each was visible."""
 
 from __future__ import annotations
 

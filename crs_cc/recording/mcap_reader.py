@@ -1,4 +1,4 @@
-"""Reads MCAP files that nobody vouches for: in bounded memory, and as far as they are intact.
+"""Reads untrusted MCAP files: in bounded memory, and as far as they are intact.
 
 The summary is not used: the records are walked from the start, by their lengths, without reading
 chunks and attachments. So an unfinished or damaged file is read like any other, up to the damage.

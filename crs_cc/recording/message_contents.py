@@ -1,4 +1,4 @@
-r"""What robots said to each other: recorded once, with the message that was sent.
+r"""The contents of messages between robots: recorded once, with the message that was sent.
 
 >>> said = MessageContents()
 >>> said.of({"sender": [2, 0], "number": [7, 1], "content": ["676f00", None]})

@@ -1,4 +1,4 @@
-"""Readings: the `State` vectors that programs were given, in the vendor's units.
+"""Readings: the `State` vectors sent to programs, in the vendor's units.
 
 A message has all readings of a span of time, a row for each answer, by robot and then in the order
 of time. A vector is written as its differences from the one before of the same robot: those of

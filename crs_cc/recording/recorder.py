@@ -1,4 +1,4 @@
-"""Records a run while it goes on.
+"""Records a run while it is running.
 
 What happens is gathered, of a passage of many timesteps at once where the session tells it so, and
 written each second of simulated time, so a run that is killed loses its last second at most. Of a

@@ -1,4 +1,4 @@
-"""A recording that is read: its description, and what it tells of any instant.
+"""An opened recording: its description, and its contents at any time.
 
 Nothing in the file is trusted: whatever is not as it should be is a `RecordingError`, and what is
 read at a time is a chunk.

@@ -1,4 +1,4 @@
-"""Mends a recording that was not finished, or is damaged: what is intact is written anew."""
+"""Recovers an unfinished or damaged recording: its intact parts are written to a new file."""
 
 from __future__ import annotations
 

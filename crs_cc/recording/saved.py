@@ -1,4 +1,4 @@
-r"""What a second brings, saved as it was gathered, until a chunk takes its place.
+r"""The data of a second, saved as collected, until a chunk replaces it.
 
 It is part of a file only while a run goes on, or if it was killed. Nothing is encoded for it: a
 second of one robot takes a few copies. The form is little-endian, see `HEAD`, and no other program

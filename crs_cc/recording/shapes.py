@@ -1,4 +1,4 @@
-"""The things of a world as the viewer draws them."""
+"""The objects of a world as the viewer draws them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What happened in a timestep, as plain data for messages in JSON."""
+"""The events of a timestep, as plain data for messages in JSON."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The attribute `alias`: every use of a function's or object's other name becomes one of its own.
+"""The attribute `alias`: every use of another name of a function or object is replaced.
 
 >>> from crs_cc.core.source import Location
 >>> from crs_cc.ir.program import Data, Program, Relocation

@@ -1,4 +1,4 @@
-"""A program of ours that computes for the simulation, in a memory of its own.
+"""An instance of a kernel program for the simulation, with its own memory.
 
 Such a program has the same form as a robot's: it posts a request when it waits for work, and its
 whole state is in its memory, which numpy sees. A call is one C call into wasmtime, without the

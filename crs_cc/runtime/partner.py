@@ -1,4 +1,4 @@
-"""A program of ours that takes turns with the programs of a fleet, without a return to Python.
+"""A kernel program that takes turns with the programs of a fleet, without returning to Python.
 
 It is resumed, with the slots and clocks of all programs copied into its memory, and tells what is
 to happen by a `TURN` at an address there: if its verdict is `RUN`, the fleet's driver runs rounds

@@ -1,4 +1,4 @@
-"""Tests that a program makes at sites marked `TEST`, to know whether it must stop there.
+"""Tests of programs at sites marked `TEST`, which decide whether to stop there.
 
 They are in a module of their own, an instance of which is put into the table of a sandbox: builds
 know nothing of the conditions that a user thinks of. See `codegen.stop_marks`.

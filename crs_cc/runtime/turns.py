@@ -1,4 +1,4 @@
-"""What happens before and after a program's turn in a round, as WebAssembly for the driver.
+"""The code before and after a program's turn in a round, as WebAssembly for the driver.
 
 Before, it is given the fuel that it needs to reach the end of the cycle, if it runs at all. After,
 its clock advances by what it has used. Requests about time depend on nothing but the program's own

@@ -1,4 +1,4 @@
-"""From the user's C files to an executable: compile, link, generate code, cache."""
+"""Building an executable from the user's C files: compile, link, generate code, cache."""
 
 from __future__ import annotations
 

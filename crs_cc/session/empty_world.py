@@ -1,4 +1,4 @@
-"""The world of a run without a world file, from the cache if it was made before."""
+"""The world of a run without a world file, cached after the first use."""
 
 from __future__ import annotations
 

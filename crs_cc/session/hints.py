@@ -1,4 +1,4 @@
-"""What is probably a mistake: moves that are cut off, speeds beyond the robot's, and the like.
+"""Hints about probable mistakes: moves that are cut off, speeds beyond the robot's, and others.
 
 Each kind is noted once for each program. What is noted is not part of the state of a run.
 """

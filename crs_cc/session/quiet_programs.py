@@ -1,4 +1,4 @@
-"""Quiet time: programs run through timesteps in which nothing happens in the world.
+"""Quiet time: programs advance through timesteps in which nothing happens in the world.
 
 See `sim/engine/quiet_time.py` for what is quiet. The timesteps are only counted.
 """

@@ -1,4 +1,4 @@
-"""Plans of other programs as elements of worlds: `plan` chooses the reader by the file's name.
+"""Import of plans from other programs: `plan` chooses the reader by the file name.
 
 - `drawn` collects walls, boxes and so on, and what was left out.
 - `svg_plan` reads floor plans in SVG, with `svg_path` and `svg_transform`; `stage_plan` Stage's

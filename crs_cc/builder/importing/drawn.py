@@ -1,4 +1,4 @@
-"""The result of reading a plan: elements in metres, and what was left out.
+"""The result of reading a plan: elements in metres, and what was omitted.
 
 >>> drawn = Drawn()
 >>> drawn.wall((0, 0), (2, 0), thickness_m=0.1)

@@ -1,4 +1,4 @@
-r"""The form of Stage's world files: names with values, and blocks.
+r"""The syntax of Stage's world files: names with values, and blocks.
 
 >>> blocks = parse('define wall model ( color "red" )  # a kind\nwall ( pose [1 2 0 90] )')
 >>> [(block.word, block.name, block.values) for block in blocks]

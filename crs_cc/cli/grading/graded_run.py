@@ -1,4 +1,4 @@
-"""Compile a submission in the current directory, run it in a world, and see what it achieves."""
+"""Compile a submission in the current directory, run it in a world, and report its goals."""
 
 from __future__ import annotations
 

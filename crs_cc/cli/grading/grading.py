@@ -1,4 +1,4 @@
-"""Grades submissions: copies them, runs each in every case, and collects what has become of it."""
+"""Grading of submissions: copy them, run each in every case, and collect the results."""
 
 from __future__ import annotations
 

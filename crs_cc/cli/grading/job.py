@@ -1,4 +1,4 @@
-"""One run of a submission, as plain data that goes to a process of its own and comes back.
+"""One run of a submission, as plain data that is sent to a process and back.
 
 >>> job = Job("anna", "/tmp/s", ("main.c",), "/tmp/room.xml", 3, Limits(), ())
 >>> Job.from_data(job.as_data()) == job

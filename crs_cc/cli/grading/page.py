@@ -1,4 +1,4 @@
-"""Grades as a page: one file that needs no network, with a picture of each run.
+"""Grades as an HTML page: one offline file, with a picture of each run.
 
 Whatever comes from submissions is escaped; pictures are images, in which nothing runs; and the
 page's own policy lets it load nothing and run nothing but the script that sorts its table.

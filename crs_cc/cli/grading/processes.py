@@ -1,4 +1,4 @@
-"""Runs the jobs of a grading in processes of their own: what goes wrong is the job's grade."""
+"""Running the jobs of a grading in separate processes: a failure affects one grade only."""
 
 from __future__ import annotations
 

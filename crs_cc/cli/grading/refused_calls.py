@@ -1,4 +1,4 @@
-"""Calls that only the vendor's simulator answers, and no robot: they are refused in submissions.
+"""Calls that only the vendor's simulator answers: they are rejected in submissions.
 
 `place_robot` puts the robot where it wants to be, `new_world` removes what is in its way, `get_rpx`
 tells the true poses. A program may not even contain such a call; one that posts the request behind

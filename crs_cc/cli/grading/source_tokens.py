@@ -1,4 +1,4 @@
-"""The tokens of a submission after preprocessing, with the places that they come from."""
+"""The tokens of a submission after preprocessing, with their source locations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Finds what was handed in, and copies it so that nothing else is ever read.
+"""Finding submissions, and copying them so that nothing else is read.
 
 Each entry of a folder of submissions is a submission: a C file, or a folder with the C files and
 headers of a program. Links are not followed, whatever they point to; nor are devices, pipes and the

@@ -1,4 +1,4 @@
-"""How the commands compare with gdb's, for its users.
+"""Correspondence between the commands and gdb's.
 
 >>> gdb_name("info globals"), gdb_name("finish"), gdb_name("goto")
 ('info variables', 'finish', '')

@@ -1,4 +1,4 @@
-"""Commands that keep notes, and save the run with them."""
+"""Commands for notes, and for saving the run with them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Commands that ask about the recorded past, without moving the run.
+"""Commands that query the recorded past without moving the run.
 
 Each answer is a list of instants, numbered so that `goto @3` goes to the third.
 """

@@ -1,4 +1,4 @@
-"""The settings of the debugger: one table, for `set`, `show` and the file that keeps them.
+"""The settings of the debugger: one table for `set`, `show` and the settings file.
 
 Only a session at a terminal reads the file: what a script prints does not depend on it.
 

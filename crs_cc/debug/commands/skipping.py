@@ -1,4 +1,4 @@
-"""Commands for what `step` does not enter."""
+"""Commands for functions and files that `step` does not enter."""
 
 from __future__ import annotations
 

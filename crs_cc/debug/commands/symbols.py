@@ -1,4 +1,4 @@
-"""Commands for what a program's source declares: files, functions, variables, types, macros."""
+"""Commands for declarations in the source: files, functions, variables, types, macros."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the debugger knows of a user from earlier sessions at a terminal: settings, and commands."""
+"""The user's settings and command history from earlier sessions at a terminal."""
 
 from __future__ import annotations
 

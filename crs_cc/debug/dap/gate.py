@@ -1,4 +1,4 @@
-"""Who is served on a port: clients that know the token, and one of them at a time.
+"""Access to a port: clients that know the token, and only one of them at a time.
 
 Until a client has shown the token it may only `initialize`, which tells it nothing of the user's.
 Most editors send nothing of their own but the attributes of `launch`, so the token is one of these.

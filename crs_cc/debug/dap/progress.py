@@ -1,4 +1,4 @@
-"""Progress of long moves: what a client shows while programs run, with a button that stops them.
+"""Progress of long moves: shown by the client while programs run, with a button to stop them.
 
 It is told from a thread of its own, as the engine's is busy. Nothing in the run depends on it.
 """

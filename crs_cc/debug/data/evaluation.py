@@ -1,4 +1,4 @@
-"""The results of evaluating C expressions, and of resolving what they name."""
+"""The results of evaluating C expressions, and of resolving names in them."""
 
 from __future__ import annotations
 

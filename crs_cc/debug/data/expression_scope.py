@@ -1,4 +1,4 @@
-"""Where the names of an expression have their meaning, for expressions that are evaluated later."""
+"""The scopes of expressions that are evaluated later."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A stopped program's memory as expressions access it, checked by the rules of C.
+"""Access of expressions to a stopped program's memory, checked by the rules of C.
 
 The side effects of an evaluation can be undone, byte states included: a failed evaluation has
 none. Variables in registers are saved to the frame while the program is stopped; C cannot

@@ -1,4 +1,4 @@
-"""What expressions use besides their program: the world, and the programs of other robots.
+"""What expressions use outside their program: the world, and the programs of other robots.
 
 These values are copied into an expression when it is evaluated, and cannot be assigned to. A
 pointer of another program means nothing in this one, so it has become `const void *`.

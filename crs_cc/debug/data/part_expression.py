@@ -1,4 +1,4 @@
-"""C expressions for the parts of values, as screens show them."""
+"""C expressions for the parts of values, as displayed in user interfaces."""
 
 from __future__ import annotations
 

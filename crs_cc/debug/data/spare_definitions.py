@@ -1,4 +1,4 @@
-"""Functions and objects that a program lacks, but which expressions may use.
+"""Functions and objects that are missing in a program, but can be used in expressions.
 
 They are the functions of the user's that nothing uses, so that the linker has left them out, and
 the definitions of the library that do not need the simulated world. Objects of the library are

@@ -1,4 +1,4 @@
-"""What a statement reads, from its text: the operands that its value was computed from.
+"""The operands that a statement reads, found in its text.
 
 >>> operands("tab[i + 1].x * *p + turn(speed, 3) - left->v")
 ['tab[i + 1].x', 'i', '*p', 'p', 'speed', 'left->v', 'left']

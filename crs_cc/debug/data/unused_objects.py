@@ -1,4 +1,4 @@
-"""The user's objects that a program does not use, so that the linker has left them out.
+"""The user's objects that a program does not use, and that the linker has therefore omitted.
 
 Expressions may use them, and change them: each has an address above all memory of the program, and
 its content is what the source gives it with all changes of the user's up to now. So they follow

@@ -1,4 +1,4 @@
-r"""Output of the prompt: answers, maybe coloured, and the output of programs.
+r"""Output of the prompt: answers, optionally coloured, and the output of programs.
 
 Both go to one stream in order. The output of a program starts on a new line, and so does an
 answer; with several robots each of their lines begins with the robot's name.

@@ -1,4 +1,4 @@
-"""Where the programs of a run stop now: their marks, and what is watched in their memory."""
+"""The stop marks and watched memory of a run's programs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""Changes of a run by its user, as data: kept in the history, and written to recordings.
+r"""Changes that a user has made to a run, as data for the history and for recordings.
 
 A change of a program is the bytes that it changed, whatever expression did it: expressions may use
 what the user has printed before, which is no part of the run.

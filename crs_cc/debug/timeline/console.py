@@ -1,4 +1,4 @@
-"""Recorded standard streams, which go back with the run.
+"""Recorded standard streams, which are rewound with the run.
 
 All output of the run is one text, and the run is at a position in it. When a part of the run is
 replayed, the same pieces are written again and are not recorded twice.

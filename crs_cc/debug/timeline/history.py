@@ -1,4 +1,4 @@
-"""Snapshots of a run by position, and which of them to keep.
+"""Snapshots of a run by position, and the choice of those to keep.
 
 The shorter the replay from a snapshot to the target, the sooner the run is there; but
 snapshots take time and memory. So on the way forward one is taken every few timesteps, as many as

@@ -1,4 +1,4 @@
-"""What programs were given in each round of a run, so that they can run again without the world.
+"""The input of programs in each round of a run, so that they can be replayed without the world.
 
 To look for something in the past only the programs have to run again; most of a run's time goes to
 the world. A program's round is a function of its state, of the fuel that it gets and of the message

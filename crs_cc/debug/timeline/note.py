@@ -1,4 +1,4 @@
-"""Notes of the user on instants of a run, which are kept in its recording.
+"""The user's notes on positions of a run, which are kept in its recording.
 
 >>> note = Note(Position(3, 0, 1, 40), 1, 0.16, "here it turns the wrong way")
 >>> Note.of(note.as_data()) == note

@@ -1,4 +1,4 @@
-"""Which sites the programs of a run have passed in each stretch of it.
+"""The sites that the programs of a run have passed, by part of the run.
 
 To go back to a breakpoint, the programs run again from earlier and earlier snapshots. Where no
 program has passed a breakpoint's site that is of no use, and mostly that is nearly everywhere. So

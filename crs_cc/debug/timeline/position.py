@@ -1,4 +1,4 @@
-"""A position in a run, by progress and not by the clock.
+"""A position in a run, by progress rather than by the clock.
 
 A run consists of timesteps, these of rounds, and in a round one program after the other runs. A
 program's statements are counted, with the returns from its calls, so that `robot` and `statements`

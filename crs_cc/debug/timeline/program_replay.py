@@ -1,4 +1,4 @@
-"""Programs that run once more with what they were given, while the world stays where it is.
+"""Replay of programs from their logged input, while the world does not change.
 
 A program is a function of what it is given, so those of some robots can run without the others.
 """

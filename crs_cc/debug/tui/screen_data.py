@@ -1,4 +1,4 @@
-"""What the panes show of a stopped run, as plain data; `build_snapshot` makes it."""
+"""The contents of the panes for a stopped run, as plain data; `build_snapshot` makes it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""Shorter escape sequences for styles: what is sent is only what changes.
+r"""Shorter escape sequences for styles: only changes are sent.
 
 Rich resets each piece of text and gives its whole style anew, in 24-bit colours some forty bytes a
 piece. A terminal keeps a colour until it gets another one.

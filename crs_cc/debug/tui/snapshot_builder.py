@@ -1,4 +1,4 @@
-"""Collects the data that the screen shows of a stopped run."""
+"""Collection of the data that the screen shows of a stopped run."""
 
 from __future__ import annotations
 

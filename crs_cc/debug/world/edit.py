@@ -1,4 +1,4 @@
-"""A kind of change of the world, and what the tables of changes share."""
+"""A kind of change to the world, and the common parts of the tables of changes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Changes to the world by commands: `move robot0 to 1 2 90`.
+"""Commands that change the world: `move robot0 to 1 2 90`.
 
 Each is validated before anything changes. Numbers are in metres and degrees, or have a unit as
 in world files. `EDITS` is the table of changes; the help is generated from it.

@@ -1,4 +1,4 @@
-"""The goals of a world as rows: what has become of each, and when."""
+"""The goals of a world as rows: the status of each, and the time of its decision."""
 
 from __future__ import annotations
 

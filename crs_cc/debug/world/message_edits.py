@@ -1,4 +1,4 @@
-"""Changes of what robots hear of each other: links shut and opened, messages sent by hand."""
+"""Changes to communication: links shut and opened, messages sent by hand."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Changes of the network: what the real network does to a run, or somebody in its place."""
+"""Changes to the network of a run: events of the real network, or made in its place."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A robot as rows: pose, odometry, command, sensors, and what it waits for.
+"""A robot as rows: pose, odometry, command, sensors, and what its program is waiting for.
 
 Positions are those at the start of the timestep, as everything in the environment. What the robot
 has reported to its program is in `State[]`, see `state_rows`; these rows are the true state.

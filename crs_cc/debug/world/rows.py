@@ -1,4 +1,4 @@
-"""Rows of a name and a text, maybe with child rows.
+"""Rows of a name and a text, optionally with child rows.
 
 >>> row = Row("pose", pose_text(1.0, -0.25, math.pi / 2), (Row("x", length(1.0)),))
 >>> list(lines([row]))

@@ -1,4 +1,4 @@
-"""Changes of a run: those of its world, and those of its programs and of who takes part."""
+"""Changes to a run: those of its world, its programs and its participants."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a reading in `State[]` was measured from: the beam, the object that it met, and faults."""
+"""Causes of readings in `State[]`: the beam, the object that it met, and faults."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Changes that move a robot by its own motors, or keep it where it is."""
+"""Changes that drive a robot by its own motors, or hold it."""
 
 from __future__ import annotations
 

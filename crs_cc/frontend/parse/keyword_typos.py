@@ -1,4 +1,4 @@
-"""Replace misspelled keywords by what they were meant to be: `retrun 0;`, `viod turn(int a)`.
+"""Replace misspelled keywords by the intended ones: `retrun 0;`, `viod turn(int a)`.
 
 Only an undeclared name is taken for a keyword, and only where what follows cannot follow a name:
 then there is one error, at the name, and none for its consequences.

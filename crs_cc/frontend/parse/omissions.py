@@ -1,4 +1,4 @@
-"""Supply what is left out in declarations: the `int` of C90, a type's declaration, a semicolon.
+"""Supply omitted parts of declarations: the `int` of C90, a type's declaration, a semicolon.
 
 `main(argc, argv) char **argv; {...}` and `static count;` are valid in C90, which pycparser does
 not parse. A missing semicolon is reported where the line ends, not where C would go on reading.

@@ -1,4 +1,4 @@
-"""The operators of `#if` that ask for features: `__has_include` and its kin (C23 6.10.1).
+"""The operators of `#if` that test for features: `__has_include` and others (C23 6.10.1).
 
 >>> attribute_version("nodiscard"), attribute_version("gnu::packed"), attribute_version("unheard")
 ('202003L', '1', '0')

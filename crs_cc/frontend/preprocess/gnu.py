@@ -1,4 +1,4 @@
-r"""GNU syntax that the parser does not know, removed or replaced by standard syntax.
+r"""GNU syntax that the parser does not support: it is removed or replaced by standard syntax.
 
 This works on single keywords and on constructs of a keyword with parentheses. To add another: a
 keyword with a standard equivalent goes into `_EQUIVALENTS`, one with parentheses into

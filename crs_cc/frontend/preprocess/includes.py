@@ -1,4 +1,4 @@
-"""Finds and reads header files, and refuses all other files.
+"""Finds and reads header files, and rejects all other files.
 
 A program may be hostile, and a compiler that reads any file that `#include` names shows its
 contents in messages. So only regular files may be read that are, after all links are followed,

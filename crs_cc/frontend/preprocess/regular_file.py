@@ -1,4 +1,4 @@
-"""Reads source files and headers; a file's digest says whether it is still the same.
+"""Reads source files and headers; a digest detects changes of a file.
 
 Nothing here needs the compiler: a program that is in the cache is compared with its files.
 """

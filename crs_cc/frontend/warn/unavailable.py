@@ -1,4 +1,4 @@
-"""Warnings about library functions that always fail, because a program is alone on its robot.
+"""Warnings about library functions that always fail, because each robot runs one program only.
 
 They link, and say so when they are called (`crs/refuse.h`); a program that needs them does not get
 far, which its author should know before a run.

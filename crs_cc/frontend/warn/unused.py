@@ -1,4 +1,4 @@
-"""Warnings about functions and variables that nothing uses."""
+"""Warnings about unused functions and variables."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The vendor's protocols: programs linked with the vendor's own client libraries drive our robots.
+"""The vendor's protocols: programs linked with the vendor's client libraries control robots.
 
 `nserver_packets` and `line_packets` are the two protocols' framing, as pure functions from bytes to
 packets and back. `nserver` and `line_robot` answer packets by `exchange`s: requests to the robot

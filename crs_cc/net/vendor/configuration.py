@@ -1,4 +1,4 @@
-"""What both of the vendor's protocols configure: the mask, the order of sensors, and speech.
+"""The settings common to both of the vendor's protocols: the mask, the order of sensors, speech.
 
 >>> mask = Mask.of_nclient((255, 255, 255, 255, 255, 15, 2))
 >>> mask.positions, mask.selects(43), sum(mask.content[1:])

@@ -1,4 +1,4 @@
-"""A conversation with one client, over whatever its bytes come: an answer to each packet, in order.
+"""A conversation with one client over any transport: a reply to each packet, in order.
 
 A client that sends more before it has its answer waits; one that does not read its answers gets no
 more; one that goes leaves its robot to the next.

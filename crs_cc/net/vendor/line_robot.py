@@ -1,4 +1,4 @@
-"""What a robot answers on its line, command by command (vendor source `Ndirect.c` 2.7).
+"""A robot's replies on its serial line, command by command (vendor source `Ndirect.c` 2.7).
 
 Robots without a `ct` always send the same part of State. A Nomad 200 sends what its client has
 selected. Commands that a robot does not know get a packet without data, which the client takes for

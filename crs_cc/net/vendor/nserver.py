@@ -1,4 +1,4 @@
-"""What the vendor's Nserver answers, request by request (vendor source `Nclient.c` 2.6.11 and 2.7).
+"""The Nserver's replies, request by request (vendor source `Nclient.c` 2.6.11 and 2.7).
 
 The client looks at a reply's type only to recognise an error, and parses the rest by what it has
 asked for; it notices neither missing nor additional elements. So each reply must have exactly the

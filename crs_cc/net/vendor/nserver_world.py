@@ -1,4 +1,4 @@
-"""What the Nserver answers about its world and its window: obstacles, poses, drawings, predictions.
+"""The Nserver's replies about world and window: obstacles, poses, drawings, predictions.
 
 The client takes any reply to most of these for a success, and looks at no element of it.
 """

@@ -1,4 +1,4 @@
-"""The program of a robot that is driven from outside, `relay.c`."""
+"""The program of a robot that is controlled from outside, `relay.c`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The sockets of the vendor's clients: TCP and pseudo terminals, served in a thread of their own.
+"""The sockets of the vendor's clients: TCP and pseudo terminals, served in one thread.
 
 The vendor's protocols have no token: whoever reaches a port drives its robot. So ports are opened
 on the loopback interface, unless the user insists on another, and connections that do not begin

@@ -1,4 +1,4 @@
-"""Where requests of outside clients and the relays of their robots meet.
+"""The connection between requests of outside clients and the relays of their robots.
 
 Clients are served in a thread of their own, programs run in that of the session. A client asks for
 an exchange; the relay of its robot finds the exchange's requests on its standard input, one by one,

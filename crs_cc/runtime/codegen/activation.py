@@ -1,4 +1,4 @@
-"""The start, suspension and end of a function's activations: all code that is not of its blocks."""
+"""The start, suspension and end of a function's activations: all code outside its blocks."""
 
 from __future__ import annotations
 

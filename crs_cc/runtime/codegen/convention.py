@@ -1,4 +1,4 @@
-"""What a function is passed in registers, and what it returns.
+"""The calling convention: arguments and results in registers.
 
 A function is `(fp, fuel, registers...) -> (fuel, value)`. Arguments have their places in memory,
 see `layout`. Those of the first parameters that are plain variables are passed in registers, and

@@ -1,4 +1,4 @@
-"""A small function with the small functions that it calls in place of their calls.
+"""A small function in which calls of small functions are replaced by their bodies.
 
 So a struct that is passed between them is seen by scalar replacement as a whole.
 """

@@ -1,4 +1,4 @@
-"""How a program stops because of an error: its slot says where and why.
+"""How a program stops because of an error: its slot has the location and the reason.
 
 The stores are inline. A call would make every function keep the registers that its frame needs
 across that call, and save and restore them at each entry and exit.

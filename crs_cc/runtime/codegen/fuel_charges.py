@@ -1,4 +1,4 @@
-"""When a function pays for its blocks: earlier than it runs them, and so less often.
+"""Where a function pays the fuel of its blocks: in advance, and so less often.
 
 A block costs its number of IR instructions. Where control surely passes from one block to another
 the first pays for both, and of two branches it pays what both cost. The fuel is exact again

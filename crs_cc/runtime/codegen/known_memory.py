@@ -1,4 +1,4 @@
-"""What is known of the bytes of memory where checked code is written, so that it is not tested.
+"""What is known about bytes of memory at a point of checked code, so that tests are omitted.
 
 The facts hold until the next join of control flow. Only allocation, calls and ends of scopes make
 bytes inaccessible, and only copies of uninitialised bytes make them so.

@@ -1,4 +1,4 @@
-"""What checked builds require of structs in registers, in functions that are not inlined.
+"""The requirements of checked builds on structs in registers, in functions that are not inlined.
 
 A member in a register has no state. So a struct is in registers only if all of it has a value
 wherever a member is read: then no read of it can fail, and a report can show all of it. And no

@@ -1,4 +1,4 @@
-"""Where bytes without value come from: a number in their states, which copies keep.
+"""The origins of uninitialised bytes: a number in their states, which copies preserve.
 
 Two bits of a state say that a byte is accessible and has no value, five are free: in the four bytes
 of a word they are a number of 20 bits. It is that of the call which allocated a heap block, or,

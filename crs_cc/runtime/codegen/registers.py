@@ -1,4 +1,4 @@
-"""Which registers of a function need a spill slot in its frame, and which a local of their own.
+"""The registers of a function that need a spill slot in its frame, or a local of their own.
 
 The host spills locals to its own frames, in debug builds each
 up to three times. Its stack is three times the program's, see `executable`; if a frame is charged

@@ -1,4 +1,4 @@
-"""Which loops are tested at the bottom: `while (c) body` as `if (c) do body while (c)`.
+"""Loop rotation: `while (c) body` as `if (c) do body while (c)`.
 
 The header of such a loop is generated twice, before the loop and at its end, so that an iteration
 takes one jump fewer. The copy before the loop is also where the function resumes.

@@ -1,4 +1,4 @@
-"""The check that two pointers are to the same object, where they are compared or subtracted.
+"""The check that two pointers point to the same object when they are compared or subtracted.
 
 Between two objects there is a gap of inaccessible bytes, so pointers are to one object if all bytes
 from one to the other are accessible. A pointer right after an object is that object's. What was

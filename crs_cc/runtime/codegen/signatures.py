@@ -1,4 +1,4 @@
-"""Which functions are compatible with a call through a pointer.
+"""The functions that are compatible with a call through a pointer.
 
 A callee reads its arguments as bytes, in the order of its parameters, whatever the caller passed.
 It misreads them if it expects more than was passed, or one of another size or kind at the

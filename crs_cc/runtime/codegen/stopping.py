@@ -1,4 +1,4 @@
-"""How functions tell each other that the program stops, or is resumed: by the fuel.
+"""Propagation of stops and resumptions between functions, by the fuel.
 
 A function that stops returns its fuel less `STOPPED`, which no program uses up, and one that is
 called with so little resumes. Why it stops is in a global. So a call tests the sign of the fuel

@@ -1,4 +1,4 @@
-"""Where bytes without value come from, see `codegen.origins`.
+"""The origins of uninitialised bytes, see `codegen.origins`.
 
 A word that was copied to the same place in a word has the whole number of its origin, and so have
 four bytes in a row that were copied together to any address. A single byte has a quarter of it,

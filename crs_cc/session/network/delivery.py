@@ -1,4 +1,4 @@
-"""What arrives at the start of a timestep, and what it does there: the computers' own part.
+"""Delivery of data at the start of a timestep: the part of the simulated computers.
 
 Programs take no part in it: a connection is made when there is room for it, whatever the program
 that listens is doing.

@@ -1,4 +1,4 @@
-"""Linux's error numbers, which the C library uses, whatever the host's are."""
+"""Linux's error numbers, which the C library uses on every host."""
 
 from __future__ import annotations
 

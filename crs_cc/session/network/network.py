@@ -1,4 +1,4 @@
-"""What operations on sockets and arrivals share: finding, naming, removing sockets, sending.
+"""The common part of socket operations and deliveries: find, name and remove sockets, send.
 
 What is sent arrives at the start of a timestep: the first that begins after the latency, and not
 that in which it was sent. So what a program finds does not depend on which program ran first.

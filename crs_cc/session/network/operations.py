@@ -1,4 +1,4 @@
-"""What programs do with sockets (POSIX `sys/socket.h`). None of it waits: EAGAIN says to try again.
+"""Socket operations of programs (POSIX `sys/socket.h`). None blocks: EAGAIN means to retry.
 
 Each operation raises `SocketError` when it fails.
 """

@@ -1,4 +1,4 @@
-r"""What the real network does to connections of a run, as changes of the run between two timesteps.
+r"""Events of the real network as changes of the run between two timesteps.
 
 Whoever has the sockets of the real network makes these changes, and records them; made again, they
 need no network. They can also be made by hand.

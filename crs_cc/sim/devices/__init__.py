@@ -1,4 +1,4 @@
-"""Sensors and actuators, a package each, which opens with its law, its units and their source.
+"""Sensors and actuators, one package each; its docstring has the formula, units and source.
 
 A sensor that measures a few numbers is one row (`sim.model.device`), found by the registry
 (`sim.model.registry`); `sensor` makes it measure, adds noise and replies. To add one, add a

@@ -1,4 +1,4 @@
-"""Test for free space where an object is: nothing else reaches there."""
+"""Test whether the space at an object's position is free."""
 
 from __future__ import annotations
 

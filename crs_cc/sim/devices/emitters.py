@@ -1,4 +1,4 @@
-"""Sources of light or sound, the robots' own ones among them, and the lines of sight to them.
+"""Sources of light or sound, including those of robots, and the lines of sight to them.
 
 A source is in sight if nothing is on the straight line to it: no wall, no object, no robot except
 the one that carries the source.

@@ -1,4 +1,4 @@
-"""What grippers and hands have in common: their commands, and the choice of what they grasp.
+"""The common part of grippers and hands: their commands, and the choice of the object to grasp.
 
 >>> nearest(np.array([0, 0, 1]), np.array([0.2, 0.1, 0.3]), np.array([True, True, False])).tolist()
 [1]

@@ -1,4 +1,4 @@
-"""What a kind of device does for the robots of a world: the result of installing its row."""
+"""A kind of device in a world: the result of installing its row."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The poses of the robots' mounts at the time to which their axes have been turned.
+"""The poses of the robots' mounts at the time to which their axes have been advanced.
 
 The mount is the turret, or the base of a robot without one. Within a cycle its pose follows the
 axes' motion since the start of the cycle; a robot that is held up counts as being where it was

@@ -1,4 +1,4 @@
-"""What sensors have in common that measure ranges along beams: laser, camera, infrared ring."""
+"""The common part of sensors that measure ranges along beams: laser, camera, infrared ring."""
 
 from __future__ import annotations
 

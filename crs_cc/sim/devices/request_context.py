@@ -1,4 +1,4 @@
-"""Requests that robots posted, with all that is needed to answer them.
+"""Requests posted by robots, with all that is needed to answer them.
 
 A handler reads arguments and writes results by the names that they have in `requests.REQUESTS`:
 

@@ -1,4 +1,4 @@
-"""The sensor board: what it measures for a reply with `State`, and what it adds to it.
+"""The sensor board: its measurements for a reply with `State`, and its own entries.
 
 Infrared ring, compass and laser measure on request: where a reply carries their readings, and the
 mask that the program set (`ct`) has one of their bits; or by their timers. Every such reply has

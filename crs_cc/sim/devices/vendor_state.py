@@ -1,4 +1,4 @@
-"""The vendor's `State[45]`: what a robot reports to its host, in the vendor's indices and units.
+"""The vendor's `State[45]`: a robot's report to its host, in the vendor's indices and units.
 
 Indices and units are those of the vendor header `Nclient.h` 1.29. What a robot does not
 have is 0. `sensor_board` fills it in.

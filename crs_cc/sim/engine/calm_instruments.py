@@ -1,4 +1,4 @@
-"""Infrared rings and compasses in calm time: what its kernel is told of them, and tells of them.
+"""Infrared rings and compasses in calm time: the exchange of their data with the kernel.
 
 They measure when a reply contains their readings: if the request is about them, or is for all of
 `State`, and the program's mask selects them. See `kernels/instruments.c`.

@@ -1,4 +1,4 @@
-"""Whether it is calm at a moment, so that `CalmTime` may begin, and until when.
+"""The conditions under which `CalmTime` may begin, and how long it may last.
 
 It is calm while nothing touches or is held, no wait ends, no message is on its way, no device is
 degraded, and no goal changes. Robots may drive as they are told.

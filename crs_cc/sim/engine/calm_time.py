@@ -1,4 +1,4 @@
-"""Calm time: cycles of few robots in which a kernel does all that happens.
+"""Calm time: cycles of few robots that are executed entirely in a kernel.
 
 While it is calm, see `calm_moments`, and kernels know all that the world has, robots drive as they
 are told: then the kernel of `kernels/calm.c` answers requests, fires sonars and ends cycles, in

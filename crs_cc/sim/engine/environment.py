@@ -1,4 +1,4 @@
-"""The environment: the world as it changes, cycle after cycle, for all robots at once.
+"""The environment: the changing state of the world, cycle after cycle, for all robots at once.
 
 In a cycle [k dt, (k + 1) dt), the session first passes on the programs' requests (`serve`), each
 with its own time: the wheels of that robot are advanced to that time, then the command changes

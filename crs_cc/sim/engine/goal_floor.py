@@ -1,4 +1,4 @@
-"""The floor of a world in cells, for goals that want a share of it covered.
+"""The floor of a world in cells, for goals that require a share of it to be covered.
 
 >>> from crs_cc.sim.model.world import Area, Box, Pose, WorldModel
 >>> desk = Box("desk", Pose(0.5, 0.5), 1.0, 1.0)

@@ -1,4 +1,4 @@
-"""Messages that a user sends in the name of a robot.
+"""Messages that a user sends on behalf of a robot.
 
 >>> from crs_cc.sim.comms.message_log import Fate
 >>> from crs_cc.sim.engine.environment import Environment

@@ -1,4 +1,4 @@
-"""The motion of all bodies in a cycle, to whose end the axes have been turned."""
+"""The motion of all bodies in a cycle, to the end of which the axes have been advanced."""
 
 from __future__ import annotations
 

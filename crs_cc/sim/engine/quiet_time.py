@@ -1,4 +1,4 @@
-"""Quiet time: cycles in which nothing can happen that anybody could notice.
+"""Quiet time: cycles in which nothing observable can happen.
 
 In a world at rest, a cycle changes only what is a function of time: its number, the time to which
 the axes have been turned, the physics' count of cycles, and the sonars' firings, whose echoes are

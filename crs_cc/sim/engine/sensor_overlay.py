@@ -1,4 +1,4 @@
-"""The last readings of sensors, for pictures: echoes of sonars, and what cameras saw.
+"""The last readings of sensors, for pictures: echoes of sonars, and views of cameras.
 
 For each sonar with an echo, the beam up to the echo; for each camera, a line to what each column
 shows, in its colour. They are drawn from the robots' current poses, so camera pictures older than

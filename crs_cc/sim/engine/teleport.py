@@ -1,4 +1,4 @@
-"""Robots and objects that are moved to another pose in the middle of a run.
+"""Moving robots and objects to another pose during a run.
 
 They are at rest there. The commands of a robot's wheels continue, as its motors received no other
 ones; what it holds stays behind; what it touches next is a new contact.

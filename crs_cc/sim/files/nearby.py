@@ -1,4 +1,4 @@
-"""Files that a world file names: read from its own folder and below only.
+"""Files named by a world file: only those in its own folder or below are read.
 
 Names are untrusted input: absolute paths, `..`, symbolic links in the folder, devices and pipes are
 rejected.

@@ -1,4 +1,4 @@
-"""What attributes an element may have: names, kinds, defaults and help, from the schema.
+"""The possible attributes of an element: names, kinds, defaults and help, from the schema.
 
 >>> box = properties("world.xsd", ("world", "box"))
 >>> [row.name for row in box][:4], box[3].kind.name, box[3].default

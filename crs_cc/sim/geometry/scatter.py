@@ -1,4 +1,4 @@
-"""Random places for equal things, which overlap nothing.
+"""Random positions for identical objects, without overlaps.
 
 Candidates are drawn one after another, and each that is free is taken (random sequential
 adsorption). A candidate depends on the seed and its number only, so the first places are the same

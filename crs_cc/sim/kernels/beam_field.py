@@ -1,4 +1,4 @@
-"""Beams among many shapes, which lie in the memory of kernels sorted by the cells of a grid.
+"""Beams among many shapes, which are sorted by grid cell in the memory of kernels.
 
 >>> import math
 >>> nothing = np.zeros((0, 7)), np.zeros((0, 5)), np.zeros((0, 14))

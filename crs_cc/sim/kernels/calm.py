@@ -1,4 +1,4 @@
-"""The memory of the kernel of calm time, see `calm.c`: what it is told, and what it tells.
+"""The memory of the kernel of calm time, see `calm.c`: its inputs and results.
 
 It has copies of the rows of a world's robots, and tables, one after the other.
 """

@@ -1,4 +1,4 @@
-"""Random errors of the next measurements of sensors, drawn ahead for the kernel of calm time."""
+"""Random errors of the next sensor measurements, drawn in advance for the kernel of calm time."""
 
 from __future__ import annotations
 

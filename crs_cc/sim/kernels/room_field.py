@@ -1,4 +1,4 @@
-"""How much room discs have, among shapes that lie in the memory of kernels sorted by a grid.
+"""The free space around discs, among shapes sorted by grid cell in the memory of kernels.
 
 >>> field = RoomField(np.array([[0.0, 0.0, 9.0, 0.0]]), np.zeros(1), look_m=2.0)
 >>> discs = np.array([[1.0, 1.0, 0.25], [2.0, 1.0, 0.25], [8.0, 5.0, 0.25]])

@@ -1,4 +1,4 @@
-"""Shapes that lie in the arena of kernels, sorted by the cells of a grid.
+"""Shapes in the memory of kernels, sorted by grid cell.
 
 >>> grid = grid_of(np.array([[0.0, 0.0], [9.0, 4.0]]), 2.0)
 >>> [float(number) for number in grid]

@@ -1,4 +1,4 @@
-"""What kernels and Python agree on: their numbers, what they return, and the rows of their tables.
+"""The interface between kernels and Python: numbers, results, and the rows of their tables.
 
 Those of robots are described in `robot.h`.
 """

@@ -1,4 +1,4 @@
-"""What can be degraded: the values that a sensor reports, or that an actuator receives."""
+"""Degradable values: those that a sensor reports, or that an actuator receives."""
 
 from __future__ import annotations
 

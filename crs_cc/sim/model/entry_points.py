@@ -1,4 +1,4 @@
-"""A quick look at installed packages for entry points.
+"""Fast lookup of entry points in installed packages.
 
 `importlib.metadata` takes as long to import as numpy's half, and there is hardly ever an entry.
 """

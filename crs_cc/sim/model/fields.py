@@ -1,4 +1,4 @@
-"""Pheromone fields of a world: amounts that lie on the floor, in square cells."""
+"""Pheromone fields of a world: amounts on the floor, in square cells."""
 
 from __future__ import annotations
 

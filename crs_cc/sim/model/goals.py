@@ -1,4 +1,4 @@
-"""Goals: what counts in a world, as constant data.
+"""Goals: the conditions of a world that are worth points, as constant data.
 
 A goal has one condition. Most conditions are met at an instant; `NoCollision` and `Follow` hold
 over a time, which ends with another goal (`until`), with the goal's time limit, or with the run.

@@ -1,4 +1,4 @@
-"""Which robots are near enough to something that they may touch it in the next cycle, and what.
+"""Robots that are near enough to another object to touch it in the next cycle.
 
 Among many robots few are. How much room each has is measured when it has become too little, as far
 as `LOOK` cycles at full speed, and until then reduced by what it and the others may have moved; so

@@ -1,4 +1,4 @@
-"""The bumpers: switches around the body, pressed by what touches them.
+"""The bumpers: switches around the body, pressed by contacts.
 
     pressed when -span / 2 <= bearing of the contact - bearing of the switch < span / 2
 

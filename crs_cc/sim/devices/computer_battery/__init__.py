@@ -1,4 +1,4 @@
-"""The battery of the robot's computers, which only drains with time; see `devices.battery`."""
+"""The battery of the robot's computers, discharged at constant power; see `devices.battery`."""
 
 from __future__ import annotations
 

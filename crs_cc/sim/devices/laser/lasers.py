@@ -1,4 +1,4 @@
-"""What lasers do: scans, and the readings that are made of them."""
+"""Lasers: scans, and the readings derived from them."""
 
 from __future__ import annotations
 

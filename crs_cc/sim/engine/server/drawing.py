@@ -1,4 +1,4 @@
-"""Drawing into the simulator's window, and erasing: `draw_line` and its kin.
+"""Drawing into the simulator's window, and erasing: `draw_line` and related functions.
 
 There is one picture for all programs; `drawings` defines the marks. Chosen by us: a mark that is
 combined by exclusive or disappears when the same program draws it again; beyond the limits
