@@ -7,10 +7,11 @@ code; an `Executable` holds that machine code.
 from __future__ import annotations
 
 import functools
+import mmap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import wasmtime
 from wasmtime import _bindings
@@ -33,6 +34,13 @@ so that the program's stack check fails first. With a small `ulimit -s` the host
 and can overflow before, see `fleet`.
 """
 
+_GUARD: Final = 32 * 2**20 + mmap.PAGESIZE
+"""Guard before and after each memory [bytes]: wasmtime's, and a page.
+
+By that alone, all memories would lie a power of two apart, and the pages that each program needs
+first would compete for the same few places of the processor's table of pages (TLB).
+"""
+
 
 def _host_stack() -> int:
     """Return the limit on the host's stack for programs: three quarters at most [bytes]."""
@@ -49,6 +57,7 @@ def settings() -> wasmtime.Config:
     config.cranelift_opt_level = "speed"
     _bindings.wasmtime_config_wasm_branch_hinting_set(config.ptr(), True)
     config.shared_memory = True
+    config.memory_guard_size = _GUARD
     # Its pool of threads does not exist in a forked child, which would wait for it forever.
     _bindings.wasmtime_config_parallel_compilation_set(config.ptr(), False)
     return config

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import mmap
+import sys
 
 import numpy as np
 import pytest
@@ -29,6 +31,7 @@ from crs_cc.runtime.layout import MEMORY_BYTES
 from crs_cc.runtime.testing import counting_program
 
 HERE = Location("wild.c", 7, 3)
+TLB_SETS = 64  # of a small one
 
 
 def wild_program(address: int, *, checked: bool) -> Executable:
@@ -185,6 +188,14 @@ def test_ten_thousand_robots_can_be_made() -> None:
     fleet = Fleet([counting_program()] * 10_000)
     run(fleet)
     assert (fleet.slots["code"] == CODES["EXIT"]).all()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere memories may lie otherwise")
+def test_memories_do_not_compete_for_the_same_places_of_the_page_table_cache() -> None:
+    fleet = Fleet([counting_program()] * 16)
+    memories = [each for robot in range(16) for each in (fleet.memory(robot), fleet.shadow(robot))]
+    sets = {each.ctypes.data // mmap.PAGESIZE % TLB_SETS for each in memories}
+    assert len(sets) >= len(memories) // 2  # by chance, two may be in the same
 
 
 def test_slots_do_not_overlap() -> None:
