@@ -23,6 +23,7 @@ struct view {
     const struct piece *pieces;
     int *first, *met, *lists;
     int columns, rows, cells, circle, piece, shapes;    /* numbers of the first circle and piece */
+    double per_cell;                    /* one by the size of cells */
 };
 
 static struct view view;
@@ -35,6 +36,7 @@ static void open_field(const struct field *field)
     view.columns = (int)field->columns;
     view.rows = (int)field->rows;
     view.cells = view.columns * view.rows;
+    view.per_cell = 1 / field->cell;
     view.segments = (const struct segment *)(field + 1);
     view.circles = (const struct circle *)(view.segments + view.circle);
     view.pieces = (const struct piece *)(view.circles + (view.piece - view.circle));
@@ -51,9 +53,9 @@ static void stretch(struct box *box, double x, double y, double by)
     box->high = y + by > box->high ? y + by : box->high;
 }
 
-static int place_of(double at, double corner, double cell, int count)
+static int place_of(double at, double corner, int count)
 {
-    double place = (at - corner) / cell;
+    double place = (at - corner) * view.per_cell;
 
     return place < 0 ? 0 : place < count ? (int)place : count - 1;
 }
@@ -61,10 +63,10 @@ static int place_of(double at, double corner, double cell, int count)
 /* The first and last column and row of the cells that meet a box. */
 static void meet(const struct field *field, const struct box *box, int *range)
 {
-    range[0] = place_of(box->left, field->x, field->cell, view.columns);
-    range[1] = place_of(box->right, field->x, field->cell, view.columns);
-    range[2] = place_of(box->low, field->y, field->cell, view.rows);
-    range[3] = place_of(box->high, field->y, field->cell, view.rows);
+    range[0] = place_of(box->left, field->x, view.columns);
+    range[1] = place_of(box->right, field->x, view.columns);
+    range[2] = place_of(box->low, field->y, view.rows);
+    range[3] = place_of(box->high, field->y, view.rows);
 }
 
 #endif

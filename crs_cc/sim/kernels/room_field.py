@@ -13,7 +13,7 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.sim.kernels.program import Kernels
 from crs_cc.sim.kernels.sorted_shapes import grid_of, sort_shapes
 from crs_cc.sim.kernels.tables import ROOM
@@ -56,38 +56,42 @@ class RoomField:
         Returns:
             the room of each, at most what is of interest, (k,), and the shapes that are near any.
         """
-        cell_m = max(self._cell_m, 2 * float(discs[:, 2].max(initial=0.0)))
-        asked = np.column_stack([discs[which], which])
-        room_m, near = np.full(len(which), self._look_m), [np.zeros(0, np.intp)]
+        room_m, near = np.empty(len(which)), np.zeros(len(self._rows), dtype=np.bool_)
+        for first in range(0, len(which), _MOST):
+            some = which[first : first + _MOST]
+            room_m[first : first + _MOST] = self._measure_some(discs, some, need_m, near)
+        return room_m, np.flatnonzero(near)
+
+    def _measure_some(
+        self, discs: FloatArray, which: IndexArray, need_m: float, near: BoolArray
+    ) -> FloatArray:
+        """Return the room of as many discs as have a place at once; mark the shapes near them."""
+        kernels, count = self._kernels, len(which)
+        asked = np.empty((count, 4))
+        asked[:, :3], asked[:, 3] = discs[which], which
+        question = np.array([self._look_m, need_m, self._thickest_m])
+        room_m = np.full(count, self._look_m)
+        kernels.lay(question.tobytes() + asked.tobytes() + room_m.tobytes())
+        out = len(question) + asked.size
+        marks = out + count
         for block in self._blocks:
             if block != self._laid:
                 self._lay(block)
-            found = self._ask(asked, room_m, need_m, _WORK, block.stop - block.start)
-            near.append(block.start + found)
+            kernels.call(ROOM, count, out, marks, _WORK)
+            found = kernels.arena[marks:].view(np.int32)[: block.stop - block.start]
+            near[block] |= found != 0
         for first in range(0, len(discs), _MOST):
-            some = discs[first : first + _MOST]
-            numbers = np.arange(first, first + len(some))
-            circles = np.column_stack([np.zeros(len(some)), numbers, some])
-            grid = grid_of(some[:, :2], cell_m)
-            sort_shapes(self._kernels, self._end, (_NONE[0], circles, _NONE[2]), grid)
-            self._ask(asked, room_m, need_m, self._end, 0)
-        return room_m, np.concatenate(near)
+            self._sort(discs[first : first + _MOST], first)
+            kernels.call(ROOM, count, out, marks, self._end)
+        return kernels.arena[out:marks].copy()
 
-    def _ask(
-        self, asked: FloatArray, room_m: FloatArray, need_m: float, place: int, segments: int
-    ) -> IndexArray:
-        """Reduce the room of discs by shapes at a place; return which segments are near."""
-        near = np.zeros(segments, dtype=np.bool_)
-        for first in range(0, len(asked), _MOST):
-            some, room = asked[first : first + _MOST], room_m[first : first + _MOST]
-            question = np.array([self._look_m, need_m, self._thickest_m])
-            self._kernels.lay(question.tobytes() + some.tobytes() + room.tobytes())
-            out = len(question) + some.size
-            marks = out + len(room)
-            self._kernels.call(ROOM, len(some), out, marks, place)
-            room[:] = self._kernels.arena[out:marks]
-            near |= self._kernels.arena[marks:].view(np.int32)[:segments] != 0
-        return np.flatnonzero(near)
+    def _sort(self, discs: FloatArray, first: int) -> None:
+        """Lay some discs, numbered from `first` on, behind the shapes."""
+        circles = np.zeros((len(discs), 5))
+        circles[:, 1], circles[:, 2:] = np.arange(first, first + len(discs)), discs
+        cell_m = max(self._cell_m, 2 * float(np.maximum.reduce(discs[:, 2], initial=0.0)))
+        grid = grid_of(discs[:, :2], cell_m, len(discs))
+        sort_shapes(self._kernels, self._end, (_NONE[0], circles, _NONE[2]), grid)
 
     def _divided(self, block: slice) -> Iterator[slice]:
         """Yield parts of the shapes that have room in the memory, and leave some."""

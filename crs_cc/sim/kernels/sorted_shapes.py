@@ -10,6 +10,8 @@
 
 from __future__ import annotations
 
+import math
+import struct
 from typing import Final, TypeAlias
 
 import numpy as np
@@ -24,16 +26,25 @@ Tables: TypeAlias = tuple[FloatArray, FloatArray, FloatArray]
 Grid: TypeAlias = tuple[float, ...]
 """x and y of its corner, the size of its cells [m], the numbers of its columns and rows."""
 
-_MOST_CELLS: Final = 128  # along each side of a grid
+_MOST_CELLS: Final = 128  # along each side of a grid, see `survey.c`
+_HEAD: Final = struct.Struct("<8d")
 
 
-def grid_of(points_m: FloatArray, cell_m: float) -> Grid:
-    """Return a grid over points, with cells of at least a size."""
-    corner_m = points_m.min(axis=0) if len(points_m) else np.zeros(2)
-    extent_m = points_m.max(axis=0) - corner_m if len(points_m) else np.zeros(2)
-    cell_m = max(cell_m, float(extent_m.max()) / _MOST_CELLS)
-    size = np.floor(extent_m / cell_m) + 1.0
-    return *corner_m, cell_m, *size
+def grid_of(points_m: FloatArray, cell_m: float, most: int = _MOST_CELLS**2) -> Grid:
+    """Return a grid over points.
+
+    Args:
+        points_m: the points, (k, 2).
+        cell_m: the least size of its cells.
+        most: about how many cells it may have.
+    """
+    if not len(points_m):
+        return 0.0, 0.0, cell_m, 1.0, 1.0
+    left_m, low_m = np.minimum.reduce(points_m).tolist()
+    right_m, high_m = np.maximum.reduce(points_m).tolist()
+    wide_m, tall_m = right_m - left_m, high_m - low_m
+    size_m = max(cell_m, max(wide_m, tall_m) / _MOST_CELLS, math.sqrt(wide_m * tall_m / most))
+    return left_m, low_m, size_m, wide_m // size_m + 1.0, tall_m // size_m + 1.0
 
 
 def sort_shapes(kernels: Kernels, place: int, tables: Tables, grid: Grid) -> int:
@@ -41,10 +52,10 @@ def sort_shapes(kernels: Kernels, place: int, tables: Tables, grid: Grid) -> int
 
     Return how many numbers they take, with the lists of the cells; 0 if they have no room.
     """
-    head = np.array([*map(len, tables), *grid])
-    content = b"".join([head.tobytes(), *(table.tobytes() for table in tables)])
+    counts = tuple(map(len, tables))
+    content = b"".join([_HEAD.pack(*counts, *grid), *[table.tobytes() for table in tables]])
     cells, room = int(grid[-1] * grid[-2]), kernels.room - place
-    if (len(content) + 4 * (cells + 1 + sum(map(len, tables)))) // 8 >= room:
+    if (len(content) + 4 * (cells + 1 + sum(counts))) // 8 >= room:
         return 0
     kernels.lay(content, place)
     kernels.call(SORT, place, room)

@@ -28,37 +28,55 @@ static void bound(int shape, struct box *box)
     }
 }
 
+/* The cells that a shape meets, in a byte each: a grid has no more than 129 columns and rows. */
+static unsigned cells_of(const struct field *field, int shape)
+{
+    struct box box;
+    int range[4];
+
+    bound(shape, &box);
+    meet(field, &box, range);
+    return range[0] | range[1] << 8 | range[2] << 16 | (unsigned)range[3] << 24;
+}
+
 int __crs_sort(double *content, int room)
 {
     const struct field *field = (const struct field *)content;
-    struct box box;
-    int range[4], pass, shape, cell, row, column, total = 0;
+    int pass, shape, cell, row, column, total = 0;
+    int *first, *lists;
+    unsigned *cells;
 
     open_field(field);
+    first = view.first;
+    lists = view.lists;
+    cells = (unsigned *)view.met;       /* until robots meet shapes */
     for (cell = 0; cell <= view.cells; cell++)
-        view.first[cell] = 0;
+        first[cell] = 0;
+    for (shape = 0; shape < view.shapes; shape++)
+        cells[shape] = cells_of(field, shape);
     for (pass = 0; pass < 2; pass++) {
         for (shape = view.shapes - 1; shape >= 0; shape--) {
-            bound(shape, &box);
-            meet(field, &box, range);
-            for (row = range[2]; row <= range[3]; row++)
-                for (column = range[0]; column <= range[1]; column++) {
+            unsigned range = cells[shape];
+            int right = range >> 8 & 255, high = range >> 24;
+
+            for (row = range >> 16 & 255; row <= high; row++)
+                for (column = range & 255; column <= right; column++) {
                     cell = row * view.columns + column;
                     if (pass == 0)
-                        view.first[cell]++;
+                        first[cell]++;
                     else
-                        view.lists[--view.first[cell]] = shape;
+                        lists[--first[cell]] = shape;
                 }
         }
         if (pass > 0)
             break;
         for (cell = 0; cell < view.cells; cell++)
-            view.first[cell] = total += view.first[cell];
-        view.first[view.cells] = total;
-        if ((double *)(view.lists + total + 1) > content + room)
+            first[cell] = total += first[cell];
+        first[view.cells] = total;
+        if ((double *)(lists + total + 1) > content + room)
             return 0;
     }
-    return (int)((double *)(view.lists + total + 1) - content) + 1;
+    return (int)((double *)(lists + total + 1) - content) + 1;
 }
 
 /* Whether no beam of a robot at a place can hit a shape, by a test that is quick. */

@@ -84,7 +84,8 @@ class Nearness:
 
     def _measure(self, position_m: FloatArray, which: IndexArray, need_m: float) -> IndexArray:
         """Measure the room of robots, by their places in `_robots`; return near solids, rising."""
-        discs = np.column_stack([position_m[self._bodies], self._radius_m])
+        discs = np.empty((len(self._bodies), 3))
+        discs[:, :2], discs[:, 2] = position_m.take(self._bodies, axis=0), self._radius_m
         self._room_m[which], near = self._field.measure(discs, which, need_m)
         return np.unique(self._owners[near])
 

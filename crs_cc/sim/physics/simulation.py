@@ -330,7 +330,8 @@ class Physics:
 
     def _find_near(self, bodies: Bodies, way_m: FloatArray) -> IndexArray:
         """Return the robots that may touch something in this cycle, and the solids, rising."""
-        way2_m2 = np.maximum.reduce((way_m * way_m).sum(axis=1), initial=0.0)
+        x_m, y_m = way_m.T
+        way2_m2 = np.maximum.reduce(x_m * x_m + y_m * y_m, initial=0.0)
         velocity_mps = np.abs(bodies.velocity_mps[self._robots :]).sum(axis=1).max(initial=0.0)
         spin_radps = np.abs(bodies.spin_radps[self._robots :]).max(initial=0.0)
         moved_m = (velocity_mps + spin_radps * self._rigid.lever_m) * self._world.timestep_s

@@ -35,7 +35,7 @@ from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state import motion_profile
 from crs_cc.sim.state.bodies import Pull
-from crs_cc.sim.state.rows import take
+from crs_cc.sim.state.rows import ALL, Rows, take
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -58,10 +58,10 @@ def facing_rad(state: EnvState) -> FloatArray:
     return (state.heading_rad + state.drive.facing_rad) / 2
 
 
-def is_limp(state: EnvState, constants: RobotConstants) -> BoolArray:
-    """Return which robots roll freely, with all wheels limp, (robots,)."""
-    limp = state.drive.limp
-    return np.asarray(limp[:, 0] & (limp[:, 1] | constants.drives.synchro))
+def is_limp(state: EnvState, constants: RobotConstants, rows: Rows = ALL) -> BoolArray:
+    """Return which robots roll freely, with all wheels limp, (k,)."""
+    limp = state.drive.limp[rows]
+    return np.asarray(limp[:, 0] & (limp[:, 1] | constants.drives.synchro[rows]))
 
 
 def turned(
@@ -112,20 +112,22 @@ def apply_contacts(state: EnvState, constants: RobotConstants, went_m: FloatArra
         went_m: true displacement of each robot, world frame, (robots, 2).
     """
     off_m = went_m - state.drive.moved_m
-    most_m = np.maximum.reduce(np.abs(off_m), axis=None, initial=0.0)
-    if most_m <= _SAME_M and not any_of(state.drive.hindered):
+    is_off, hindered = np.abs(off_m) > _SAME_M, state.drive.hindered
+    if not (any_of(is_off) or any_of(hindered)):
         return
-    held_up = (np.abs(off_m) > _SAME_M).any(axis=1)
-    drives, limp = constants.drives, is_limp(state, constants)
-    held_up &= limp | (drives.yields & state.drive.moved_m.any(axis=1))
-    rows = np.flatnonzero(held_up | state.drive.hindered)
+    drives, rows = constants.drives, np.flatnonzero(is_off[:, 0] | is_off[:, 1] | hindered)
+    limp = is_limp(state, constants, rows)
+    held_up = limp | (drives.yields[rows] & (state.drive.moved_m[rows] != 0.0).any(axis=1))
+    held_up &= is_off[rows].any(axis=1)
+    mine = held_up | hindered[rows]
+    rows, limp, held_up = rows[mine], limp[mine], held_up[mine]
     facing_rad = (state.heading_rad[rows] + state.drive.facing_rad[rows]) / 2
     ahead = np.column_stack([exact.cos(facing_rad), exact.sin(facing_rad)])
     longer = np.ones(len(rows))
     if constants.inclines is not None:
         before_m = state.bodies.position_m[rows] - went_m[rows]
         longer = constants.inclines.longer(before_m, ahead)
-    short_m = np.where(held_up[rows], -weighted(off_m[rows], ahead) * longer, 0.0)
+    short_m = np.where(held_up, -weighted(off_m[rows], ahead) * longer, 0.0)
     counted = (state.drive.ahead_m[rows] - short_m)[:, None] * drives.rolls[rows]
     odometry.count_turns(state, constants, rows, counted)
     state.drive.slice[rows] += counted
@@ -133,9 +135,9 @@ def apply_contacts(state: EnvState, constants: RobotConstants, went_m: FloatArra
     now_s = state.drive.clock_s[rows]
     motion_profile.fall_short(state.drive.axes, rows, now_s, short_m[:, None] * drives.rolls[rows])
     forward_mps = weighted(state.bodies.velocity_mps[rows], ahead) * longer
-    state.drive.hindered[rows] = held_up[rows]
-    state.drive.forward_mps[rows] = np.where(held_up[rows], forward_mps, 0.0)
-    stalled = held_up[rows] & ~limp[rows] & (np.abs(forward_mps) < _STANDS_MPS)
+    state.drive.hindered[rows] = held_up
+    state.drive.forward_mps[rows] = np.where(held_up, forward_mps, 0.0)
+    stalled = held_up & ~limp & (np.abs(forward_mps) < _STANDS_MPS)
     _arrive(state, constants, rows[stalled])
     _give_up(state, constants, rows, stalled)
 
