@@ -349,8 +349,8 @@ def table(rows: Sequence[Row]) -> Iterator[str]:
     """Yield the lines of the table of `docs/performance.md`."""
     counts = ", ".join(map(str, sorted({row.hosts for row in rows} - {0})))
     yield (
-        "| program | robots | rounds a timestep | ms a timestep, local |"
-        f" on {counts} hosts | processor time in the environment [ms] | additional ms a round |"
+        "| program | robots | rounds per timestep | ms per timestep, local |"
+        f" on {counts} hosts | processor time in the environment [ms] | additional ms per round |"
     )
     yield "|" + " --- |" * 7
     for (name, robots), group in groupby(rows, lambda row: (row.program, row.robots)):
