@@ -35,7 +35,7 @@ import numpy as np
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.net.access import Access
-from crs_cc.net.channel import Channel, Kind, Message
+from crs_cc.net.channel import Channel, Kind
 from crs_cc.net.cluster_fleet import ClusterFleet
 from crs_cc.net.distant_fleet import DistantFleet
 from crs_cc.net.gate import Gate, bound
@@ -98,7 +98,6 @@ with socket.create_connection(("127.0.0.1", port)) as connection:
 """Answers so many bytes by so many others, until the other side goes."""
 WARM_STEPS = 5
 ECHO_ROUNDS = 300
-HEAD_BYTES = 20
 MILLISECONDS = 1e3
 MOST_STEPS, LEAST_STEPS, ROBOT_STEPS = 60, 5, 6000
 
@@ -168,6 +167,7 @@ def hosts(
             line = [sys.executable, "-m", "crs_cc", *words, "--token", access.token("robot")]
             process = subprocess.Popen(line, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             stack.callback(process.wait)
+        stack.callback(gate.close)  # first, or hosts that are left would come again
         while roster.missing():
             roster.wait()
         links = []
@@ -304,18 +304,18 @@ def echo_s(count: int, sizes: tuple[int, int], *, first: bool) -> float:
 @contextmanager
 def noting(sizes: dict[Kind, list[int]]) -> Iterator[None]:
     """Note the sizes of messages of some kinds, with their heads [bytes]."""
-    send, receive = Channel.send, Channel.receive
+    send, receive = Channel.send_frame, Channel.receive_frame
 
-    def counted_send(channel: Channel, kind: Kind, content: bytes = b"") -> None:
-        sizes.get(kind, []).append(HEAD_BYTES + len(content))
-        send(channel, kind, content)
+    def counted_send(channel: Channel, kind: Kind, frame: memoryview) -> None:
+        sizes.get(kind, []).append(len(frame))
+        send(channel, kind, frame)
 
-    def counted_receive(channel: Channel, *allowed: Kind, within_s: float | None = None) -> Message:
-        found = receive(channel, *allowed, within_s=within_s)
-        sizes.get(found.kind, []).append(HEAD_BYTES + len(found.content))
-        return found
+    def counted_receive(channel: Channel, kind: Kind, room: memoryview) -> int:
+        if size := receive(channel, kind, room):
+            sizes.get(kind, []).append(size)
+        return size
 
-    with mock.patch.multiple(Channel, send=counted_send, receive=counted_receive):
+    with mock.patch.multiple(Channel, send_frame=counted_send, receive_frame=counted_receive):
         yield
 
 

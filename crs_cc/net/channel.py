@@ -81,12 +81,14 @@ MOVES: Final = b"moves"
 
 _HEAD: Final = struct.Struct("<IIIII")
 """Kind, size, number, and CRC-32 of the content; then the CRC-32 of these, so that nobody waits for
-the rest of a message whose size is damaged."""
+the rest of a message whose size is damaged. On a way on which nothing is, both are 0."""
 
+HEAD_BYTES: Final = _HEAD.size
 _CHECKED: Final = struct.Struct("<IIII")
 _CHECKSUM: Final = struct.Struct("<I")
 GONE: Final = "the other side has closed the connection"
 _DAMAGED: Final = "a message is missing, doubled or damaged"
+_NUMBERS: Final = 0xFFFFFFFF
 _LEAST, _CHUNK = 2**14, 2**20
 
 _LEAST_PROGRESS: Final = 2**10
@@ -130,7 +132,7 @@ class Channel:
 
     Attributes:
         is_closed: whether it has been closed on this side.
-        heard_s: when something has last come from the other side, by `time.monotonic()` [s].
+        heard: how often something has come from the other side.
     """
 
     def __init__(self, connection: Connection, silence_s: float | None = None) -> None:
@@ -149,7 +151,7 @@ class Channel:
         self._sending, self._receiving = threading.Lock(), threading.Lock()
         self._rest = bytearray()  # received, and not read
         self._sent = self._received = 0
-        self._sent_s = self.heard_s = time.monotonic()
+        self._sent_before, self.heard = -1, 0
 
     @property
     def is_local(self) -> bool:
@@ -175,31 +177,79 @@ class Channel:
         Raises:
             ConnectionLostError: it cannot be sent.
         """
-        with self._sending:
-            self._send(kind, content)
+        self.send_frame(kind, memoryview(bytearray(HEAD_BYTES) + content))
 
-    def _send(self, kind: Kind, content: bytes) -> None:
-        checksum = zlib.crc32(content) if self._sends_sums else 0
-        head = _CHECKED.pack(kind, len(content), self._sent, checksum)
-        message = b"".join((head, _CHECKSUM.pack(zlib.crc32(head)), content))
-        self._sent = (self._sent + 1) & 0xFFFFFFFF
+    def send_frame(self, kind: Kind, frame: memoryview) -> None:
+        """Send a message whose content stands behind `HEAD_BYTES` of room.
+
+        Raises:
+            ConnectionLostError: it cannot be sent.
+        """
+        with self._sending:
+            self._send(kind, frame)
+
+    def _send(self, kind: Kind, frame: memoryview) -> None:
+        size, number = len(frame), self._sent
+        if self._sends_sums:
+            checksum = zlib.crc32(frame[HEAD_BYTES:])
+            _CHECKED.pack_into(frame, 0, kind, size - HEAD_BYTES, number, checksum)
+            _CHECKSUM.pack_into(frame, _CHECKED.size, zlib.crc32(frame[: _CHECKED.size]))
+        else:
+            _HEAD.pack_into(frame, 0, kind, size - HEAD_BYTES, number, 0, 0)
+        self._sent = (number + 1) & _NUMBERS
         try:
-            sent = self._sender.send(message)
-            while sent < len(message):  # as long as something is taken, however slowly
-                sent += self._sender.send(memoryview(message)[sent:])
+            sent = self._sender.send(frame)
+            while sent < size:  # as long as something is taken, however slowly
+                sent += self._sender.send(frame[sent:])
         except OSError as error:
             raise ConnectionLostError(_reason(error)) from None
-        self._sent_s = time.monotonic()
 
     def stay_alive(self) -> None:
-        """Say that this side is alive, if it has said nothing lately and is not sending."""
-        if time.monotonic() - self._sent_s < ALIVE_S or self._sending.locked():
+        """Say that this side is alive, if it has said nothing since this was last called."""
+        before, self._sent_before = self._sent_before, self._sent
+        if before != self._sent or self._sending.locked():
             return
         with contextlib.suppress(
             ConnectionLostError, OSError, ValueError
         ):  # who receives finds out
             if _is_ready(self._sender, selectors.EVENT_WRITE):
                 self.send(Kind.ALIVE)
+
+    def receive_frame(self, kind: Kind, room: memoryview) -> int:
+        """Wait for something: as a rule a whole message of a kind, which is not copied then.
+
+        Args:
+            kind: the kind.
+            room: where it is put, with its head.
+
+        Returns:
+            the size of the message; 0 if anything else has come, which `receive` takes.
+
+        Raises:
+            ConnectionLostError: nothing comes.
+        """
+        with self._receiving:
+            if self._rest:  # somebody has listened meanwhile
+                return 0
+            try:
+                size = self._connection.recv_into(room)
+            except OSError as error:
+                raise self._lost(error) from None
+            if not size:
+                raise ConnectionLostError(GONE)
+            self.heard += 1
+            if size >= HEAD_BYTES:
+                found, length, number, *sums = _HEAD.unpack_from(room)
+                if (
+                    found == kind
+                    and length == size - HEAD_BYTES
+                    and number == self._received
+                    and (not self._expects_sums or sums == _sums(room[:size]))
+                ):
+                    self._received = (number + 1) & _NUMBERS
+                    return size
+            self._rest += room[:size]
+            return 0
 
     def receive(self, *allowed: Kind, within_s: float | None = None) -> Message:
         """Wait for a message.
@@ -211,22 +261,22 @@ class Channel:
         Raises:
             ConnectionLostError: it does not come, or is not valid.
         """
-        rest, end_s = self._rest, None if within_s is None else time.monotonic() + within_s
+        end_s = None if within_s is None else time.monotonic() + within_s
         while True:
-            if rest or end_s is not None or (message := self._next_message()) is None:
-                message = self._assembled(allowed, end_s)
+            message = self._assembled(allowed, end_s)
             kind, _, checksum = self._head(message, allowed)
-            content = message[_HEAD.size :]
+            content = message[HEAD_BYTES:]
             if self._expects_sums and zlib.crc32(content) != checksum:
                 raise ConnectionLostError(_DAMAGED)
-            self._received = (self._received + 1) & 0xFFFFFFFF
+            self._received = (self._received + 1) & _NUMBERS
             if kind != _ALIVE:
                 return Message(_KINDS[kind], content)
 
     def _head(self, message: bytes | bytearray, allowed: tuple[Kind, ...]) -> tuple[int, int, int]:
         """Return kind, size and checksum of what begins with a head, which is checked."""
         kind, size, number, content_checksum, checksum = _HEAD.unpack_from(message)
-        if zlib.crc32(message[: _CHECKED.size]) != checksum or number != self._received:
+        is_sound = not self._expects_sums or zlib.crc32(message[: _CHECKED.size]) == checksum
+        if not is_sound or number != self._received:
             raise ConnectionLostError(_DAMAGED)
         if kind not in allowed and kind != _ALIVE:
             raise ConnectionLostError(f"unexpected message of kind {kind}")
@@ -234,26 +284,11 @@ class Channel:
             raise ConnectionLostError(f"message of {size} bytes is too long")
         return kind, size, content_checksum
 
-    def _next_message(self) -> bytes | None:
-        """Wait for something, and return it if it has the size of one message.
-
-        Nearly every message comes so, and need not be put together of parts.
-        """
-        with self._receiving:
-            if self._rest:  # somebody has listened meanwhile
-                return None
-            part = self._part(_LEAST)
-            size = len(part)
-            if size >= _HEAD.size and size == _HEAD.size + _HEAD.unpack_from(part)[1]:
-                return part
-            self._rest += part
-            return None
-
     def _assembled(self, allowed: tuple[Kind, ...], end_s: float | None) -> bytes:
         """Wait for the parts of a message, and return it."""
         rest = self._rest
-        self._await(_HEAD.size, end_s)
-        end = _HEAD.size + self._head(rest, allowed)[1]
+        self._await(HEAD_BYTES, end_s)
+        end = HEAD_BYTES + self._head(rest, allowed)[1]
         self._await(end, end_s)
         message = bytes(rest[:end])
         del rest[:end]
@@ -278,14 +313,18 @@ class Channel:
         """Return some bytes, of so many that are wanted."""
         try:
             part = self._connection.recv(min(max(size, _LEAST), _CHUNK))
-        except (TimeoutError, BlockingIOError):  # by Python, or by the operating system
-            raise ConnectionLostError(f"no message for {self._silence_s:g} s") from None
         except OSError as error:
-            raise ConnectionLostError(_reason(error)) from None
+            raise self._lost(error) from None
         if not part:
             raise ConnectionLostError(GONE)
-        self.heard_s = time.monotonic()
+        self.heard += 1
         return part
+
+    def _lost(self, error: OSError) -> ConnectionLostError:
+        """Return what is to be raised where receiving fails."""
+        if isinstance(error, TimeoutError | BlockingIOError):  # by Python, or by the system
+            return ConnectionLostError(f"no message for {self._silence_s:g} s")
+        return ConnectionLostError(_reason(error))
 
     def listen(self) -> None:
         """Note what has come, and close the connection if the other side has; do not wait.
@@ -316,7 +355,7 @@ class Channel:
             ConnectionLostError: the other side does not move.
         """
         with self._sending:
-            self._send(Kind.MOVED, MOVES)
+            self._send(Kind.MOVED, memoryview(bytearray(HEAD_BYTES) + MOVES))
             self._sender, self._sends_sums = way.out, False
         if not is_told and self.receive(Kind.MOVED, within_s=GREETING_S).content != MOVES:
             raise ConnectionLostError("no progress")
@@ -370,6 +409,11 @@ class Pulse:
                     self.remove(channel)
                 else:
                     channel.stay_alive()
+
+
+def _sums(frame: memoryview) -> list[int]:
+    """Return the checksums of a message: of its content, and of its head."""
+    return [zlib.crc32(frame[HEAD_BYTES:]), zlib.crc32(frame[: _CHECKED.size])]
 
 
 def _is_ready(connection: Connection, event: int) -> bool:

@@ -19,19 +19,14 @@ import numpy as np
 from crs_cc.core.arrays import IndexArray
 from crs_cc.net import memories
 from crs_cc.net.changed_words import WORDS, Table
-from crs_cc.net.channel import Channel, ConnectionLostError, Kind
+from crs_cc.net.channel import HEAD_BYTES, Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import report_of
+from crs_cc.net.frames import GRANT, RAN, RAN_FRONT
 from crs_cc.net.memories import Memory
 from crs_cc.net.shared_rows import SharedRows
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
-
-GRANT: Final = struct.Struct("<Qd?")
-"""Number of the grant, end of the cycle [s], whether the answer is wanted; changes follow."""
-
-RAN: Final = struct.Struct("<QI")
-"""Number of the grant, rounds; changes follow."""
 
 RESTORE: Final = struct.Struct("<Q?")
 """Number of the last grant, whether memories follow the rows of the table."""
@@ -117,12 +112,13 @@ class HostLink:
         assert self._rows is not None
         self._saved = None
         self._number += 1
-        grant = GRANT.pack(self._number, end_s, True) + self._rows.packed(self.number)
-        self._log.append(grant)
-        self._log_bytes += len(grant)
+        frame = self._rows.packed(self.number)
+        GRANT.pack_into(frame, HEAD_BYTES, self._number, end_s, True)
+        self._log.append(bytes(frame[HEAD_BYTES:]))
+        self._log_bytes += len(frame)
         self._waits = True
         try:
-            self._channel.send(_GRANT, grant)
+            self._channel.send_frame(_GRANT, frame)
         except ConnectionLostError as error:
             self._renew(str(error))  # which sends this grant, too
 
@@ -144,22 +140,30 @@ class HostLink:
         self.collect()
 
     def _collect(self) -> None:
-        while True:
-            kind, content = self._channel.receive(_RAN, _FAILED)
-            try:
+        assert self._rows is not None
+        room = self._rows.room(self.number)
+        size = self._channel.receive_frame(_RAN, room)
+        try:
+            if size:
+                rounds = self._rounds(room[HEAD_BYTES:size])
+                self._rows.put_received(self.number, size - RAN_FRONT, rounds)
+                return
+            while True:
+                kind, content = self._channel.receive(_RAN, _FAILED)
                 if kind is _RAN:
-                    self._note(content)
+                    changes = memoryview(content)[RAN.size :]
+                    self._rows.put(self.number, changes, self._rounds(content))
                     return
                 self._note_failure(json.loads(content))
-            except (ValueError, RecursionError, struct.error) as error:
-                raise ConnectionLostError(f"{_NOT_VALID}{error}") from None
+        except (ValueError, RecursionError, struct.error) as error:
+            raise ConnectionLostError(f"{_NOT_VALID}{error}") from None
 
-    def _note(self, content: bytes) -> None:
-        number, rounds = RAN.unpack_from(content)
+    def _rounds(self, said: bytes | memoryview) -> int:
+        """Return how many rounds programs have run, as an answer begins."""
+        number, rounds = RAN.unpack_from(said)
         if number != self._number or rounds > MAX_ROUNDS:
             raise ValueError("reply to a different grant")
-        assert self._rows is not None
-        self._rows.put(self.number, memoryview(content)[RAN.size :], rounds)
+        return int(rounds)
 
     def _note_failure(self, data: Any) -> None:
         robot = data.get("robot") if isinstance(data, dict) else None

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.net.changed_words import KnownRows, Table
+from crs_cc.net.frames import RAN_FRONT
 from crs_cc.net.word_kernel import WordKernel, partner_of
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.workers import default_threads
@@ -64,22 +65,28 @@ class HostedPrograms:
         self._table[:] = rows
         self.known.set(rows)
 
-    def run(self, content: memoryview, end_s: float) -> tuple[int, bytes, bool]:
+    @property
+    def room(self) -> memoryview:
+        """Where `run` takes its changes from, behind room of `GRANT_FRONT`."""
+        return self.known.kernels[0].room
+
+    def run(self, content: memoryview, end_s: float) -> tuple[int, memoryview, bool]:
         """Run rounds with what has been changed in rows.
 
         Args:
-            content: the changes.
+            content: the changes; they may be in `room`, if that has room for all rows.
             end_s: the end of the cycle [s].
 
         Returns:
-            how many rounds have been run, what has changed since, and whether any program may have
-            failed, or asks to write.
+            how many rounds have been run; what has changed since, behind room of `RAN_FRONT`; and
+            whether any program may have failed, or asks to write.
 
         Raises:
             ValueError: the content is not valid.
         """
         if self._most_threads > 1:
             if self._round_s > SPREAD_S:
+                content = memoryview(bytes(content))  # its room goes
                 self._spread()
             began_s = time.thread_time()
             ran = self._run(content, end_s)
@@ -88,14 +95,17 @@ class HostedPrograms:
             return ran
         return self._run(content, end_s)
 
-    def _run(self, content: memoryview, end_s: float) -> tuple[int, bytes, bool]:
-        if self._partner is not None:
-            [kernel] = self.known.kernels
-            rounds, changes, is_told = kernel.take_turn(self.fleet, self._partner, content, end_s)
-            return rounds, self.known.pack(self._table) if changes is None else changes, is_told
-        self.known.enter(content)
-        self._table[...] = self.known.table()
-        return self._run_rounds(end_s), self.known.pack(self._table), True
+    def _run(self, content: memoryview, end_s: float) -> tuple[int, memoryview, bool]:
+        if self._partner is None:
+            self.known.enter(content)
+            self._table[...] = self.known.table()
+            return self._run_rounds(end_s), self._packed(), True
+        [kernel] = self.known.kernels
+        rounds, changes, is_told = kernel.take_turn(self.fleet, self._partner, content, end_s)
+        return rounds, self._packed() if changes is None else changes, is_told
+
+    def _packed(self) -> memoryview:
+        return memoryview(bytearray(RAN_FRONT) + self.known.pack(self._table))
 
     def _run_rounds(self, end_s: float) -> int:
         """Run rounds until a program asks for something; return how many."""

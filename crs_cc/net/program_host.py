@@ -17,9 +17,10 @@ import numpy as np
 from crs_cc.core.arrays import IndexArray
 from crs_cc.net import memories
 from crs_cc.net.changed_words import WORDS
-from crs_cc.net.channel import Channel, ConnectionLostError, Kind
+from crs_cc.net.channel import HEAD_BYTES, Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import data_of
-from crs_cc.net.host_link import GRANT, RAN, RESTORE
+from crs_cc.net.frames import GRANT, RAN
+from crs_cc.net.host_link import RESTORE
 from crs_cc.net.hosted_programs import HostedPrograms
 from crs_cc.net.memories import Memory
 from crs_cc.requests import CODES, DATA_SIZE, FAILED
@@ -98,24 +99,27 @@ class ProgramHost:
         }
         allowed = grant, end, *answers
         while True:
-            kind, content = channel.receive(*allowed)
+            room = self._programs.room
+            size = channel.receive_frame(grant, room)
             try:
+                if size:
+                    self._grant(room[HEAD_BYTES:size], channel)
+                    continue
+                kind, content = channel.receive(*allowed)
                 if kind is end:
                     return json.loads(content)
                 if kind is grant:
-                    answer = self._grant(content, channel)
-                else:
-                    answer = answers[kind](content)
+                    self._grant(memoryview(content), channel)
+                elif (answer := answers[kind](content)) is not None:
+                    channel.send(*answer)
             except (ValueError, RecursionError) as error:
                 raise ConnectionLostError(
                     f"invalid message from the environment: {error}"
                 ) from None
-            if answer is not None:
-                channel.send(*answer)
 
     # -- rounds ----------------------------------------------------------------------------------
 
-    def _grant(self, content: bytes, channel: Channel) -> tuple[Kind, bytes] | None:
+    def _grant(self, content: memoryview, channel: Channel) -> None:
         """Run the programs until they ask for anything or have come as far as is granted."""
         if len(content) < GRANT.size:
             raise ValueError("a grant ends early")
@@ -124,15 +128,16 @@ class ProgramHost:
             self.shown = number
             for robot, stream, text in self._writes:
                 self._streams.write(robot, stream, text)
-        changed = memoryview(content)[GRANT.size :]
-        rounds, changes, is_told = self._programs.run(changed, end_s)
+        rounds, frame, is_told = self._programs.run(content[GRANT.size :], end_s)
         self._writes = []
         if is_told:
             asking = self._asking()
             self._writes = self._written(asking)
             if is_wanted:
                 self._tell_failures(asking, channel)
-        return (_RAN, RAN.pack(number, rounds) + changes) if is_wanted else None
+        if is_wanted:
+            RAN.pack_into(frame, HEAD_BYTES, number, rounds)
+            channel.send_frame(_RAN, frame)
 
     def _asking(self) -> IndexArray:
         """Return the programs that ask for anything."""

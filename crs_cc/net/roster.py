@@ -125,14 +125,14 @@ class Roster:
             ]
         for channel in others:
             channel.listen()  # what it says from now on shows that it is alive
-        began_s = now_s = time.monotonic()
-        while others and now_s < began_s + SILENCE_S:
+        silent = [(channel, channel.heard) for channel in others]
+        end_s = time.monotonic() + SILENCE_S
+        while silent and time.monotonic() < end_s:
             time.sleep(LISTEN_S)
-            for channel in others:
+            for channel, _ in silent:
                 channel.listen()
-            others = [each for each in others if not each.is_closed and each.heard_s < began_s]
-            now_s = time.monotonic()
-        for channel in others:
+            silent = [each for each in silent if not each[0].is_closed and each[0].heard == each[1]]
+        for channel, _ in silent:
             channel.close()
 
     def _own(self, host: str) -> tuple[str, ...]:

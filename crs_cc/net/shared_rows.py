@@ -14,7 +14,7 @@ entered. The kernel does in one call what a round needs for all hosts.
 >>> shared.grant(0.05, is_new=True), shared.is_granted(some), shared.is_granted(other)
 (1, True, False)
 >>> there = KnownRows(2)
->>> there.enter(shared.packed(some)), there.table()[1].any().item()
+>>> there.enter(shared.packed(some)[GRANT_FRONT:]), there.table()[1].any().item()
 (False, True)
 """
 
@@ -24,6 +24,7 @@ import struct
 from typing import Final
 
 from crs_cc.core.arrays import IndexArray
+from crs_cc.net.frames import FRONT_WORDS, GRANT_FRONT, RAN_FRONT
 from crs_cc.net.slot_rules import QUIET, RULES
 from crs_cc.net.word_kernel import (
     ERRORS,
@@ -71,6 +72,7 @@ class SharedRows:
         self._members = kernel.memory[members : members + 4 * ROWS].cast("i")
         self._hosts: list[IndexArray] = []
         self._places: list[tuple[int, int, int]] = []  # in the memory, and the rows of a host
+        self._rooms: list[memoryview] = []
         self._used = 0
 
     def add(self, robots: IndexArray) -> int:
@@ -82,8 +84,10 @@ class SharedRows:
         self._first[number], self._count[number] = first, rows
         self._words[number] = _NOTHING
         self._hosts.append(robots)
-        begin = self._traffic + first * (1 + WORDS) * WORD_BYTES
-        self._places.append((begin, rows * (1 + WORDS) * WORD_BYTES, rows))
+        begin = self._traffic + (first * (1 + WORDS) + number * FRONT_WORDS) * WORD_BYTES
+        most = rows * (1 + WORDS) * WORD_BYTES
+        self._places.append((begin, most, rows))
+        self._rooms.append(self._kernel.memory[begin - RAN_FRONT : begin + most])
         return number
 
     def remove(self, host: int) -> None:
@@ -113,14 +117,27 @@ class SharedRows:
         """Return whether changes have been packed for a host."""
         return self._words[host] != _NOTHING
 
-    def packed(self, host: int) -> bytes:
-        """Return what has been packed for a host."""
+    def packed(self, host: int) -> memoryview:
+        """Return what has been packed for a host, behind room of `GRANT_FRONT`."""
         begin, _, rows = self._places[host]
         words = self._words[host]
         self._words[host] = _NOTHING
-        if words == rows:
-            return b""  # masks only
-        return bytes(self._kernel.memory[begin : begin + words * WORD_BYTES])
+        end = begin if words == rows else begin + words * WORD_BYTES  # masks alone say nothing
+        return self._kernel.memory[begin - GRANT_FRONT : end]
+
+    def room(self, host: int) -> memoryview:
+        """Return where what a host has changed can be received, behind room of `RAN_FRONT`."""
+        return self._rooms[host]
+
+    def put_received(self, host: int, size: int, rounds: int) -> None:
+        """Let `take` find what a host has changed in some rounds, which is in its room [bytes].
+
+        Raises:
+            ValueError: it has a size that is not valid.
+        """
+        if size % WORD_BYTES:
+            raise ValueError(ERRORS[1])
+        self._words[host], self._ran[host] = size // WORD_BYTES, rounds
 
     def put(self, host: int, content: memoryview, rounds: int) -> None:
         """Put what a host has changed in some rounds where `take` finds it.
@@ -130,10 +147,10 @@ class SharedRows:
         """
         begin, most, _ = self._places[host]
         size = len(content)
-        if size % WORD_BYTES or size > most:
-            raise ValueError(ERRORS[1] if size % WORD_BYTES else TOO_LONG)
+        if size > most:
+            raise ValueError(TOO_LONG)
         self._kernel.memory[begin : begin + size] = content
-        self._words[host], self._ran[host] = size // WORD_BYTES, rounds
+        self.put_received(host, size, rounds)
 
     def take(self, before: int) -> tuple[int, bool] | None:
         """Enter what hosts have put, and show it up to the first round in which a program asks.

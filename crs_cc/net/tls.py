@@ -14,8 +14,9 @@ import ssl
 import subprocess
 import tempfile
 import threading
+from collections.abc import Callable
 from pathlib import Path
-from typing import Final, TypeAlias
+from typing import Final, TypeAlias, TypeVar
 
 _DAYS: Final = 365
 _MAKING_S: Final = 30.0
@@ -23,6 +24,10 @@ _COMMAND: Final = (
     *("openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1"),
     *("-nodes", "-days", str(_DAYS), "-subj", "/CN=crs"),
 )
+
+
+Subject = TypeVar("Subject")
+Result = TypeVar("Result")
 
 
 class TlsSocket:
@@ -54,21 +59,22 @@ class TlsSocket:
         """Return what has come, after waiting for it; with flags, of the socket below."""
         if flags:
             return socket.socket.recv(self._inner, size, flags)
-        while True:
-            try:
-                with self._turn:
-                    return self._inner.recv(size)
-            except ssl.SSLWantReadError:
-                self._wait(selectors.EVENT_READ)
-            except ssl.SSLWantWriteError:
-                self._wait(selectors.EVENT_WRITE)
+        return self._done(self._inner.recv, size)
+
+    def recv_into(self, room: memoryview) -> int:
+        """Put what has come into some room, after waiting for it; return how much."""
+        return self._done(self._inner.recv_into, room)
 
     def send(self, data: bytes | memoryview) -> int:
         """Send some of the data; return how much."""
+        return self._done(self._inner.send, data)
+
+    def _done(self, action: Callable[[Subject], Result], subject: Subject) -> Result:
+        """Return what an action returns, once it need not wait."""
         while True:
             try:
                 with self._turn:
-                    return self._inner.send(data)
+                    return action(subject)
             except ssl.SSLWantReadError:
                 self._wait(selectors.EVENT_READ)
             except ssl.SSLWantWriteError:

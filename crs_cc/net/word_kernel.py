@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.net.frames import GRANT_FRONT, RAN_FRONT
 from crs_cc.requests import CODES, FAILED
 from crs_cc.runtime.turns import RECORD
 
@@ -75,6 +76,7 @@ class WordKernel:
         known: the rows that both sides know.
         now: the same rows, where changes are to be packed.
         rules: the table of two rules: if programs have run, and if not.
+        room: where changes may be received, behind room of `GRANT_FRONT`.
         places: the addresses of changes, of a turn, of the list of members, and of hosts.
     """
 
@@ -102,6 +104,8 @@ class WordKernel:
         self.rules = table(rules, 2 * len(Rules._fields))
         self.places = tuple(places)
         self._traffic, self._turn, *_ = places
+        end = self._traffic + rows * (1 + WORDS) * WORD_BYTES
+        self.room = self.memory[self._traffic - GRANT_FRONT : end]
         self._now = now
         self._rules: Rules | None = None  # in the table
 
@@ -156,7 +160,7 @@ class WordKernel:
 
     def take_turn(
         self, fleet: Fleet, partner: Partner, content: memoryview, end_s: float
-    ) -> tuple[int, bytes | None, bool]:
+    ) -> tuple[int, memoryview | None, bool]:
         """Have the programs of a fleet run rounds with changes of their rows.
 
         Args:
@@ -166,8 +170,9 @@ class WordKernel:
             end_s: the end of the cycle [s].
 
         Returns:
-            the rounds; what the programs have changed, None if one has trapped, so that it has not
-            been packed; and whether any program may have failed, or asks to write.
+            the rounds; what the programs have changed, behind room of `RAN_FRONT`, None if one has
+            trapped, so that it has not been packed; and whether any program may have failed, or
+            asks to write.
 
         Raises:
             ValueError: the content is not valid.
@@ -184,19 +189,23 @@ class WordKernel:
         if trapped:
             return trapped, None, True
         rounds = _BEGIN.unpack_from(self.memory, self._turn)[1]
-        return rounds, self._changes(rows, words), bool(is_told)
+        end = self._end(rows, words)
+        return rounds, self.memory[self._traffic - RAN_FRONT : end], bool(is_told)
 
     def _take(self, content: memoryview) -> int:
-        """Take what may be entered; return its size [words]."""
+        """Take what may be entered, if it is not in its place; return its size [words]."""
         size = min(len(content), _MOST)
-        self.memory[self._traffic : self._traffic + size] = content[:size]
+        if content.obj is not self.memory.obj:
+            self.memory[self._traffic : self._traffic + size] = content[:size]
         return size // WORD_BYTES
 
     def _changes(self, rows: int, words: int) -> bytes:
-        """Return what has been packed: nothing if it is masks only."""
-        if words == rows:
-            return b""
-        return bytes(self.memory[self._traffic : self._traffic + words * WORD_BYTES])
+        """Return what has been packed."""
+        return bytes(self.memory[self._traffic : self._end(rows, words)])
+
+    def _end(self, rows: int, words: int) -> int:
+        """Return where that ends: masks alone say nothing."""
+        return self._traffic + (0 if words == rows else words) * WORD_BYTES
 
     def call(self, kind: int, *arguments: int) -> tuple[int, ...]:
         """Run the kernel; return what it says."""

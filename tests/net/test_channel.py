@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 import socket
 import struct
 import threading
@@ -12,7 +13,7 @@ from collections.abc import Iterator
 import pytest
 
 from crs_cc.net import channel as channel_module
-from crs_cc.net.channel import Channel, ConnectionLostError, Kind, Pulse
+from crs_cc.net.channel import HEAD_BYTES, Channel, ConnectionLostError, Kind, Pulse
 
 
 @pytest.fixture
@@ -64,6 +65,76 @@ def test_a_damaged_message_ends_the_connection(ends: tuple[Channel, socket.socke
     there.sendall(part)
     with pytest.raises(ConnectionLostError, match="damaged"):
         receiver.receive(Kind.RAN)
+
+
+def receive_framed(receiver: Channel, room: memoryview) -> bytes:
+    """Return the content of the next message, which may be received in a room."""
+    if size := receiver.receive_frame(Kind.RAN, room):
+        return bytes(room[HEAD_BYTES:size])
+    return receiver.receive(Kind.RAN).content
+
+
+@pytest.mark.parametrize("size", [0, HEAD_BYTES, 100, 10_000])
+def test_messages_in_a_room_of_any_size_come_in_order_however_they_are_cut(
+    ends: tuple[Channel, socket.socket], size: int
+) -> None:
+    receiver, there = ends
+    contents = [bytes([number]) * (37 * number) for number in range(9)]
+    said, random_ = b"".join(frames(*contents)), random.Random(size)
+    room = memoryview(bytearray(max(size, 1)))
+
+    def say() -> None:
+        at = 0
+        while at < len(said):
+            end = at + random_.choice((1, HEAD_BYTES, 60, 400))
+            there.sendall(said[at:end])
+            at = end
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=say)
+    thread.start()
+    assert [receive_framed(receiver, room) for _ in contents] == contents
+    thread.join()
+
+
+def test_a_message_that_is_received_in_a_room_is_not_copied(
+    ends: tuple[Channel, socket.socket],
+) -> None:
+    receiver, there = ends
+    room = memoryview(bytearray(100))
+    there.sendall(frames(b"content")[0])
+    assert receiver.receive_frame(Kind.RAN, room) == HEAD_BYTES + 7
+    assert bytes(room[HEAD_BYTES:][:7]) == b"content"
+
+
+@pytest.mark.parametrize("wrong", ["damaged", "number", "kind", "head"])
+def test_a_wrong_message_in_a_room_ends_the_connection(
+    ends: tuple[Channel, socket.socket], wrong: str
+) -> None:
+    receiver, there = ends
+    part = bytearray(frames(b"a", b"content")[wrong == "number"])
+    if wrong == "damaged":
+        part[-1] ^= 1
+    if wrong == "head":
+        part[5] ^= 1
+    there.sendall(part)
+    room, kind = memoryview(bytearray(100)), Kind.GRANT if wrong == "kind" else Kind.RAN
+    assert receiver.receive_frame(kind, room) == 0
+    with pytest.raises(ConnectionLostError, match=r"damaged|unexpected"):
+        receiver.receive(kind)
+
+
+def test_what_is_said_to_keep_a_connection_alive_does_not_come_in_a_room(
+    ends: tuple[Channel, socket.socket],
+) -> None:
+    receiver, there = ends
+    sender, room = Channel(there), memoryview(bytearray(100))
+    sender.send(Kind.ALIVE)
+    assert receiver.receive_frame(Kind.RAN, room) == 0
+    sender.send(Kind.RAN, b"one")
+    assert receiver.receive(Kind.RAN).content == b"one"
+    sender.send_frame(Kind.RAN, memoryview(bytearray(HEAD_BYTES) + b"two"))
+    assert receive_framed(receiver, room) == b"two"
 
 
 def test_a_long_message_is_refused_before_it_comes(ends: tuple[Channel, socket.socket]) -> None:
@@ -125,7 +196,7 @@ def test_a_side_that_closes_or_is_silent_is_given_up(
         receiver.receive(Kind.RAN, within_s=-1.0)
     monkeypatch.setattr(channel_module, "SILENCE_S", 0.05)
     here, other = socket.socketpair()
-    with pytest.raises(ConnectionLostError, match="nothing heard"):
+    with pytest.raises(ConnectionLostError, match="no message for"):
         Channel(here).receive(Kind.RAN)
     other.close()
     there.close()

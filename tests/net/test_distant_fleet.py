@@ -15,9 +15,10 @@ import pytest
 from crs_cc.core.source import Diagnostics
 from crs_cc.net import hosted_programs
 from crs_cc.net.changed_words import KnownRows
-from crs_cc.net.channel import Channel, ConnectionLostError, Kind
+from crs_cc.net.channel import Channel, ConnectionLostError, Kind, Pulse
 from crs_cc.net.distant_fleet import DistantFleet
-from crs_cc.net.host_link import RAN, HostGoneError, HostLink
+from crs_cc.net.frames import RAN
+from crs_cc.net.host_link import HostGoneError, HostLink
 from crs_cc.net.shared_rows import SharedRows
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
@@ -242,6 +243,23 @@ def test_what_a_host_says_is_believed_of_its_own_programs_only(
         assert "not its own, or a clock goes back" in fleet.report(0).text
         before["asks"] = 1  # as its host is lost
         assert (fleet.timing == before).all()
+
+
+@pytest.mark.parametrize("content", [b"", bytes(11), RAN.pack(1, 1) + bytes(7), RAN.pack(2, 1)])
+def test_a_reply_that_ends_early_or_is_to_another_grant_is_not_waited_for(
+    programs: list[Executable], content: bytes
+) -> None:
+    here, there = socket.socketpair()
+    with here, there:
+        link = HostLink(("robot0",), np.arange(1), Channel(here), refuse)
+        fleet = DistantFleet(programs[:1], [link])
+        fleet.timing["alive"], fleet.timing["due_s"] = True, math.inf
+        other = Channel(there)
+        other.send(Kind.RAN, content)
+        with Pulse() as pulse:
+            pulse.add(other)  # it seems to be there
+            fleet.run_rounds(2.0)
+        assert "not valid" in fleet.report(0).text
 
 
 def test_a_grant_is_not_sent_twice_to_the_host_that_replaces_a_lost_one() -> None:

@@ -9,6 +9,7 @@ import pytest
 
 from crs_cc.core.errors import WorldError
 from crs_cc.net.changed_words import KnownRows
+from crs_cc.net.frames import GRANT_FRONT
 from crs_cc.net.roster import Roster
 from crs_cc.net.shared_rows import SharedRows
 from crs_cc.net.word_kernel import ROWS
@@ -34,7 +35,7 @@ class Both:
         self.rows.grant(END_S, is_new=is_new)
         granted = [host for host in self.numbers if self.rows.is_granted(host)]
         for host in granted:
-            self.there[host].enter(self.rows.packed(host))
+            self.there[host].enter(self.rows.packed(host)[GRANT_FRONT:])
         return granted
 
     def say(self, host: int, rounds: int, **fields: float) -> None:

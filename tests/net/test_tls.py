@@ -12,7 +12,7 @@ import pytest
 
 from crs_cc.net import tls
 from crs_cc.net.access import Access
-from crs_cc.net.channel import MAGIC, ConnectionLostError, Pulse
+from crs_cc.net.channel import HEAD_BYTES, MAGIC, Channel, ConnectionLostError, Kind, Pulse
 from crs_cc.net.gate import Gate, bound, led_to
 from crs_cc.net.handshake import Hello, Program, RefusedError, devices_digest
 from crs_cc.net.roster import Roster
@@ -73,6 +73,26 @@ def test_nothing_is_said_without_encryption(gate: Gate) -> None:
             connection.sendall(text)
             with contextlib.suppress(ConnectionResetError):
                 assert b"HTTP" not in connection.recv(100)
+
+
+def test_messages_of_rounds_are_encrypted(server: tls.Server) -> None:
+    plain = socket.socketpair()
+    made: list[tls.Connection] = []
+    thread = threading.Thread(target=lambda: made.append(server.secure(plain[0])))
+    thread.start()
+    client = tls.Client("127.0.0.1", server.fingerprint).secure(plain[1])
+    thread.join()
+    sender, receiver, room = Channel(client), Channel(made[0]), memoryview(bytearray(500))
+    frame = bytearray(HEAD_BYTES) + b"content"
+    for _ in range(3):
+        sender.send_frame(Kind.RAN, memoryview(frame))
+        assert receiver.receive_frame(Kind.RAN, room) == len(frame)
+        assert room[: len(frame)] == frame
+    receiver.limit_silence(0.05)
+    with pytest.raises(ConnectionLostError, match="no message for"):
+        receiver.receive_frame(Kind.RAN, room)
+    sender.close()
+    receiver.close()
 
 
 def test_pages_are_encrypted_in_both_directions(gate: Gate, server: tls.Server) -> None:

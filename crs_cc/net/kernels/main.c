@@ -9,6 +9,7 @@
 
 #define ROWS 10240              /* at once */
 #define WORDS 56                /* of a row */
+#define FRONT 5                 /* words in front of changes, for the rest of a message */
 #define SOME 8                  /* words of a row that are compared at once */
 
 typedef unsigned long long word;
@@ -33,11 +34,12 @@ static struct rules {
 
 /* Close to each other, however few rows there are: what is known, what is now, and what is packed
    or to be entered. */
-static word space[ROWS * (3 * WORDS + 1)];
+static word space[ROWS * (3 * WORDS + 1 + FRONT)];
 static word (*known)[WORDS], (*now)[WORDS], *traffic;
 static int members[ROWS];       /* rows */
 
-/* Hosts as the environment sees them; each has the part of `traffic` that its members may take. */
+/* Hosts as the environment sees them; each has the part of `traffic` that its members may take, with
+   room in front of it. */
 static struct hosts {
     int first[ROWS], count[ROWS];       /* members */
     int words[ROWS];            /* packed, or to be entered; -1 for none */
@@ -52,6 +54,12 @@ static struct turn {
     int verdict, ran;           /* rounds, -1 before any */
     double end;
 } turn;
+
+/* Return where changes of a host are. */
+static word *changes(int host)
+{
+    return traffic + hosts.first[host] * (1 + WORDS) + host * FRONT;
+}
 
 /* Return whether some words differ. */
 static int differ(const word *a, const word *b)
@@ -205,7 +213,7 @@ static int grant(int count, int is_new_cycle, double end)
             hosts.round[i] = 0;
         if (hosts.is_ahead[i] || !any_runs(member, hosts.count[i], end))
             continue;
-        hosts.words[i] = pack(traffic + hosts.first[i] * (1 + WORDS), member, hosts.count[i]);
+        hosts.words[i] = pack(changes(i), member, hosts.count[i]);
         granted++;
     }
     return granted;
@@ -220,8 +228,8 @@ static int take(int count)
         int found = 0, error = DONE;
 
         if (hosts.words[i] > 0)
-            error = enter_all(traffic + hosts.first[i] * (1 + WORDS), members + hosts.first[i],
-                              hosts.count[i], hosts.words[i], rules + !hosts.ran[i], &found);
+            error = enter_all(changes(i), members + hosts.first[i], hosts.count[i], hosts.words[i],
+                              rules + !hosts.ran[i], &found);
         hosts.error[i] = error;
         bad += error != DONE;
         if (!error && hosts.words[i] >= 0) {
@@ -327,7 +335,7 @@ int __crs_start(void)
         default:                /* ADDRESSES for a number of rows */
             known = (word (*)[WORDS])space;
             now = known + n[1];
-            traffic = now[n[1]];
+            traffic = now[n[1]] + FRONT;
             for (i = 0; i < n[1]; i++)
                 members[i] = i;
             n[0] = (int)rules;
