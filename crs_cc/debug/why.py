@@ -17,31 +17,34 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Final
 
-import numpy as np
-
 from crs_cc.core.source import Location
 from crs_cc.debug.battery_cause import battery_facts, world_facts
-from crs_cc.debug.cause import Beam, Cause
+from crs_cc.debug.cause import Cause
 from crs_cc.debug.data.notation import RobotName, WorldDistance, WorldName
 from crs_cc.debug.data.object_parts import (
     Span,
     bytes_behind,
     bytes_copied,
     bytes_read,
+    holds,
+    part_assigned,
+    part_operands,
     part_read,
 )
 from crs_cc.debug.data.statement_text import (
+    argument,
     arguments,
     calls,
     cut,
     is_count,
     operands,
     source_of,
+    value_of,
     without_call,
 )
-from crs_cc.debug.data.values import Value
+from crs_cc.debug.echo_cause import fired, nearest
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.evaluation_place import EvaluationPlace, PassingCall
+from crs_cc.debug.evaluation_place import EvaluationPlace, PassingCall, passing_call
 from crs_cc.debug.last_write import MemoryObject, Write, last_write
 from crs_cc.debug.message_cause import (
     RECEIVES,
@@ -62,17 +65,13 @@ from crs_cc.debug.timeline.run_event import StopRequest
 from crs_cc.debug.view import View
 from crs_cc.debug.watchpoints import owner_of, same_activation
 from crs_cc.debug.world.sensor_cause import (
-    Firing,
     firing,
-    firing_of,
-    object_met,
     sensor_texts,
 )
 from crs_cc.debug.world.state_fields import StateField
 from crs_cc.debug.world.world_values import object_number
 from crs_cc.ir.names import plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame
-from crs_cc.sim.devices.sonar.state import sonar_state
 
 MAX_NODES: Final = 40
 MAX_DEPTH: Final = 12
@@ -177,7 +176,7 @@ class Why:
         if self._left <= 0 or depth >= MAX_DEPTH:
             return Cause(head, "...", robot=robot)
         self._left -= 1
-        calling = self._calling(robot, owner, value)
+        calling = passing_call(evaluator, stopped.stack, owner, value)
         if own is not None and own.is_at(wanted) and place.frame is not None:
             count, first = repeated(self._view, name, wanted, place.position, place.frame.function)
             if first is not None and count >= FEWEST_REPEATS:
@@ -220,11 +219,15 @@ class Why:
             return replace(base, how=shown, causes=causes)
         if is_count(text):
             return self._counted(replace(base, how=shown), place, wanted, text, depth)
-        returned = self._returned(place, text, depth)
+        evaluator = self._view.evaluator(robot)
+        part = part_assigned(evaluator, text, (wanted.address, wanted.size), frame)
+        returned = self._returned(place, text, depth, part)
         if returned is not None:
             text = without_call(text, returned.text.partition(" ")[0])
-        read = bytes_read(self._view.evaluator(robot), text, frame)
-        own = self._operands(place, source_of(text), depth + 1, wanted, read)
+            self._run.seek(place.position)
+        read = bytes_read(evaluator, text, frame)
+        names = source_of(text, part and part_operands(evaluator, value_of(text), part, frame))
+        own = self._operands(place, names, depth + 1, wanted, read)
         causes = own if returned is None else (returned, *own)
         return replace(base, how=shown, causes=causes)
 
@@ -239,8 +242,17 @@ class Why:
             return self._written(base.text, wanted, first, depth, count + 1)
         return replace(base, causes=self._operands(place, [name], depth + 1, wanted))
 
-    def _returned(self, place: EvaluationPlace, text: str, depth: int) -> Cause | None:
-        """Return the `return` statement of the call whose value was used last; None for none."""
+    def _returned(
+        self, place: EvaluationPlace, text: str, depth: int, part: Span | None = None
+    ) -> Cause | None:
+        """Return the `return` statement of the call whose value was used last; None for none.
+
+        Args:
+            place: where it returns.
+            text: the statement that has the call.
+            depth: the level of the node.
+            part: the bytes of a struct that are asked for; None for all.
+        """
         site = self._run.site(place.robot)
         stack = self._run.stopped(place.robot).stack
         if site is None or place.frame is None or same_activation(stack[0], place.frame):
@@ -251,6 +263,8 @@ class Why:
         inner = EvaluationPlace(
             place.position, place.robot, replace(stack[0], location=site.location)
         )
+        evaluator, value = self._view.evaluator(place.robot), value_of(source.text)
+        found = part and part_operands(evaluator, value, part, inner.frame)
         return Cause(
             f"{plain_name(site.function)} returned",
             source.shown,
@@ -258,26 +272,10 @@ class Why:
             self._run.time_s(place.robot),
             place.robot,
             site.location,
-            self._operands(inner, source_of(source.text), depth + 1),
+            self._operands(inner, source_of(source.text, found), depth + 1),
         )
 
     # -- arguments -----------------------------------------------------------------------------
-
-    def _calling(self, robot: int, owner: StackFrame | None, value: Value) -> PassingCall | None:
-        """Return the call that passed a value, if it is a parameter."""
-        if owner is None:
-            return None
-        evaluator, stack = self._view.evaluator(robot), self._run.stopped(robot).stack
-        declared = evaluator.declared_at(owner.function, owner.location)
-        places = {each.variable.name: each.variable.location for each in declared}
-        own = [each for each in evaluator.variables(owner) if each.scope == "parameter"]
-        own.sort(key=lambda each: places[each.name])
-        for number, each in enumerate(own):
-            first = each.value.address or 0
-            if first <= (value.address or 0) < first + each.value.type.size:
-                outer = stack[stack.index(owner) + 1 :]
-                return PassingCall(number, owner, outer[0]) if outer else None
-        return None
 
     def _argument(self, head: str, robot: int, calling: PassingCall, depth: int) -> Cause:
         """Return the node of a parameter: the call that passed it."""
@@ -287,8 +285,18 @@ class Why:
             return replace(base, how="an argument of the program")
         place = EvaluationPlace(self._run.position, robot, caller)
         source = statement_source(self._view, robot, caller.function, caller.location)
-        passed = arguments(source.text)[calling.number : calling.number + 1]
-        names = operands(passed[0]) if passed else []
+        passed = argument(source.text, plain_name(calling.callee.function), calling.number)
+        returned = None
+        if calls(passed):
+            inner = self._last_return(place, source.text, begun)
+            returned = self._returned(inner, passed, depth, calling.part)
+        if returned is not None:
+            passed = without_call(passed, returned.text.partition(" ")[0])
+        names = operands(passed)
+        self._run.seek(place.position)
+        if calling.part is not None:
+            evaluator = self._view.evaluator(robot)
+            names = part_operands(evaluator, passed, calling.part, caller) or names
         return Cause(
             head,
             source.shown,
@@ -296,8 +304,22 @@ class Why:
             self._run.time_s(robot),
             robot,
             caller.location,
-            self._operands(place, names, depth + 1),
+            (*(() if returned is None else (returned,)), *self._operands(place, names, depth + 1)),
         )
+
+    def _last_return(self, place: EvaluationPlace, text: str, begun: int) -> EvaluationPlace:
+        """Return where the last call returned before another call of the same statement.
+
+        Args:
+            place: where the other call is made.
+            text: the statement. If it has several calls of that function, the place is returned.
+            begun: how many statements had begun before the other call.
+        """
+        self._navigator.to_statement(place.robot, begun - 1)
+        site = self._run.site(place.robot)
+        if site is None or calls(text).count(plain_name(site.function)) != 1:
+            self._run.seek(place.position)
+        return replace(place, position=self._run.position)
 
     # -- the library ---------------------------------------------------------------------------
 
@@ -320,7 +342,8 @@ class Why:
         names = [each.lstrip("& ") for each in arguments(text)]
         found = list(dict.fromkeys(each for name in names for each in operands(name)))
         if not function.endswith("cat"):  # what these write, they have read before (C17 7.24.3)
-            found = [each for each in found if not self._is_at(place, each, wanted)]
+            evaluator = self._view.evaluator(robot)
+            found = [e for e in found if not holds(evaluator, e, wanted.address, place.frame)]
         return self._operands(place, found, depth + 1)
 
     def _measured(self, place: EvaluationPlace, field: StateField, depth: int) -> Iterator[Cause]:
@@ -331,7 +354,7 @@ class Why:
         ping = firing(environment, robot, field)
         is_pose = "_CONF" in field.name
         if ping is not None:
-            yield self._fired(robot, ping, f"{field.name}: ")
+            yield fired(run, robot, ping, f"{field.name}: ")
         for each in texts:
             yield Cause(f"{field.name}: {each}", position=place.position, robot=robot)
         if is_pose:
@@ -353,7 +376,7 @@ class Why:
             number = object_number(environment, name.path[0])
             concern = CONCERNS.get(name.path[1] if name.path[1:] else "")
             if concern == "sonar":
-                yield from self._nearest(here, number)
+                yield from nearest(self._run, here, number)
             elif concern is not None:
                 if concern == "battery":
                     given = battery_facts(environment, number, name.path[1])
@@ -389,30 +412,6 @@ class Why:
             return None
         return self._posted(number, f"{self._run.name(number)} was driven", depth)
 
-    def _nearest(self, here: Position, robot: int) -> Iterator[Cause]:
-        """Return the beam of the nearest echo of a robot."""
-        self._run.seek(here)
-        environment = self._run.session.environment
-        echo_m = sonar_state(environment.state).echo_m[robot]
-        if np.isfinite(echo_m).any():
-            yield self._fired(robot, firing_of(environment, robot, int(np.nanargmin(echo_m))), "")
-
-    def _fired(self, robot: int, ping: Firing, field: str) -> Cause:
-        """Return the node of a firing, with the object that it met."""
-        run, environment = self._run, self._run.session.environment
-        fired = Position(int(ping.fired_s / environment.timestep_s), 0)
-        run.seek(fired)
-        met = object_met(environment, robot, ping.number, ping.echo_m)
-        beam = Beam(ping.number, ping.echo_m, met)
-        return Cause(f"{field}{ping.text(met)}", position=fired, robot=robot, beam=beam)
-
-    def _is_at(self, place: EvaluationPlace, name: str, wanted: MemoryObject) -> bool:
-        """Return whether an operand is an object, or one that holds it."""
-        with contextlib.suppress(DebugError):
-            found = self._view.evaluator(place.robot).place(name, place.frame)
-            return found.address <= wanted.address < found.address + max(found.size, 1)
-        return False
-
     def _message(
         self, place: EvaluationPlace, text: str, depth: int, wanted: MemoryObject
     ) -> tuple[Cause, ...]:
@@ -422,7 +421,9 @@ class Why:
         self._run.arm(StopRequest(all=frozenset({robot})))
         while self._run.advance().kind != "statement" and self._run.can_advance:
             pass
-        frame = next(each for each in self._run.stopped(robot).stack if _same(each, place.frame))
+        assert place.frame is not None
+        stack = self._run.stopped(robot).stack
+        frame = next(each for each in stack if same_activation(each, place.frame))
         evaluator, span = self._view.evaluator(robot), (wanted.address, wanted.size)
         message = received(evaluator, f"({arguments(text)[0]})", frame, span)
         sender = message.sender
@@ -487,7 +488,3 @@ class Why:
         stack = self._run.stopped(robot).stack
         found = next((each for each in stack if each.function == function), None)
         return None if found is None else replace(found, location=location)
-
-
-def _same(one: StackFrame, other: StackFrame | None) -> bool:
-    return other is not None and same_activation(one, other)

@@ -271,22 +271,85 @@ int main(void)
 BEGINS = 9
 """The line at which its function begins."""
 
+WHOLE = """\
+#include <string.h>
+#include <crs.h>
+#include "Nclient.h"
+struct at { int x, y; };
+struct report { int number; short kind; double range; struct at at; };
+struct report list[3], last;
+double far;
+static struct report read_report(struct crs_message *from)
+{
+    struct report got = *(struct report *) from->data;
+    return got;
+}
+static void keep(struct report given, int at)
+{
+    list[at] = given;
+    far = list[at].range;
+}
+int main(void)
+{
+    int i;
+    connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400);
+    for (i = 0; i < 3; i++) {
+        if (crs_my_number() == 0) {
+            struct report report;
+            report.number = 40 + i;
+            report.kind = 7;
+            report.range = i * 2.5;
+            report.at.x = 5;
+            report.at.y = -i;
+            crs_send(1, 7, &report, sizeof report);
+        } else {
+            struct crs_message message;
+            if (crs_receive(&message, 2000)) {
+                last = *(struct report *) message.data;
+                keep(read_report(&message), i);
+            }
+        }
+        ws(1, 1, 1, 1);
+    }
+    return 0;
+}
+"""
+WHOLE_BEGINS = [8, 13, 18]
+
+SENT_WHOLE = {
+    "last.number": "report.number = 42",
+    "last.range": "report.range = 5.0",
+    "last.at.y": "report.at.y = -2",
+    "list[2].kind": "report.kind = 7",
+    "list[2].at.y": "report.at.y = -2",
+    "list[1].at": "report.at = {x = 5, y = -1}",
+    "list[1].number": "report.number = 41",
+    "far": "report.range = 5.0",
+}
+
 SENT = {
     "second": "pair[1] = 102",
     "told": "report.number = 42",
     "far": "report.range = 5.0",
-    "letter": "((char *)(&report))[17] = 101 'e'",
+    "letter": "report.name[1] = 101 'e'",
     "got.kind": "report.kind = 7",
 }
 """What was sent of each."""
 
 
-def test_a_part_of_a_message_comes_from_the_bytes_that_were_sent(tmp_path: Path) -> None:
-    debugger = debugger_of(PARTS, folder=tmp_path, world="pair.xml")
-    checker = Checker(debugger, Oracle.of(debugger), [BEGINS])
+@pytest.mark.parametrize(
+    ("source", "begins", "sent"),
+    [(PARTS, [BEGINS], SENT), (WHOLE, WHOLE_BEGINS, SENT_WHOLE)],
+    ids=["parts", "structs that are assigned, passed and returned as a whole"],
+)
+def test_a_part_of_a_message_comes_from_the_bytes_that_were_sent(
+    source: str, begins: list[int], sent: dict[str, str], tmp_path: Path
+) -> None:
+    debugger = debugger_of(source, folder=tmp_path, world="pair.xml")
+    checker = Checker(debugger, Oracle.of(debugger), begins)
     debugger.goto_end()
     here = debugger.position
-    for expression, text in SENT.items():
+    for expression, text in sent.items():
         debugger.goto(here)
         debugger.view.select_robot(1)
         cause = find(Why(debugger.view, debugger.navigator).explain(expression), "sent it")
@@ -297,7 +360,7 @@ def test_a_part_of_a_message_comes_from_the_bytes_that_were_sent(tmp_path: Path)
         frame = checker.frame(cause)
         for each in cause.causes:
             checker.check(each, cause.position, frame)
-    assert checker.checked["local"] >= len(SENT)
+    assert checker.checked["local"] >= len(sent)
 
 
 INCH_M = 0.0254

@@ -7,10 +7,11 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.data.statement_text import calls, value_of
+from crs_cc.debug.data.member_names import behind, member_name
+from crs_cc.debug.data.statement_text import assignment, calls, operands, value_of
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.ir.types import CHAR, INT, LLONG, SHORT, ArrayType, PointerType
+from crs_cc.ir.types import CHAR, INT, LLONG, SHORT, ArrayType, PointerType, RecordType
 
 if TYPE_CHECKING:
     from crs_cc.debug.data.evaluate import Evaluator
@@ -95,16 +96,89 @@ def bytes_behind(
         content = address.to_bytes(4, "little")
         shown = Value(evaluator.inspector(), PointerType(_UNITS[size]), content).text
         names += [shown.removeprefix("&")]
+    ctype = evaluator.type_of(pointer, frame)
+    if isinstance(ctype, PointerType | ArrayType):
+        whole = ctype.target if isinstance(ctype, PointerType) else ctype
+        member = member_name(whole, offset, size)
+        names += [behind(pointer, member)] if member else []
     for name in names:
         with contextlib.suppress(DebugError):
             found = evaluator.place(name, frame)
             if (found.address, found.size) == (address, size):
                 return name
     last = f"..{offset + size - 1}" if size > 1 else ""
-    ctype = evaluator.type_of(pointer, frame)
     is_bytes = isinstance(ctype, ArrayType) and ctype.element.size == 1
     base = pointer if is_bytes and _NAME.fullmatch(pointer) else f"((char *)({pointer}))"
     return f"{base}[{offset}{last}]"
+
+
+def part_assigned(
+    evaluator: Evaluator, text: str, span: Span, frame: StackFrame | None
+) -> Span | None:
+    """Return which bytes of an assigned struct are some bytes of its target.
+
+    Args:
+        evaluator: evaluates the target.
+        text: the statement.
+        span: the bytes of the target: their address, and how many.
+        frame: the frame in whose scope it is.
+
+    Returns:
+        The first byte from the start of the struct, and how many; None if all of it is asked for,
+        or it is no struct.
+    """
+    target, _ = assignment(text)
+    with contextlib.suppress(DebugError):
+        found = evaluator.evaluate(target, frame).value
+        evaluator.undo()
+        if isinstance(found.type, RecordType) and found.address is not None:
+            return part_within(found.address, found.type.size, span)
+    return None
+
+
+def part_within(address: int, size: int, span: Span) -> Span | None:
+    """Return which part of an object some bytes are; None if they are all of it, or elsewhere.
+
+    >>> part_within(100, 8, (104, 4)), part_within(100, 8, (100, 8)), part_within(100, 8, (106, 4))
+    ((4, 4), None, None)
+    """
+    first = span[0] - address
+    is_part = 0 <= first <= first + span[1] <= size and span[1] < size
+    return (first, span[1]) if is_part else None
+
+
+def part_operands(
+    evaluator: Evaluator, value: str, part: Span, frame: StackFrame | None
+) -> list[str]:
+    """Return what a part of a struct's value was computed from; empty if that is not known.
+
+    That is the same part of the object that has the value, and what was read to find the object.
+    """
+    named = bytes_behind(evaluator, f"&({value})", part, frame)
+    if named is None:
+        return []
+    with contextlib.suppress(DebugError):
+        whole = evaluator.place(value, frame)
+        begin, end = whole.address, whole.address + whole.size
+        others = [
+            each for each in operands(value) if not _overlaps(evaluator, each, begin, end, frame)
+        ]
+        return [named, *others]
+    return [named]
+
+
+def holds(evaluator: Evaluator, name: str, address: int, frame: StackFrame | None) -> bool:
+    """Return whether an operand is an object at an address, or one around it."""
+    return _overlaps(evaluator, name, address, address + 1, frame)
+
+
+def _overlaps(
+    evaluator: Evaluator, name: str, begin: int, end: int, frame: StackFrame | None
+) -> bool:
+    with contextlib.suppress(DebugError):
+        found = evaluator.place(name, frame)
+        return found.address < end and begin < found.address + max(found.size, 1)
+    return False
 
 
 def bytes_copied(

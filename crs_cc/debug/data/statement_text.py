@@ -11,7 +11,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 from crs_cc.debug.data.notation import operand_end, tokens
@@ -28,20 +28,22 @@ _ASSIGNS: Final = re.compile(r"(?<![=!<>])(?P<op><<|>>|[-+*/%&|^])?=(?!=)")
 _STEP: Final = re.compile(r"\+\+|--")
 
 
-def source_of(text: str) -> list[str]:
+def source_of(text: str, value_operands: Sequence[str] | None = None) -> list[str]:
     """Return the operands that a value was computed from.
 
     Args:
         text: the source from the assignment, declarator, `return` or call that made it; what comes
             after that does not matter.
+        value_operands: the operands of its value, if they are known better.
     """
     text = cut(text)
     for found in _ASSIGNS.finditer(text):
         if _depth(text, found.start()) == 0:
             target, value = text[: found.start()], text[found.end() :]
             is_again = found["op"] is not None
-            return [*(operands(target) if is_again else _inside(target)), *operands(value)]
-    return operands(text)
+            own = operands(target) if is_again else _inside(target)
+            return list(dict.fromkeys([*own, *(value_operands or operands(value))]))
+    return list(value_operands or operands(text))
 
 
 def value_of(text: str) -> str:
@@ -50,13 +52,23 @@ def value_of(text: str) -> str:
     >>> value_of("told = *(int *)message.data;"), value_of("return a + 1;"), value_of("a += 2;")
     ('*(int *)message.data', 'a + 1', '')
     """
+    if (found := cut(text).strip()).startswith("return"):
+        return found.removeprefix("return").strip()
+    return assignment(text)[1]
+
+
+def assignment(text: str) -> tuple[str, str]:
+    """Return target and value of an assignment or initialiser; empty for anything else.
+
+    >>> assignment("left->at = points[i];"), assignment("a += 2;")
+    (('left->at', 'points[i]'), ('', ''))
+    """
     text = cut(text).strip()
-    if text.startswith("return"):
-        return text.removeprefix("return").strip()
     for found in _ASSIGNS.finditer(text):
         if _depth(text, found.start()) == 0:
-            return "" if found["op"] is not None else text[found.end() :].strip()
-    return ""
+            parts = text[: found.start()], text[found.end() :]
+            return ("", "") if found["op"] is not None else (parts[0].strip(), parts[1].strip())
+    return "", ""
 
 
 def is_count(text: str) -> bool:
@@ -75,7 +87,7 @@ def arguments(text: str) -> list[str]:
     >>> arguments("speed = turn(a, f(b, c)) + 1")
     ['a', 'f(b, c)']
     """
-    opened = re.search(r"\w\s*\(", text)
+    opened = re.search(r"[\w)]\s*\(", text)
     if opened is None:
         return []
     inside, parts = text[opened.end() :], [""]
@@ -87,6 +99,17 @@ def arguments(text: str) -> list[str]:
         else:
             parts[-1] += piece
     return [each.strip() for each in parts]
+
+
+def argument(text: str, function: str, number: int) -> str:
+    """Return an argument of a call; that of the first call if it is not clear which one is meant.
+
+    >>> argument("speed = turn(a, f(b, c)) + 1", "f", 1), argument("(*op)(a + 1)", "turn", 0)
+    ('c', 'a + 1')
+    """
+    found = list(re.finditer(rf"\b{re.escape(function)}\s*\(", text))
+    passed = arguments(text[found[0].start() :] if len(found) == 1 else text)
+    return passed[number] if number < len(passed) else ""
 
 
 def cut(text: str) -> str:
