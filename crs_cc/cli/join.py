@@ -25,7 +25,7 @@ Examples:
 @click.command(
     cls=WithProgramArguments,
     epilog=_EXAMPLES,
-    short_help="Run a robot's program in a world of crs serve.",
+    short_help="Run a robot's program in a world served by crs serve.",
     options_metavar="[OPTIONS]",
 )
 @click.argument("words", nargs=-1, metavar="ROBOT[,ROBOT...] HOST:PORT PROGRAM.c... [-- ARGS...]")
@@ -75,7 +75,7 @@ Examples:
 def join(
     *, words: tuple[str, ...], every: bool, unchecked: bool, model: str | None, **options: Any
 ) -> int:
-    """Compile a C control program and run it for a robot in a world of crs serve.
+    """Compile a C control program and run it for a robot in a world served by crs serve.
 
     The program runs, prints and reads standard input here. If the connection is lost, or another
     host takes the place of this one, the program continues where it was. The exit status is that of

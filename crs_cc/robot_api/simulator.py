@@ -118,10 +118,10 @@ GRAPHICS: Final = Group("Window", (
     _refresh("refresh_actual_trace", "its true path"),
     _refresh("refresh_encoder_trace", "its path according to odometry"),
     _refresh("refresh_all_sensors", "the sensors' readings"),
-    _refresh("refresh_bumper_sensor", "the bumpers'"),
-    _refresh("refresh_infrared_sensor", "the infrared sensors'"),
-    _refresh("refresh_sonar_sensor", "the sonars'"),
-    _refresh("refresh_laser_sensor", "the laser's"),
+    _refresh("refresh_bumper_sensor", "the readings of the bumpers"),
+    _refresh("refresh_infrared_sensor", "the readings of the infrared sensors"),
+    _refresh("refresh_sonar_sensor", "the readings of the sonars"),
+    _refresh("refresh_laser_sensor", "the readings of the laser"),
     _refresh("refresh_client_graphics", "the drawings of programs"),
 ))  # fmt: skip
 
@@ -136,18 +136,19 @@ def _position(name: str, parameters: str, what: str) -> Function:
 POSDATA: Final = Group("Position and time of sensor readings", (
     Function(
         "int posDataRequest(int posRequest)",
-        "requests position data of some kinds of sensors in replies (Smask[0], `ct`); always TRUE",
+        "requests position data of these kinds of sensors in replies (Smask[0], `ct`);"
+        " always TRUE",
         refreshes=ALL, posts=("CT",), source=_BOTH,
         under_ndirect="on a Scout or Nomad 150, sends nothing",
     ),
     Function("int posDataCheck(void)", "returns the kinds that were requested", source=_BOTH),
-    _position("posInfraredRingGet", "PosData posData[INFRAREDS]", "that of all infrared sensors"),
-    _position("posInfraredGet", "PosData *posData, int infraredNumber", "that of one"),
-    _position("posSonarRingGet", "PosData posData[SONARS]", "that of all sonars"),
-    _position("posSonarGet", "PosData *posData, int sonarNumber", "that of one"),
-    _position("posBumperGet", "PosData *posData", "that of the last bumper contact"),
-    _position("posLaserGet", "PosData *posData", "that of the laser, 30 times a second"),
-    _position("posCompassGet", "PosData *posData", "that of the compass, 10 times a second"),
+    _position("posInfraredRingGet", "PosData posData[INFRAREDS]", "the data of the infrared ring"),
+    _position("posInfraredGet", "PosData *posData, int infraredNumber", "the data of one"),
+    _position("posSonarRingGet", "PosData posData[SONARS]", "the data of all sonars"),
+    _position("posSonarGet", "PosData *posData, int sonarNumber", "the data of one"),
+    _position("posBumperGet", "PosData *posData", "the data of the last bumper contact"),
+    _position("posLaserGet", "PosData *posData", "the data of the laser, 30 times a second"),
+    _position("posCompassGet", "PosData *posData", "the data of the compass, 10 times a second"),
     Function(
         "int posTimeGet(void)",
         "returns the time of the sensor board [ms] in the last reply; its resolution is 16.4 ms",

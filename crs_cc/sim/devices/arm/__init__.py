@@ -280,7 +280,7 @@ DEVICE = Device(
         ),
         Function(
             "int crs_get_hand(int *weight)",
-            "returns the weight of what is in the hand, 0 for nothing",
+            "returns the weight of the object in the hand, 0 for none",
             units="g", posts=("GET_ARM",), source=(OURS,),
         ),
     ),

@@ -164,14 +164,14 @@ DEVICE = Device(
     functions=(
         Function(
             "int crs_take(void)",
-            "takes an item from the source that the robot's centre is in; FALSE, too, if there is"
-            " none, it is empty, or the robot can carry no more",
+            "takes an item from the source that the robot's centre is in; also FALSE if there is"
+            " none, if it is empty, or if the robot can carry no more",
             posts=("TAKE_ITEM",), source=(OURS,),
         ),
         Function(
             "int crs_drop(void)",
-            "drops an item in the nest that the robot's centre is in; FALSE, too, if there is"
-            " none, or the robot carries nothing", posts=("DROP_ITEM",), source=(OURS,),
+            "drops an item in the nest that the robot's centre is in; also FALSE if there is"
+            " none, or if the robot carries nothing", posts=("DROP_ITEM",), source=(OURS,),
         ),
         Function(
             "int crs_items(void)",

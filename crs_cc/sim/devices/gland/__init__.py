@@ -201,8 +201,8 @@ DEVICE = Device(
     functions=(
         Function(
             "int crs_deposit(int field, double amount)",
-            "deposits an amount in a pheromone field under the robot; FALSE, too, if there is no"
-            " such field, or the amount is negative", posts=("DEPOSIT",), source=(OURS,),
+            "deposits an amount in a pheromone field under the robot; also FALSE if there is no"
+            " such field, or if the amount is negative", posts=("DEPOSIT",), source=(OURS,),
         ),
         Function(
             "int crs_lay_trail(int field, double amount)",

@@ -264,9 +264,9 @@ DEVICE = Device(
         ),
         Function(
             "int crs_get_gripper(int *opening, int *beam, int *weight)",
-            "returns the distance between the fingers, which is the width of what they hold;"
-            " whether the beam between them is interrupted; and the weight of what they hold, 0 for"
-            " nothing. Pointers may be NULL", units="0.1 in, g",
+            "returns the distance between the fingers, which is the width of a held object;"
+            " whether the beam between them is interrupted; and the weight of the object, 0 for"
+            " none. Pointers may be NULL", units="0.1 in, g",
             posts=("GET_GRIPPER",), source=(OURS,),
         ),
     ),
