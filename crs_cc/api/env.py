@@ -158,7 +158,7 @@ class Env:
         return self.observe()
 
     def observe(self) -> Observations:
-        """Return new arrays of what is observed of each robot now."""
+        """Return the current observations of each robot, as new arrays."""
         measure(self.session.inner.environment, self._observed, self._rows)
         return {
             name: {

@@ -56,7 +56,7 @@ class ObservationSpec:
 
     @classmethod
     def of(cls, name: str, robot: RobotView) -> Self:
-        """Return what is observed of a robot.
+        """Return the observation of a robot.
 
         Raises:
             ValueError: the name is unknown.

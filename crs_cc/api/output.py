@@ -41,5 +41,5 @@ class Streams:
         return found
 
     def text(self, robot: int, stream: int) -> str:
-        """Return what a program has written to a stream, at most 1 MiB."""
+        """Return a program's output to a stream, at most 1 MiB."""
         return self._written[robot, stream].decode(errors="replace")

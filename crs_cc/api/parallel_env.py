@@ -63,7 +63,7 @@ class ParallelEnv(pettingzoo.ParallelEnv[str, dict[str, FloatArray], FloatArray]
         return self._actions[agent]
 
     def observation_space(self, agent: str) -> Dict:
-        """Return the space of what is observed of a robot."""
+        """Return the observation space of a robot."""
         return self._observations[agent]
 
     def reset(

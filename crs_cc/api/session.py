@@ -194,7 +194,7 @@ class Session(Edits):
         return self.is_time_up or not (state.running or state.environment.awaits)
 
     def step(self, timesteps: int = 1) -> bool:
-        """Run some timesteps; return whether the run goes on: `while session.step(): ...`.
+        """Run some timesteps; return whether the run continues: `while session.step(): ...`.
 
         Raises:
             TypeError: their number is not an integer.
@@ -369,7 +369,7 @@ def _on_hosts(
 
 
 def _content(name: str, content: bytes | str) -> bytes:
-    """Return what a program reads as bytes; text as UTF-8."""
+    """Return a program's input as bytes; text is encoded in UTF-8."""
     if not isinstance(content, bytes | str):
         raise TypeError(f"{name} must be bytes or text, not {type(content).__name__}")
     return content.encode() if isinstance(content, str) else content

@@ -38,7 +38,7 @@ def observation_space(env: Env, robot: str) -> Dict:
 
 
 def info_of(env: Env, robot: str) -> dict[str, Any]:
-    """Return what is known of a robot besides observations: its true pose, and the time."""
+    """Return additional information on a robot: its true pose, and the time."""
     pose: FloatArray = env.session.robots[robot].pose
     return {"time_s": env.time_s, "pose": pose}
 

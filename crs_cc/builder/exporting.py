@@ -23,7 +23,7 @@ _TALL_M: Final = 2.5
 
 
 def exported(world: WorldModel, kind: str) -> tuple[bytes, list[str]]:
-    """Return a world in another format, and what was left out.
+    """Return a world in another format, and what was omitted.
 
     Args:
         world: the world.

@@ -73,7 +73,7 @@ def _parts(
 
 
 def patches(document: Document, world: WorldModel) -> Iterator[tuple[str, Patch]]:
-    """Yield the names of ramps and plateaus with what they are."""
+    """Yield the names of ramps and plateaus with their models."""
     grounds = [each for each in document.root.children if each.tag == "surface"]
     nodes = [each for ground in grounds for each in ground.children if each.tag != "heightmap"]
     for node, patch in zip(nodes, world.surface.patches, strict=False):
@@ -115,7 +115,7 @@ def bounds_m(solid: Solid) -> tuple[float, float, float, float]:
 
 
 def _corners(solid: Solid) -> Iterator[tuple[float, float]]:
-    """Yield points that span what a solid covers."""
+    """Yield points that span the extent of a solid."""
     if isinstance(solid, Wall):
         yield from _disc(solid.x1_m, solid.y1_m, solid.thickness_m / 2)
         yield from _disc(solid.x2_m, solid.y2_m, solid.thickness_m / 2)

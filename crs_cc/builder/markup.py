@@ -214,7 +214,7 @@ def insert(
 
 
 def _before(parent: Node, tag: str) -> Node | None:
-    """Return the element behind which one of a kind goes; None for the front."""
+    """Return the element after which one of a kind is inserted; None for the front."""
     same = [each for each in parent.children if each.tag == tag]
     if same:
         return same[-1]

@@ -38,7 +38,7 @@ class Workspace(Protocol):
         """Return the included files."""
 
     def visible(self) -> WorldModel | None:
-        """Return the world as far as it is known; None for what is none."""
+        """Return the world as far as it can be read; None for an invalid file."""
 
 
 def _add(builder: Workspace, _: Sequence[Node], values: Values, attributes: Attributes) -> Plan:

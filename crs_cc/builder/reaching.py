@@ -109,7 +109,7 @@ def _floor(world: WorldModel) -> FloorGrid | None:
 
 
 def _complaint(reached: _Reached, goal: Goal) -> str:
-    """Return what is wrong with a goal; empty if nothing is known to be."""
+    """Return a warning about a goal; empty if there is none."""
     robots = [each for each in reached.world.robots if not goal.robots or each.id in goal.robots]
     match goal.condition:
         case Bring():
@@ -162,7 +162,7 @@ def _not_brought(reached: _Reached, goal: Bring) -> str:
 
 
 def _not_followed(reached: _Reached, goal: Goal, follow: Follow, robots: Sequence[Robot]) -> str:
-    """Return who never comes as near as a goal wants."""
+    """Return the robots that can never come near enough for a goal."""
     target = next((each for each in reached.world.robots if each.id == follow.target), None)
     cells = reached.of_thing(follow.target) if target is None else reached.by(target)
     others = [each for each in robots if each is not target]

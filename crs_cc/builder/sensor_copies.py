@@ -27,7 +27,7 @@ def is_sensor(node: Node) -> bool:
 
 
 def sensor_copies(document: Document, nodes: Sequence[Node], motions: Sequence[Motion]) -> Plan:
-    """Copy sensors, once for each motion; the copies stand behind all others.
+    """Copy sensors, once for each motion; the copies follow all others.
 
     Comments are left out: they say of the original where it is.
 

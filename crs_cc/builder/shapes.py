@@ -142,7 +142,7 @@ def _robot(robot: Robot) -> Shape:
 
 
 def _warmth(thing: Solid | Robot) -> Shape:
-    """Return the heat of a thing and how far it is felt, if it has any."""
+    """Return the heat of an object and its spread, if it has any."""
     if thing.heat <= 0:
         return {}
     spread_m = thing.spread_m if math.isfinite(thing.spread_m) else None

@@ -143,7 +143,7 @@ class WorldBuilder:
         return dict(self.element(name).attributes)
 
     def problems(self) -> tuple[Diagnostic, ...]:
-        """Return what is wrong with the file, in the words of `crs check`; empty if nothing is."""
+        """Return the messages of `crs check` for the file; empty if it is valid."""
         return tuple(self._examine()[1])
 
     def warnings(self) -> tuple[Diagnostic, ...]:
@@ -172,7 +172,7 @@ class WorldBuilder:
         return model if isinstance(model, WorldModel) else None
 
     def extents(self) -> Extents:
-        """Return what elements cover, by their names, as far as they are right."""
+        """Return the extents of valid elements, by their names."""
         world = self.visible()
         return {} if world is None else extents(self.document, world)
 
@@ -394,7 +394,7 @@ class WorldBuilder:
         x: Value = 0.0,
         y: Value = 0.0,
     ) -> tuple[list[str], list[str]]:
-        """Put in what a plan shows: SVG, PNG, a world of Stage (`.world`), or SDF.
+        """Insert the elements of a plan: SVG, PNG, a world of Stage (`.world`), or SDF.
 
         Args:
             path: the file.
@@ -438,7 +438,7 @@ class WorldBuilder:
         return builder, drawn.left_out()
 
     def export(self, path: str | os.PathLike[str]) -> list[str]:
-        """Write the world as a picture (SVG, PNG) or as SDF; return what was left out.
+        """Write the world as a picture (SVG, PNG) or as SDF; return what was omitted.
 
         Raises:
             WorldError: it is invalid.

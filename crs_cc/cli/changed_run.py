@@ -38,7 +38,7 @@ class ChangedRun:
         self._changed = changed
 
     def advance_to(self, timestep: int) -> None:
-        """Run to the start of a timestep; what was changed right there is not yet.
+        """Run to the start of a timestep, before changes made at that point.
 
         Raises:
             DebugError: a change cannot be made again.

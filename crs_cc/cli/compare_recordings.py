@@ -106,7 +106,7 @@ def exact_rows(found: Comparison) -> dict[str, Any]:
 
 
 class Rerun:
-    """A recorded run that goes on once more, in a debugger."""
+    """A recorded run that is repeated in a debugger."""
 
     def __init__(self, recording: Recording, debugger: Debugger) -> None:
         self._recording, self._debugger = recording, debugger

@@ -68,7 +68,7 @@ def show_before_run(diagnostics: Sequence[Diagnostic]) -> None:
 
 
 def left_out_text(count: int) -> str:
-    """Return what is said of a number of warnings that are not shown before a run."""
+    """Return the message about warnings that are not shown before a run."""
     return f"... and {count} more warning{'s' * (count > 1)}; crs check shows all"
 
 

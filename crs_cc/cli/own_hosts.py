@@ -73,7 +73,7 @@ class OwnHosts:
         return here
 
     def close(self) -> None:
-        """Show what is left of lines, and let hosts end."""
+        """Print incomplete lines, and end the hosts."""
         self._output.close()
         if self._pulse is not None:
             self._pulse.__exit__()

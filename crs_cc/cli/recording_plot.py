@@ -36,7 +36,7 @@ def world_of(recording: Recording) -> WorldModel:
 
 
 def recorded_picture(recording: Recording) -> Picture:
-    """Return what the plot of a recorded run shows.
+    """Return the contents of the plot of a recorded run.
 
     Raises:
         CrsError: the recording, or the world in it, is not valid.

@@ -106,7 +106,7 @@ class RecordedInput:
                     self._waiting[robot, float(data["clock_s"])] = answer
 
     def waiting(self, robot: int, clock_s: float, _read: int = 0) -> tuple[int, float]:
-        """Return what a program was told of its input at a time; its end if nothing is known."""
+        """Return the recorded state of a program's input at a time; its end if there is none."""
         return self._waiting.get((robot, clock_s), (0, 0.0))
 
     def read(self, robot: int, wanted: int) -> bytes:

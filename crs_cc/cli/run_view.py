@@ -92,13 +92,13 @@ class RunView:
         return self._player.speed
 
     def timesteps(self) -> int:
-        """Wait while pages pause the run or it is too fast; return how far it may go on."""
+        """Wait while pages pause the run or it is too fast; return how far it may advance."""
         self._screen.tick()
         count = self._player.timesteps(lambda: self._session.time_s)
         return min(count, 1) if math.isfinite(self._player.speed) else count
 
     def wait_for(self, robots: str) -> None:
-        """Show that the run waits for the hosts of robots; for none as it goes on."""
+        """Show that the run is waiting for the hosts of robots; none when it continues."""
         self._screen.wait_for(robots)
 
     def step(self, step: Step) -> None:

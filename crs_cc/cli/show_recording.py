@@ -190,7 +190,7 @@ def _compare(recording: Recording, path: Path, page: Path | None) -> int:
 
 
 def comparison(found: Comparison, paths: tuple[Path, Path]) -> Iterator[str]:
-    """Yield the lines that tell how two runs compare."""
+    """Yield the lines of the comparison of two runs."""
     if not found.found:
         yield f"{paths[0]}, {paths[1]}: no difference up to {found.time_s:.2f} s"
         for path, end_s in zip(paths, found.ends_s, strict=True):

@@ -84,7 +84,7 @@ def _placed(
 
 
 def _seats(hosts: ClusterHosts, cluster: Cluster, options: ServeOptions) -> list[Seat] | None:
-    """Wait until all hosts are there; return None if the user does not want to."""
+    """Wait until all hosts are connected; return None if the user interrupts."""
     count = len(hosts)
     shown = f"{count} host{'' if count == 1 else 's'} on the cluster at {cluster.address}"
     if not options.quiet:

@@ -81,7 +81,7 @@ def record_at_end(
 def record(
     debugger: Debugger, loaded: Loaded, options: DebugOptions, waiting: WaitingAfter, path: Path
 ) -> None:
-    """Record the run as it stands; raise OSError if the recording cannot be written."""
+    """Record the run in its current state; raise OSError if the recording cannot be written."""
     from crs_cc.cli.record_debugged import record_debugged
 
     record_debugged(debugger, loaded, replace(options, record=path), waiting)

@@ -46,12 +46,12 @@ class TooSlowError(ConnectionError):
 
 
 def new_token() -> str:
-    """Return a token that nobody can guess, of letters, digits, `-` and `_`."""
+    """Return an unpredictable token of letters, digits, `-` and `_`."""
     return secrets.token_urlsafe(16)
 
 
 def is_token(given: object, token: str) -> bool:
-    """Return whether what a client gives is the token, in a time that tells nothing of it."""
+    """Return whether a client's token is right, in constant time."""
     return isinstance(given, str) and hmac.compare_digest(
         given.encode("utf-8", "replace"), token.encode()
     )

@@ -16,10 +16,11 @@ Read `engine` first: the operations of the debugger, without a user interface. I
   how expressions use these.
 - `past`: questions about the recorded past; `last_write`: who wrote an object before; `why`: a tree
   of where a value came from, whose nodes are in `cause`; through `message_cause` to other robots,
-  `motion_cause` to what moves objects, `echo_cause` to what sensors met, and `battery_cause` to what
-  drains batteries; `evaluation_place`: where operands are evaluated; `repeated_writes`: many writes as one cause;
-  `statement_source`: the text of what a statement did; `returned_value`: what a call has returned;
-  `skips`: functions that steps do not enter; `call_sites`: calls that a step can be told to enter.
+  `motion_cause` to what moves objects, `echo_cause` to what sensors met, and `battery_cause` to
+  what drains batteries; `evaluation_place`: where operands are evaluated; `repeated_writes`: many
+  writes as one cause; `statement_source`: the text of what a statement did; `returned_value`: what
+  a call has returned; `skips`: functions that steps do not enter; `call_sites`: calls that a step
+  can be told to enter.
 - `branches`: alternative histories; `branch_comparison`: the differences between two of them, told
   by `difference_text`; `branch_facts`: their states at many timesteps; `first_difference`: the
   first of these in which two runs differ.

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def battery_facts(environment: Environment, robot: int, name: str) -> Iterator[Fact]:
-    """Return what a battery of a robot has given, `computer_battery` or `motor_battery`."""
+    """Return the energy drawn from a battery, `computer_battery` or `motor_battery`."""
     battery: Battery | None = environment.world.robots[robot].model.device(name)
     if battery is None:
         yield Fact("it is unlimited: the world file gives it no capacity")

@@ -100,7 +100,7 @@ class Branches:
         return self.current
 
     def leave_past(self) -> None:
-        """Keep what lies ahead in this branch, if anything does, and go on in a new one.
+        """Keep the future of this branch, if there is one, and continue in a new branch.
 
         Of many branches, the oldest that a user can do without is discarded.
         """

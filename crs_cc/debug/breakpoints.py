@@ -130,7 +130,7 @@ class Breakpoints:
         return frozenset().union(*(each.statements.get(robot, ()) for each in places if each))
 
     def may_stop(self, robot: int) -> bool:
-        """Return whether any of them may be hit by what a robot's program does."""
+        """Return whether a robot's program may hit any of them."""
         return any(
             each.concerns(robot)
             and (
@@ -177,7 +177,7 @@ class Breakpoints:
         )
 
     def watched(self, robot: int) -> tuple[Watched, ...]:
-        """Return what is watched in a robot's memory."""
+        """Return the watched ranges of a robot's memory."""
         points = [each.watch for each in self._all.values() if each.concerns(robot)]
         watched = (each.watched for each in points if each)
         return tuple(each for each in watched if not isinstance(each, WatchedWorld))

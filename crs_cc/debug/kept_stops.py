@@ -45,7 +45,7 @@ def kept_stops(points: StopPoints) -> Iterator[dict[str, Any]]:
 
 
 def _place(each: Breakpoint) -> str:
-    """Return what it was set at: a line by the name of its file, which is elsewhere next time."""
+    """Return its location: a line by the file name only, since the folder may change."""
     location = each.place.location if each.place else None
     is_line = location is not None and (each.text.isdecimal() or ":" in each.text)
     return f"{PurePath(location.file).name}:{location.line}" if location and is_line else each.text

@@ -32,7 +32,7 @@ class MemoryObject:
 
     @property
     def watched(self) -> WatchedObject:
-        """It, as what is watched for writes."""
+        """The object, as a watched range."""
         return WatchedObject(0, "write", self.address, self.size, self.frame)
 
 

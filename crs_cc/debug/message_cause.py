@@ -49,7 +49,7 @@ class ReceivedMessage:
 
 
 def received(evaluator: Evaluator, message: str, frame: StackFrame, span: Span) -> ReceivedMessage:
-    """Return what is in a `struct crs_message`.
+    """Return the contents of a `struct crs_message`.
 
     Args:
         evaluator: evaluates it, in the program that has received it.

@@ -48,7 +48,7 @@ class _StopCandidate:
     function: str = ""
 
     def may_count_with(self, later: _StopCandidate) -> bool:
-        """Return whether this may be passed on the way to a later candidate in the same round.
+        """Return whether this may be skipped for a later candidate in the same round.
 
         Of repeated hits of one program the last is enough: there may be very many.
         """
@@ -403,7 +403,7 @@ class Navigator:
 
 
 def _together(found: list[_StopCandidate]) -> _StopCandidate:
-    """Merge the last reason to stop with those that are passed on the way to it."""
+    """Merge the last reason to stop with those before it."""
     stops = [each.stop for each in found if each.target >= found[-1].target]
     numbers = dict.fromkeys(number for each in stops for number in each.breakpoints)
     text = "; ".join(each.text for each in stops if each.text)

@@ -115,7 +115,7 @@ class Past:
         return self._changes(f"!!({condition})", part, lambda value: bool(value and value.number))
 
     def messages(self, place: BreakpointLocation, text: str, part: Range) -> list[Instant]:
-        """Return what a log point would have said.
+        """Return the messages that a log point would have printed.
 
         Args:
             place: where it is.
@@ -238,7 +238,7 @@ class Past:
     def _changes(
         self, expression: str, part: Range, wanted: Callable[[Value | None], bool]
     ) -> list[Instant]:
-        """Return the first value of an expression, and its changes, as far as they are wanted."""
+        """Return the first value of an expression, and the requested number of its changes."""
         robot, point = self._stop_points.resolve(0, expression, self._view.robot)
         watched, run, found = point.watched, self._run, list[Instant]()
         last: Content | None = None
@@ -268,7 +268,7 @@ class Past:
         return found
 
     def _content(self, robot: int, watched: Watched) -> Content:
-        """Return the content of what is watched, where the run is."""
+        """Return the watched value at the current position."""
         match watched:
             case WatchedWorld():
                 return watched.observe()

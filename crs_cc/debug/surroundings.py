@@ -65,7 +65,7 @@ class Surroundings:
         return name in self._run.session.environment.names
 
     def state(self, name: OutsideName) -> Hashable:
-        """Return what the type of a value depends on."""
+        """Return the state on which the type of a value depends."""
         if not isinstance(name, RobotName):
             return self._run.session.environment.names
         robot = self._run.names.index(name.robot) if self.is_robot(name.robot) else -1

@@ -192,7 +192,7 @@ class Why:
     def _written(
         self, head: str, wanted: MemoryObject, write: Write, depth: int, times: int = 1
     ) -> Cause:
-        """Return the node of a write, with what was written as its causes.
+        """Return the node of a write, with the written values as its causes.
 
         It may stand for several writes, of which it is the first.
         """
@@ -347,7 +347,7 @@ class Why:
         return self._operands(place, found, depth + 1)
 
     def _measured(self, place: EvaluationPlace, field: StateField, depth: int) -> Iterator[Cause]:
-        """Return what a reading that the robot reports here was measured from."""
+        """Return the cause of a reading that the robot reports here."""
         run, robot = self._run, place.robot
         environment = run.session.environment
         texts = list(sensor_texts(environment, robot, field))

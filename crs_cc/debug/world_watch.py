@@ -22,7 +22,7 @@ class WorldWatchSet:
         self._seen: dict[int, Content] = {}
 
     def arm(self, wanted: Sequence[WatchedWorld]) -> None:
-        """Set what is watched; the last values of what stays watched are kept."""
+        """Set the watched expressions; the last values of those that remain are kept."""
         if tuple(wanted) != self._wanted:
             self._wanted = tuple(wanted)
             self.forget()

@@ -45,7 +45,7 @@ def apart(compute: Callable[[], _T]) -> _T:
 
 
 def _answer(compute: Callable[[], object], results: int, life: int) -> None:
-    """Write what the function returns, and end."""
+    """Write the result of the function, and exit."""
     gc.freeze()  # a collection would copy the pages of everything there is
     threading.Thread(target=_end_with, args=(life,), daemon=True).start()
     try:

@@ -87,7 +87,7 @@ def serve(
 
 
 class _Child:
-    """A copy of this process that does jobs, until it is told to end or something goes wrong.
+    """A fork of this process that executes jobs until it is ended or fails.
 
     The end of standard input says that whoever gave the jobs has ended, perhaps killed: nothing
     else would stop a run without an end then.

@@ -55,7 +55,7 @@ class KnownRows:
             first += count
 
     def pack(self, table: Table) -> bytes:
-        """Return what differs in a table from what is known, and make it known."""
+        """Return the words of a table that differ from the known ones, and update the latter."""
         if len(self._parts) == 1:
             [(kernel, count)] = self._parts
             kernel.now[:count] = table

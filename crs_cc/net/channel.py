@@ -295,7 +295,7 @@ class Channel:
         return message
 
     def _await(self, size: int, end_s: float | None) -> None:
-        """Wait until so many bytes have come that are not read; memory is taken as they come."""
+        """Wait for a number of unread bytes; memory is allocated as they arrive."""
         rest = self._rest
         look_s, least = 0.0, 0  # when to look whether so many bytes have come
         while len(rest) < size:
@@ -368,7 +368,7 @@ class Channel:
         old.close()
 
     def close(self) -> None:
-        """Close the connection; who waits for it is told."""
+        """Close the connection; waiting threads are notified."""
         self.is_closed = True
         for each in {self._connection, self._sender}:
             with contextlib.suppress(OSError):

@@ -77,7 +77,7 @@ def bound(host: str, port: int) -> socket.socket:
 
 
 def turn_away(connection: Connection) -> None:
-    """Close a connection of somebody who is not served."""
+    """Close a connection that is rejected."""
     with contextlib.suppress(OSError):
         connection.sendall(_UNAVAILABLE + b"\r\n")
     connection.close()
@@ -185,7 +185,7 @@ class Gate:
             thread.start()
 
     def _meet(self, connection: socket.socket) -> None:
-        """Find out who somebody is, in a thread."""
+        """Identify a client, in a thread."""
         try:
             connection.settimeout(GREETING_S)
             if self._is_host(connection):
@@ -250,7 +250,7 @@ class Gate:
     def _welcome(
         self, channel: Channel, seat: Seat, offer: Offer | None, *, send_program: bool
     ) -> None:
-        """Tell a host what it is to do, and go the way that it has been offered, if it does."""
+        """Send a host its assignment, and switch to the local socket if the host accepts it."""
         answer = {
             "robots": seat.names,
             "send_program": send_program,

@@ -76,7 +76,7 @@ class Hello:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """A program, and how it is compiled: what a recording needs of it.
+    """A program and its options, as needed for a recording.
 
     Attributes:
         name: as the user named it.
@@ -149,7 +149,7 @@ class Program:
         return program
 
     def check(self) -> None:
-        """Check what is used here of a program that comes from elsewhere.
+        """Check the parts of a remote program that are used here.
 
         Raises:
             RefusedError: it is not valid.

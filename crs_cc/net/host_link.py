@@ -134,7 +134,7 @@ class HostLink:
                 return
 
     def collect_again(self, reason: str) -> None:
-        """Give the host up, as what it has said is not valid, and wait for the next one."""
+        """Disconnect the host, because its message is invalid, and wait for the next one."""
         self._waits = True
         self._renew(_NOT_VALID + reason)
         self.collect()
@@ -174,7 +174,7 @@ class HostLink:
     # -- memories and input ----------------------------------------------------------------------
 
     def memories(self) -> list[Memory]:
-        """Return the memories of the programs where they stand."""
+        """Return the current memories of the programs."""
         self.ask_memories()
         return self.take_memories()
 

@@ -86,7 +86,7 @@ class ProgramHost:
         return self._programs.fleet
 
     def serve(self, channel: Channel) -> Any:
-        """Do what the environment asks for until the run ends; return what it says then.
+        """Serve the environment until the run ends; return its final message.
 
         Raises:
             ConnectionLostError: the environment is gone, or says what is not valid.

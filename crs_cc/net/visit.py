@@ -95,7 +95,7 @@ def visit(
 
 
 def _move(channel: Channel, offer: str) -> None:
-    """Go the way that an environment offers, or tell it that this is not possible."""
+    """Switch to the local socket that an environment offers, or report that this is impossible."""
     way = take(offer)
     if way is None:
         channel.send(Kind.MOVED)

@@ -53,7 +53,7 @@ ERRORS: Final = (
 
 
 class Rules(NamedTuple):
-    """The rules for the words of a row, a number for each: what may change, what is looked for.
+    """The rules for the words of a row, a number for each: permitted changes, searched values.
 
     Attributes:
         fixed: the bits that never change.

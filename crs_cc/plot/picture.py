@@ -287,7 +287,7 @@ class PlotDrawing:
         )
 
     def marks(self, drawings: Sequence[Drawing]) -> None:
-        """Draw what the programs drew."""
+        """Draw the marks of the programs."""
         if not drawings:
             return
         style: dict[str, str | float] = {"fill": "none", "stroke_width": 1.2}

@@ -132,7 +132,7 @@ class BeliefDecoder:
             yield time_ns + each_ns, self._next(time_ns + each_ns, found, is_key=number == 0)
 
     def _next(self, time_ns: int, found: Numbers, *, is_key: bool) -> FloatArray:
-        """Return a frame, given what it says."""
+        """Return a frame from its contents."""
         if len(found) != COLUMNS:
             raise ValueError("a frame of odometry has an unknown form")
         if not is_key:

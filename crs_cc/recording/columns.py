@@ -40,7 +40,7 @@ class Columns:
         return self._columns
 
     def extend(self, columns: Parts) -> None:
-        """Add what was gathered by others; raise ValueError if it has no whole rows."""
+        """Add rows collected elsewhere; raise ValueError if there is an incomplete row."""
         rows = len(columns[0]) // self._row_bytes[0]
         if [*map(len, columns)] != [rows * size for size in self._row_bytes]:
             raise ValueError("inconsistent columns")

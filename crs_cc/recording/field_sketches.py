@@ -122,7 +122,7 @@ class FieldSketch:
         }
 
     def most_after(self, time_s: float) -> float:
-        """Return what is left of the largest amount after a time [s]."""
+        """Return the remaining fraction of the largest amount after a time [s]."""
         return self.most * exact.exp(-(time_s / self.evaporation_s))
 
 

@@ -70,7 +70,7 @@ class Courses:
         self._made: dict[int, Course] = {}
 
     def of(self, begin_ns: int) -> Course:
-        """Return what the group with a time says; raise ValueError if there is none."""
+        """Return the contents of the group with a timestamp; raise ValueError if there is none."""
         if begin_ns not in self._made:
             self._made[begin_ns] = self._course(begin_ns)
         return self._made[begin_ns]

@@ -181,7 +181,7 @@ class FrameDecoder:
             yield time_ns + each_ns, each
 
     def decode(self, data: bytes) -> FloatArray:
-        """Return the numbers [m, rad], (columns, rows), NaN for what is not in the world.
+        """Return the numbers [m, rad], (columns, rows), NaN for objects that are not in the world.
 
         Raises:
             ValueError: it is no frame, or the frame before is missing.
@@ -238,7 +238,7 @@ def group_in(message: bytes) -> tuple[Int64Array, Numbers]:
 
 
 def frame_in(data: bytes) -> tuple[int, Numbers]:
-    """Return a frame's kind, and what it says; raise ValueError if it is none."""
+    """Return a frame's kind and contents; raise ValueError if it is invalid."""
     if len(data) < HEAD.size:
         raise ValueError("a frame is too short")
     kind, columns, version, rows = HEAD.unpack_from(data)

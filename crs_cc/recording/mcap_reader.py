@@ -47,7 +47,7 @@ _SKIPPED: Final = frozenset(op for op in Op) - {Op.CHUNK, Op.ATTACHMENT, Op.META
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a record's content lies in the file.
+    """The position of a record's content in the file.
 
     Attributes:
         at: its offset.

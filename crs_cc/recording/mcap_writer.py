@@ -280,7 +280,7 @@ class McapWriter:
         return b"".join([chunk, *rows])
 
     def _replace(self, records: bytes) -> None:
-        """Write records in the place of what is saved, so that the file is valid at each moment.
+        """Replace the saved data by records, so that the file is valid at any time.
 
         They are first written behind it, hidden in a record that readers skip. Then 9 bytes at the
         place hide what is saved and show them; there they are copied to the place, while hidden,

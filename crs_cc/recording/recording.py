@@ -34,7 +34,7 @@ _LATEST_NS: Final = 2**62
 
 @dataclass(frozen=True, slots=True)
 class Roster:
-    """Who and what is in the frames from a time on.
+    """The robots and objects in the frames from a time on.
 
     Attributes:
         time_ns: the time.
@@ -138,7 +138,7 @@ class Recording:
 
     @contextmanager
     def errors(self) -> Iterator[None]:
-        """Turn what is wrong with values in the file into its error."""
+        """Convert errors in the file's values to errors of the recording."""
         try:
             yield
         except (ValueError, KeyError, RecursionError, OverflowError, TypeError) as wrong:

@@ -73,7 +73,7 @@ class Second(NamedTuple):
 
 
 def unpacked(data: bytes) -> Second:
-    """Return what was saved.
+    """Return the saved data.
 
     Raises:
         struct.error, ValueError: it is not valid.

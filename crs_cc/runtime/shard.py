@@ -300,7 +300,7 @@ class Shard:
 
 
 class _PreparedCall:
-    """A call of a function, with what wasmtime is told made once: it takes as long as the call."""
+    """A call of a function whose arguments for wasmtime are prepared once, to save time."""
 
     def __init__(
         self, store: wasmtime.Store, function: wasmtime.Func, arguments: tuple[int, ...]

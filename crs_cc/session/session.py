@@ -218,7 +218,7 @@ class Session:
     def load(
         cls, path: Path, world: WorldModel, executables: Sequence[Executable], **options: Any
     ) -> Self:
-        """Return a session that goes on from a file that `save` has written.
+        """Return a session that continues from a file written by `save`.
 
         Args:
             path: the file.
@@ -424,7 +424,7 @@ class Session:
 
     @property
     def _is_quiet(self) -> bool:
-        """Whether nothing can happen in the world in this cycle, and nobody is to hear of it."""
+        """Whether nothing can happen in the world in this cycle, and there are no listeners."""
         return self._trace is None and self.environment.is_quiet
 
     @property

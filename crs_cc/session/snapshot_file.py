@@ -155,7 +155,7 @@ class _Writer:
         self._numbers: dict[bytes, int] = {}
 
     def put(self, value: Any) -> None:
-        """Append a value, with a letter that says what it is."""
+        """Append a value, with a letter for its type."""
         match value:
             case None:
                 self.out += b"N"

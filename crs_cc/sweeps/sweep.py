@@ -80,7 +80,7 @@ class Progress:
 
     @property
     def left_s(self) -> float:
-        """The real time that is left, as far as it can be said [s]."""
+        """The estimated remaining real time [s]."""
         return (self.runs - self.done) / self.per_s if self.per_s else 0.0
 
 
@@ -244,7 +244,7 @@ class Sweep:
     def _messages(
         self, wrong: dict[str, int], wanted: Sequence[Parameters]
     ) -> Iterator[Diagnostic]:
-        """Yield what is wrong, each once, with the first combination that has it."""
+        """Yield each distinct error once, with the first combination that causes it."""
         place = Location(str(self.experiment.path))
         for text, number in sorted(wrong.items(), key=lambda each: each[1])[:_SHOWN]:
             where = shown(wanted[number])

@@ -38,7 +38,7 @@ _MIB: Final = 2**20
 
 
 class _Loaded:
-    """An experiment with its variants and measures, as far as they have been needed."""
+    """An experiment with its variants and measures, loaded on demand."""
 
     def __init__(self, job: dict[str, Any]) -> None:
         self.text = job["experiment"]

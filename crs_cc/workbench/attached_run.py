@@ -85,7 +85,7 @@ class AttachedRun:
         raise DebugError(f"this run cannot go to {time_s:g} s: it goes forward only")
 
     def interrupt(self) -> None:
-        """Do nothing: between two timesteps it hears."""
+        """Do nothing: requests are processed between two timesteps."""
 
     def forget_interrupt(self) -> None:
         """Do nothing."""

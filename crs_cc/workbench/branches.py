@@ -26,7 +26,7 @@ class KnownBranches:
     """What is known of each branch of a run."""
 
     def __init__(self, debugger: Debugger, watcher: Watcher) -> None:
-        """Have the engine keep what is left by changes in the past."""
+        """Let the engine keep runs that changes in the past leave."""
         self._debugger, self._watcher = debugger, watcher
         self._name = debugger.branches.current.name
         self._left: dict[str, Feed] = {}
@@ -93,7 +93,7 @@ class KnownBranches:
         return self._name
 
     def facts(self, name: str, timesteps: Sequence[int]) -> list[Facts]:
-        """Return what can be compared of a branch at the starts of timesteps; pages hear nothing.
+        """Return the comparable state of a branch at the starts of timesteps, silently.
 
         Raises:
             DebugError: it does not exist.

@@ -95,7 +95,7 @@ class BuildScreen:
         self._over.set()
 
     def close(self) -> None:
-        """End serving, and what is done in the background."""
+        """Stop serving, and end background work."""
         self._programs.end()
         self.server.close()
 

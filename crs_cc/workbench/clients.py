@@ -29,7 +29,7 @@ MAX_COMMANDS_PER_S: Final = 200
 
 @dataclass(slots=True)
 class LiveFrame:
-    """A frame on its way: the difference to the one before, and the whole if a page needs it.
+    """A frame to be sent: the difference from the previous one, and the whole if a page needs it.
 
     Attributes:
         number: its number, rising by 1.
@@ -80,7 +80,7 @@ class Client:
 
     @property
     def is_idle(self) -> bool:
-        """Whether nothing waits for it or is on its way."""
+        """Whether nothing is queued or being sent."""
         return not (self.is_sending or self._messages or self._latest)
 
     def put(self, message: str | bytes) -> None:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def other_feed(screen: Context, name: str) -> Feed:
-    """Return what is known of another run.
+    """Return the known data of another run.
 
     Raises:
         DebugError: there is none of this name.

@@ -99,7 +99,7 @@ def apart(
 
 
 def _quantities(own: Feed, other: Feed, names: Sequence[str]) -> Iterator[Difference]:
-    """Yield the first differences of what was traced of both, or else of poses."""
+    """Yield the first differences of traced quantities, or else of poses."""
     if _is_traced(own) and _is_traced(other) and robots_of(own) == robots_of(other):
         for each in own.trace.first_differences(other.trace):
             if each.robot < len(names):

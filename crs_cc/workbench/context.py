@@ -39,10 +39,10 @@ class Context(Protocol):
     exact: ExactComparison | None
 
     def publish(self) -> None:
-        """Tell all about where the run stands."""
+        """Send the current position of the run to all pages."""
 
     def stopped(self) -> None:
         """Select the robot that the run has stopped for."""
 
     def working(self) -> AbstractContextManager[None]:
-        """Tell that the run works at a command that may take long, and then what it has done."""
+        """Report the start of a command that may take long, and then its result."""

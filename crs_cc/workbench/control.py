@@ -159,7 +159,7 @@ def _field(name: str) -> dict[str, Any]:
 
 
 def export(screen: Context, form: str) -> dict[str, str]:
-    """Return what was changed as a script for `crs run --inputs`, or as XML for a world file."""
+    """Return the changes as a script for `crs run --inputs`, or as XML for a world file."""
     environment = screen.run.session().environment
     if form == "xml":
         return {"name": "changes.xml", "text": _xml(environment)}

@@ -49,7 +49,7 @@ class DebuggedRecording:
 
     @property
     def stands(self) -> bool:
-        """Whether the programs stand at the time that is shown."""
+        """Whether the programs are at the displayed time."""
         return self._is_here
 
     @property
@@ -65,12 +65,12 @@ class DebuggedRecording:
 
     @property
     def halt(self) -> Halt:
-        """Why it stands, or stood last."""
+        """The reason of the current or the last stop."""
         debugged = self._there()
         return self._playback.halt if debugged is None else debugged.halt
 
     def _there(self) -> DebuggedRun | None:
-        """Return the programs if they stand at the time that is shown."""
+        """Return the programs if they are at the displayed time."""
         return self._debugged if self._is_here else None
 
     def advance(self, timesteps: int) -> bool:
@@ -149,7 +149,7 @@ class DebuggedRecording:
         return self._opened().changes()
 
     def panel(self) -> dict[str, Any] | None:
-        """Return what the control panel shows; None while the programs stand elsewhere."""
+        """Return the contents of the control panel; None while the programs are at another time."""
         debugged = self._there()
         return None if debugged is None else debugged.panel()
 

@@ -81,7 +81,7 @@ class DebuggedRun:
         self._arrive(begin(self._debugger) if stop.reason == "beginning" else stop)
 
     def interrupt(self) -> None:
-        """Let what it does end soon; thread-safe."""
+        """Request an interrupt; thread-safe."""
         self._debugger.interrupt()
 
     def forget_interrupt(self) -> None:
@@ -100,7 +100,7 @@ class DebuggedRun:
         return self._shell
 
     def panel(self) -> dict[str, Any] | None:
-        """Return what has been changed, what is degraded, and which links are shut."""
+        """Return the changes, the degradations and the outages."""
         shown = panel(self._debugger.session.environment, self.changes())
         notes = [
             {"t": each.time_s, "robot": each.robot, "text": each.text}
@@ -169,7 +169,7 @@ class DebuggedRun:
         return status(run.session, run, self._debugger.view.robot, is_playing=is_playing)
 
     def where(self) -> dict[str, Any] | None:
-        """Return where the selected robot's program stands."""
+        """Return the current location of the selected robot's program."""
         return sources.where(self._shell)
 
     def _arrive(self, stop: Stop) -> None:

@@ -103,7 +103,7 @@ def _heats(environment: Environment) -> Iterator[tuple[str, float]]:
 
 
 def field_map(sketch: FieldSketch) -> dict[str, Any]:
-    """Return a field as the page draws it, without what lies in its squares."""
+    """Return a field as the page draws it, without its amounts."""
     rows, columns = sketch.shares.shape
     return {
         "name": sketch.name,

@@ -25,7 +25,7 @@ _LISTED: Final = ("world", "robot-definition", "definitions", "surface", "commun
 
 
 def element_form(document: Document, node: Node) -> dict[str, Any]:
-    """Return the attributes that an element has and may have, and those of what is in it."""
+    """Return the present and possible attributes of an element and its children."""
     schema = schema_of(document)
     inner = [] if node.tag in _LISTED else [each for each in node.all() if each is not node]
     return {

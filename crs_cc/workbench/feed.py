@@ -121,7 +121,7 @@ class Feed:
             self._tell("block", block=[block.number, block.begin_s, block.end_s])
 
     def roster(self, time_s: float, robots: Sequence[str], objects: Sequence[str]) -> None:
-        """Note who and what is in the frames from a time on."""
+        """Record the roster of the frames from a time on."""
         new = time_s, tuple(robots), tuple(objects)
         if self._rosters and (self._rosters[-1][1:] == new[1:] or time_s <= self._rosters[-1][0]):
             return
@@ -164,7 +164,7 @@ class Feed:
             self._tell("event", event=event)
 
     def write(self, time_s: float, robot: int, stream: int, content: bytes) -> None:
-        """Note what a program has written."""
+        """Record the output of a program."""
         piece: Output = round(time_s, 6), robot, stream, content.decode("utf-8", "replace")
         with self._lock:
             self._output.append(piece)
@@ -228,12 +228,12 @@ class Feed:
 
 
 def roster_fields(roster: Roster) -> dict[str, Any]:
-    """Return a roster as pages are told of it."""
+    """Return a roster as sent to pages."""
     time_s, robots, objects = roster
     return {"t": time_s, "robots": robots, "objects": objects}
 
 
 def rounded(values: FloatArray, digits: int = 4) -> list[Any]:
-    """Return numbers as JSON has them, with null for what is not finite."""
+    """Return numbers for JSON, with null for those that are not finite."""
     found: list[Any] = np.round(values, digits).tolist()
     return found

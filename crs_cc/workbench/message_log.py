@@ -54,7 +54,7 @@ class MessageLog:
                 del self._rows[: MAX_ROWS // 2]
 
     def forget(self, time_s: float) -> None:
-        """Discard what was after a time."""
+        """Discard entries after a time."""
         with self._lock:
             while self._rows and self._rows[-1][0] > time_s + _SLACK_S:
                 self._rows.pop()

@@ -92,7 +92,7 @@ class Player:
         self._started = self._asked = None
 
     def timesteps(self, now_s: Callable[[], float]) -> int:
-        """Wait until the run may go on, and return how many timesteps it may take; 0 at its end.
+        """Wait until the run may continue, and return the number of timesteps; 0 at its end.
 
         Args:
             now_s: returns the simulated time, which what is done meanwhile may change.
@@ -126,7 +126,7 @@ class Player:
         return min(most, int(due_s / self._timestep_s + _SLACK))
 
     def _measure(self, now_s: float) -> None:
-        """Note what the last piece has cost."""
+        """Record the time of the last piece."""
         if self._asked is None:
             self._measured = time.monotonic(), now_s
             return
@@ -141,7 +141,7 @@ class Player:
             self._measured = real_s, now_s
 
     def _do_jobs(self, wait_s: float | None) -> None:
-        """Do what waits; first wait for something, for ever or so long."""
+        """Execute pending jobs; first wait for one, with or without a timeout."""
         try:
             job = self._jobs.get(timeout=wait_s) if wait_s != 0.0 else self._jobs.get_nowait()
             while True:

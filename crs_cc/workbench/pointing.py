@@ -35,11 +35,11 @@ class Pointing:
         self._asked[robot] = answer
 
     def forget(self, robot: int) -> None:
-        """Ask no more: whoever has asked is gone."""
+        """Cancel the request: its client is gone."""
         self._asked.pop(robot, None)
 
     def point(self, robot: int, x_m: float, y_m: float, heading_deg: float) -> None:
-        """Answer; raise ValueError if nobody has asked."""
+        """Answer a request; raise ValueError if there is none."""
         answer = self._asked.pop(robot, None)
         if answer is None:
             raise ValueError(f"no program has asked for a pose for robot {robot}")

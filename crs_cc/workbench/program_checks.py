@@ -70,7 +70,7 @@ class ProgramChecks:
         return known
 
     def end(self) -> None:
-        """End what is being done."""
+        """Cancel the current check."""
         with self._lock:
             self._wanted = []
             if self._process is not None:

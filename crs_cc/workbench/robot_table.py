@@ -108,7 +108,7 @@ def _fails(environment: Environment, robot: int) -> list[str]:
 
 
 def _place(run: RecordedRun, robot: int) -> dict[str, Any]:
-    """Return the line of the user's own code at which a program stands."""
+    """Return the current line of a program in the user's own code."""
     if not run.session.state.alive[robot] and not run.has_failed(robot):
         return {}
     site = run.site(robot)

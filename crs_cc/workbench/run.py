@@ -44,7 +44,7 @@ class Run(Protocol):
 
     @property
     def halt(self) -> Halt:
-        """Why it stands, or stood last."""
+        """The reason of the current or the last stop."""
 
     @property
     def stands(self) -> bool:
@@ -106,7 +106,7 @@ class Run(Protocol):
         """Return what its user has changed, in the order of time; raise DebugError as `session`."""
 
     def panel(self) -> dict[str, Any] | None:
-        """Return what the control panel shows; None for runs that it cannot change."""
+        """Return the contents of the control panel; None for runs that it cannot change."""
 
     def branches(self) -> KnownBranches:
         """Return its branches; raise DebugError if it has none."""

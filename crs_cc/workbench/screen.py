@@ -111,7 +111,7 @@ class Screen:
             self.robot = self.run.halt.robot
 
     def publish(self) -> None:
-        """Tell all about where the run stands."""
+        """Send the current position of the run to all pages."""
         if not self.player.is_playing:
             self.feed.settle()
         self.server.broadcast_latest("state", self._state())
@@ -172,7 +172,7 @@ class Screen:
             self._meet()
 
     def wait_for(self, robots: str) -> None:
-        """Tell that the run waits for the hosts of robots; for none as it goes on."""
+        """Report that the run is waiting for the hosts of robots; none when it continues."""
         if robots != self.waits:
             self.waits = robots
             self._told_s = 0.0

@@ -55,7 +55,7 @@ class Receiver(Protocol):
         """Send a page that has connected all that it must know."""
 
     def receive(self, client: Client, command: dict[str, Any]) -> None:
-        """Do what a page asks for, or have it done."""
+        """Execute or forward a page's request."""
 
 
 @dataclass(frozen=True, slots=True)

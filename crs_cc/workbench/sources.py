@@ -22,7 +22,7 @@ _MAX_FRAMES: Final = 200  # a runaway recursion has ten thousand
 
 
 def where(shell: Shell) -> dict[str, Any]:
-    """Return where the selected robot's program stands."""
+    """Return the current location of the selected robot's program."""
     debugger = shell.debugger
     view = debugger.view
     program = debugger.run.programs[view.robot]

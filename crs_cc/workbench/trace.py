@@ -68,7 +68,7 @@ class Trace:
         self._steers = np.zeros(0, bool)
 
     def add(self, environment: Environment) -> None:
-        """Note where robots are now and what they measure, unless this time is known."""
+        """Record the current poses and readings of robots, unless this time is known."""
         time_s = environment.time_s
         if self._times_s and time_s <= self._times_s[-1] + _SLACK_S:
             return
@@ -105,7 +105,7 @@ class Trace:
         self._numbers = sum(each.size for each in self._samples)
 
     def forget(self, time_s: float) -> None:
-        """Discard what was after a time."""
+        """Discard entries after a time."""
         first = bisect_right(self._times_s, time_s + _SLACK_S)
         self._numbers -= sum(each.size for each in self._samples[first:])
         del self._times_s[first:], self._samples[first:]

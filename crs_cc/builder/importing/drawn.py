@@ -59,7 +59,7 @@ class Drawn:
             self.skipped[f"<{what[:_SHOWN]}>{f': {why}' if why else ''}"] += 1
 
     def left_out(self) -> list[str]:
-        """Return what was left out, in words."""
+        """Return a description of what was omitted."""
         return [f"{count} of {what}" for what, count in sorted(self.skipped.items())]
 
     def material(self, name: str, colour: str | None) -> str:

@@ -21,7 +21,7 @@ _NO_MODELS: Final = frozenset({"window", "include", "ranger", "laser", "sensor",
 
 
 def read_stage(text: str, picture: Callable[[str], bytes]) -> Drawn:
-    """Return what a world of Stage has.
+    """Return the elements of a Stage world.
 
     Args:
         text: the file.

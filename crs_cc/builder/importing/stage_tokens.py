@@ -19,7 +19,7 @@ _TOKEN: Final = re.compile(r"""(?:\s|\#[^\n]*)*(?:"([^"\n]*)"|([()\[\]])|([^\s()
 
 @dataclass(slots=True)
 class Block:
-    """A block, or a value that stands outside of all blocks.
+    """A block, or a value outside all blocks.
 
     Attributes:
         word: what it begins with.

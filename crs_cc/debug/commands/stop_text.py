@@ -99,7 +99,7 @@ def stop_lines(
 
 
 def program_lines(debugger: Debugger) -> Answer:
-    """Answer with the files of the selected robot's program, where it stands, and why."""
+    """Answer with the files of the selected robot's program, its location, and why it stopped."""
     robot, frames = debugger.view.robot, debugger.view.frames()
     name, files = debugger.names[robot], ", ".join(debugger.run.programs[robot].files)
     stop = debugger.stop

@@ -16,7 +16,7 @@ class UserSession:
     """
 
     def __init__(self, context: CommandContext) -> None:
-        """Read what was kept."""
+        """Read the stored settings and commands."""
         self._context = context
         path = history_file()
         self.commands = read_lines(path) if path is not None else []

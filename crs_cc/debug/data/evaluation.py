@@ -49,7 +49,7 @@ class ObjectLocation:
 
 @dataclass(frozen=True, slots=True)
 class ExpressionScope:
-    """Where the names of an expression have their meaning, however the program goes on.
+    """The scope of an expression's names, independent of the further execution.
 
     Attributes:
         names: the scope.

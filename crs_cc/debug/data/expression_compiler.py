@@ -246,7 +246,7 @@ class ExpressionCompiler:
     def _special(
         self, name: SpecialName, names: FileNames, standing: ExpressionContext
     ) -> tuple[Use | OutsideUse | bytes, CType]:
-        """Return what a name that C does not have stands for, and its type."""
+        """Return the value and the type of a name that is not C."""
         match name:
             case QualifiedName():
                 use = self._outer(name)

@@ -80,7 +80,7 @@ class MemoryReads:
     is_unset: bool = False
 
     def in_program(self) -> tuple[tuple[int, int], ...]:
-        """Return what lies in the program's memory, in the order of addresses."""
+        """Return the objects in the program's memory, in the order of addresses."""
         inside = (each for each in self.spans if each[0] >= NULL_SIZE and sum(each) <= MEMORY_BYTES)
         return tuple(sorted(inside))
 

@@ -133,7 +133,7 @@ class Value:
         return 0
 
     def children(self, start: int = 0, count: int | None = None) -> Iterator[tuple[str, Value]]:
-        """Return its parts with their names: members, elements, or what a pointer points to.
+        """Return its parts with their names: members, elements, or the target of a pointer.
 
         Args:
             start: number of the first one.
@@ -180,7 +180,7 @@ class Value:
         return Value(self.inspector, ctype, self.content[part], self.states[part], address)
 
     def target(self) -> Value | None:
-        """Return what a pointer points to, if C may look at it and it is not just text."""
+        """Return the object that a pointer points to, if it is accessible and not just text."""
         assert isinstance(self.type, PointerType)
         target, address = self.type.target, self.number
         if not isinstance(address, int) or isinstance(target, FunctionType | VoidType):

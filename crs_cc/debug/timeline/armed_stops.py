@@ -74,7 +74,7 @@ class ArmedStops:
         self._begun = self._session.fleet.slots["statements"].copy()
 
     def forget(self) -> None:
-        """Take what is watched as it is now: it was not changed by the programs."""
+        """Take the current watched values as a reference: the programs did not change them."""
         self.begin_round()
         for watches in self._watches:
             watches.forget()

@@ -87,7 +87,7 @@ class PassedSites:
         self._ended.update(robots)
 
     def halt(self, fleet: Fleet, robot: int) -> None:
-        """Note that a program stands before a site: it may do so without a mark."""
+        """Record that a program has stopped before a site, possibly without a mark."""
         fleet.marks[robot][int(fleet.slots["stopped"][robot]) - 1] &= UNPASSED - 1
 
     def at(self, timestep: int, fleet: Fleet, sites: Sequence[int]) -> None:

@@ -41,7 +41,7 @@ class ProgramReplay:
         self._session.state.recall(snapshot, sorted(chosen))
 
     def begin(self, round_: RoundInput) -> bool:
-        """Give the programs what they were given in a round; return whether any is to run."""
+        """Repeat the programs' input of a round; return whether any program runs in it."""
         state = self._session.state
         given = round_.give(self._session.fleet, state.clock_s, state.pending, self._chosen)
         return bool(given.size)

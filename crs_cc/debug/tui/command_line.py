@@ -74,7 +74,7 @@ class CommandLine(Input):
             self._sought = None
 
     def action_search(self) -> None:
-        """Recall the last line that contains what stands here; when repeated, an earlier one."""
+        """Recall the last line that contains the typed text; when repeated, an earlier one."""
         if self._sought is None:
             self._sought, self._at = self.value, len(self._history)
         for number in reversed(range(self._at)):

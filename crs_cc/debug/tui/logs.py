@@ -66,7 +66,7 @@ class ConsoleLog(RichLog):
         self._rewrap()
 
     def on_show(self) -> None:
-        """Wrap what was written while the pane was hidden."""
+        """Wrap lines written while the pane was hidden."""
         self._rewrap()
 
     def _rewrap(self) -> None:

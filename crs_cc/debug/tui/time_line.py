@@ -61,7 +61,7 @@ class TimeLine(Widget, can_focus=True):
             self.time_s = time_s
 
     class Press(Message):
-        """The user wants a command."""
+        """The user has requested a command."""
 
         def __init__(self, command: str) -> None:
             super().__init__()

@@ -92,7 +92,7 @@ def compound(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 
 def _limit(out: list[Statement], first: int, location: Location, declared: list[Statement]) -> None:
-    """Limit the lifetimes of what is declared to the statements from number `first` on."""
+    """Limit the lifetimes of declared objects to the statements from number `first` on."""
     symbols = [each.symbol for each in declared if isinstance(each, tree.Declare)]
     out.insert(first, tree.Lifetimes(location, symbols, begins=True))
     out.append(tree.Lifetimes(location, symbols, begins=False))

@@ -68,7 +68,7 @@ class KeywordTypos:
             self._fix(0, _CANDIDATES.get(kind, ()))
 
     def fix_specifier(self, ahead: int) -> None:
-        """Fix a keyword in a declaration, so many tokens ahead."""
+        """Fix a keyword in a declaration, some tokens ahead."""
         start = self._stream.index + ahead
         token, following, name = self._stream.buffer[start : start + 3]
         if token is None or following is None or token.type != "ID":

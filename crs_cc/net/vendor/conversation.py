@@ -50,7 +50,7 @@ class Wire(Protocol):
         """Send bytes to the client."""
 
     def pause(self, *, paused: bool) -> None:
-        """Read nothing from the client, or go on reading."""
+        """Pause or resume reading from the client."""
 
     def is_foreign(self) -> bool:
         """Return whether the client is another user of this machine."""

@@ -100,7 +100,7 @@ def numbers_in(reply: Any) -> list[int]:
 
 
 def read_laser(count: int, width: int, *, is_predicted: bool = False) -> Exchange[list[int]]:
-    """Return the laser's readings that lie ready.
+    """Return the available laser readings.
 
     Args:
         count: how many there are.

@@ -132,7 +132,7 @@ class LineRobot:
         return bool(reply["result"])
 
     def greeting(self) -> bytes:
-        """Return what the robot sends first over TCP: what a Nomad 200's replies will have."""
+        """Return the robot's first packet over TCP: the contents of a Nomad 200's replies."""
         if self.model != NOMAD_200:
             return b""
         content = self._mask.content

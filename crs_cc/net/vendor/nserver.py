@@ -113,7 +113,7 @@ _COMMANDS: Final[dict[int, Command]] = {
 
 
 class NserverClient:
-    """One client of the server, and what it has configured.
+    """One client of the server, and its configuration.
 
     Attributes:
         has_quit: whether it has ended the server, for itself.

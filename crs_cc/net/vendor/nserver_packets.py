@@ -45,7 +45,7 @@ class BadPacketError(ValueError):
 
 
 class PacketReader:
-    """Cuts what a client sends into packets.
+    """Splits a client's data into packets.
 
     Attributes:
         is_wide: whether the client was compiled for 64 bits.

@@ -211,7 +211,7 @@ class _TcpWire(asyncio.Protocol):
         self._transport.write(content)
 
     def pause(self, *, paused: bool) -> None:
-        """Read nothing from the client, or go on reading."""
+        """Pause or resume reading from the client."""
         if paused == self._transport.is_reading() and not self._transport.is_closing():
             (self._transport.pause_reading if paused else self._transport.resume_reading)()
 
@@ -247,12 +247,12 @@ class _TerminalWire:
             self._conversation.receive(os.read(self._terminal, _CHUNK))
 
     def send(self, content: bytes) -> None:
-        """Send bytes to the client; lose what it does not read."""
+        """Send bytes to the client; drop those that it does not read."""
         with contextlib.suppress(OSError):
             os.write(self._terminal, content)
 
     def pause(self, *, paused: bool) -> None:
-        """Read nothing from the client, or go on reading."""
+        """Pause or resume reading from the client."""
         if paused:
             self._loop.remove_reader(self._terminal)
         else:

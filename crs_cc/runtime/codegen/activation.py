@@ -170,7 +170,7 @@ class Activation:
         return [*stopping.status(SUSPENDED), *self._save_header(), *self._stop()]
 
     def _save_header(self) -> list[Instr]:
-        """Store the function's number, no landing, and what was passed in registers."""
+        """Store the function's number, no landing, and the arguments passed in registers."""
         code: list[Instr] = [("local.get", FP), ("i64.const", self.number)]
         code.append(("i64.store", MEMORY, FUNCTION))
         if self.build.debug:

@@ -18,7 +18,7 @@ from crs_cc.runtime.wasm import Instr
 
 
 class Place(NamedTuple):
-    """An address in a memory: what the instruction `base` pushes, plus `offset`."""
+    """An address in a memory: the value that `base` pushes, plus `offset`."""
 
     memory: int
     base: Instr

@@ -44,7 +44,7 @@ class Facts:
     ended: set[Slot] = field(default_factory=set)
 
     def copy(self) -> Facts:
-        """Return the same facts, to go on from at another point."""
+        """Return a copy of the facts, to continue from another point."""
         places, proved, writable = self.places.copy(), self.proved.copy(), self.writable.copy()
         within, indices = self.within.copy(), self.indices.copy()
         return Facts(places, proved, writable, within, indices, self.ended.copy())
@@ -94,7 +94,7 @@ class KnownMemory(PlainMemory):
             self._at_end[block] = self.facts
 
     def pass_facts(self, argument: Operand, parameter: Register, callee: KnownMemory) -> None:
-        """Pass on what is known of the bytes at an address to an inlined function."""
+        """Pass the facts about the bytes at an address to an inlined function."""
         root, distance = (
             self.places.of(argument, 0) if isinstance(argument, Register) else (None, 0)
         )

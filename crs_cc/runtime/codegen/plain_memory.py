@@ -60,7 +60,7 @@ class PlainMemory:
         """Recall what is known at the start of a block."""
 
     def end(self, block: Block) -> None:
-        """Note what is known at the end of a block."""
+        """Record the facts known at the end of a block."""
 
     def before(self, it: Instruction) -> None:
         """Check the registers that an instruction reads."""

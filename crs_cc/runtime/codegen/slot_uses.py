@@ -61,7 +61,7 @@ class Uses:
             grown = sum(map(len, self.fields.values())) != before
 
     def _fill(self, slot: Slot, start: int, end: int) -> None:
-        """Add fields for what is copied only; their type does not matter."""
+        """Add fields for parts that are only copied; their type does not matter."""
         for at, memory in [*self.within(slot, start, end - start), (end, "i32")]:
             while start < at:
                 is_long = start % 8 == 0 and at - start >= 8

@@ -53,7 +53,7 @@ class ValueNumbers:
         self._count = 0
 
     def copy(self) -> ValueNumbers:
-        """Return the same values, to go on from at another point."""
+        """Return a copy of the values, to continue from another point."""
         same = ValueNumbers()
         same._origins, same._computed = self._origins.copy(), self._computed.copy()
         same._count = self._count
@@ -120,7 +120,7 @@ class KnownBytes:
         self._ranges: dict[tuple[Root | None, bool], list[tuple[int, int]]] = {}
 
     def copy(self) -> KnownBytes:
-        """Return the same ranges, to go on from at another point."""
+        """Return a copy of the ranges, to continue from another point."""
         same = KnownBytes()
         same._ranges = self._ranges.copy()
         return same
@@ -134,7 +134,7 @@ class KnownBytes:
         self._ranges.pop((place[0], True), None)
 
     def forget(self, root: Root) -> None:
-        """Discard what is known of an object."""
+        """Discard the facts about an object."""
         for valued in (False, True):
             self._ranges.pop((root, valued), None)
 

@@ -171,7 +171,7 @@ def _datagram(network: Network, segment: Segment, time_s: float) -> None:
 
 
 def _unreachable(network: Network, segment: Segment, _time_s: float) -> None:
-    """Tell a socket that sends to one address only that nobody is there (as by ICMP)."""
+    """Report an unreachable peer to a socket that is connected to one address (as by ICMP)."""
     socket = _target(network, segment)
     if socket is not None and socket.remote == segment.origin:
         socket.error = ECONNREFUSED

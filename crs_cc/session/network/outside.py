@@ -104,7 +104,7 @@ def room(network: Network, number: int) -> int:
 
 
 def close(network: Network, number: int, at_s: float, *, at_once: bool) -> None:
-    """End what the real network sends on a connection, or at once all of it."""
+    """End the sending side of a connection from the real network, or reset the connection."""
     key, socket = _connection(network, number)
     if socket.peer is not None and socket.condition == "connected" and not socket.cannot_send:
         network.post(key, "reset" if at_once else "end", socket.peer, at_s)
@@ -130,7 +130,7 @@ def escaped(content: bytes) -> str:
 
 
 def unescaped(text: str) -> bytes:
-    r"""Return the bytes that a text stands for: `\n`, `\r`, `\t`, `\xNN`."""
+    r"""Return the bytes of a text with escapes: `\n`, `\r`, `\t`, `\xNN`."""
 
     def character(match: re.Match[bytes]) -> bytes:
         if match[1] is not None:

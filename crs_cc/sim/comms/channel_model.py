@@ -76,7 +76,7 @@ class ChannelModel:
     def _reached(
         self, state: EnvState, place: ComplexArray, packets: Records, full: BoolArray
     ) -> tuple[IndexArray, IndexArray]:
-        """Return pairs of message and receiver that it reaches; robots that are `full` do not hear.
+        """Return pairs of message and receiver in range; robots that are `full` do not receive.
 
         Record the fate of the others.
         """

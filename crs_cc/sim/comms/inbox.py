@@ -67,7 +67,7 @@ class Transit:
         self.held += more
 
     def set_out(self) -> None:
-        """Put the messages on their way, by receiver and arrival time."""
+        """Put the messages in transit, by receiver and arrival time."""
         messages = self._messages
         if len(self._receptions) > 1:
             messages.packets = np.concatenate(self._packets)

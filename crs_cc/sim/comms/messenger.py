@@ -70,7 +70,7 @@ class Messenger:
         return good
 
     def receive_ends_s(self, state: EnvState, rows: IndexArray) -> FloatArray:
-        """Return when the waits for a message end, as far as is known, shape (k,)."""
+        """Return when the waits for a message end, by current knowledge, shape (k,)."""
         first_s = self._inboxes.first_s(state.messages, rows)
         first_s = np.minimum(first_s, state.waits.until_s[rows])
         return np.asarray(np.maximum(first_s, state.drive.clock_s[rows]))
@@ -99,7 +99,7 @@ class Messenger:
         return look_up(context, self._robot_numbers, context.rows)
 
     def is_idle(self, state: EnvState) -> bool:
-        """Return whether no message is waiting to be sent, or on its way."""
+        """Return whether no message is queued or in transit."""
         messages = state.messages
         coming = messages.receptions["status"] == COMING
         return not (len(messages.outbox) or coming.any())

@@ -249,7 +249,7 @@ class Fields:
         )
 
     def _units(self, fields: FieldState, cycle: int, later: int = 0) -> FloatArray:
-        """Return what an integer 1 in each field stands for at the start of a cycle, (fields,).
+        """Return the amount of an integer 1 in each field at the start of a cycle, (fields,).
 
         Args:
             fields: the fields, which have the base of this cycle.
@@ -271,7 +271,7 @@ def _cycles(evaporation_s: float, timestep_s: float) -> int:
 
 @lru_cache(maxsize=64)  # gland, antennae and fields ask for the same within a timestep
 def _unit(cycles: int, timestep_s: float, evaporation_s: float) -> float:
-    """Return what an integer 1 stands for some cycles after the base time."""
+    """Return the amount of an integer 1 some cycles after the base time."""
     return UNIT * exact.exp(-(cycles * timestep_s / evaporation_s))
 
 

@@ -35,7 +35,7 @@ class Wait:
 
 
 def when(waits: Mapping[int, Wait], state: EnvState, rows: IndexArray) -> FloatArray:
-    """Return when the waits of robots will end, as far as is known now, shape (k,)."""
+    """Return when the waits of robots will end, by current knowledge, shape (k,)."""
     ends_s, codes = np.full(len(rows), np.inf), state.waits.code[rows]
     for code in sorted(set(codes.tolist())):
         mine = codes == code

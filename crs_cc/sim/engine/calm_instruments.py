@@ -69,7 +69,7 @@ class _Kind:
         return {self._table: size, **self.draws.spaces()}
 
     def enter(self, kernel: CalmKernel) -> None:
-        """Copy what has been measured, and on what the next measurements depend."""
+        """Copy the last measurements, and the data on which the next ones depend."""
         state, number = self._data.state, registry.device(self.name).number
         assert number is not None
         table = self._instruments.table(state)
@@ -134,7 +134,7 @@ class CalmInstruments:
         return {f"{kind.draws.name}_draws": kind.draws.ahead for kind in self._kinds}
 
     def enter(self, kernel: CalmKernel) -> None:
-        """Copy what has been measured, and on what the next measurements depend."""
+        """Copy the last measurements, and the data on which the next ones depend."""
         for kind in self._used:
             kind.enter(kernel)
 

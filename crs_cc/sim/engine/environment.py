@@ -219,7 +219,7 @@ class Environment:
         return self._quiet_until
 
     def skip(self, cycles: int) -> None:
-        """Advance by cycles before `quiet_until`; nobody is told of them."""
+        """Advance by cycles before `quiet_until`, without notifying listeners."""
         self._running.state.cycle += cycles
         self._skipped += cycles
 

@@ -70,7 +70,7 @@ class Things:
                 return
 
     def scatter(self, root: Element, scatters: Sequence[Scatter], seed: int) -> None:
-        """Place what is scattered in the space that is left, read it, and add it to the file."""
+        """Place a scatter in the remaining space, read it, and add it to the file."""
         reader = self.solids.reader
         taken = Taken(self.area, [solid for _, solid in self.objects], self.robots)
         messages = reader.diagnostics.messages
@@ -89,7 +89,7 @@ class Things:
         root.children += self.scattered
 
     def check_ids(self, root: Element) -> None:
-        """Report invalid ids of what is scattered, and of parts of objects."""
+        """Report invalid ids of scattered objects, and of parts of objects."""
         copies = [(each, each.attributes["id"]) for each in self.scattered]
         composed = [
             (element, part.id) for element, part in self.objects if element.tag not in _SIMPLE

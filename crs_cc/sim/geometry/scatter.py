@@ -164,5 +164,5 @@ class _Apart:
 
 
 def headings_rad(count: int, uniform: KeyedUniform, key: int) -> FloatArray:
-    """Return random headings for a group of things."""
+    """Return random headings for a group of objects."""
     return np.asarray(math.tau * uniform.draw(key, np.arange(count), _HEADING))

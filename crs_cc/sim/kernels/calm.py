@@ -170,7 +170,7 @@ class CalmKernel:
         struct.pack_into("<i", self._memory, self._place, CALM)
 
     def outcome(self) -> tuple[int, Changed]:
-        """Return why it has returned, and what it has changed."""
+        """Return the reason why the kernel returned, and its changes."""
         changed = _CHANGED.unpack_from(self._bytes, self._changed)
         return _TOLD.unpack_from(self._bytes)[0], Changed(*changed)
 

@@ -142,7 +142,7 @@ def degradables() -> Mapping[str, Degradable]:
 
 
 def complaint(degradation: Degradation, model: RobotModel) -> str:
-    """Return what is wrong with a degradation for a robot; empty if it is valid."""
+    """Return an error message for a degradation of a robot; empty if it is valid."""
     texts = (degradation.robot, degradation.device, degradation.id)
     if not all(isinstance(text, str) for text in texts):
         return "robot, device and id must be strings"

@@ -71,7 +71,7 @@ def is_numeric(values: Sequence[Value]) -> bool:
 
 
 def _spans_decades(values: Sequence[float]) -> bool:
-    """Return whether values are so far apart that the small ones would not be told apart."""
+    """Return whether values span decades, so that a linear axis would hide small differences."""
     return min(values) > 0.0 and max(values) >= _DECADES * min(values)
 
 

@@ -35,7 +35,7 @@ class Table:
 
 
 def tables(results: Results) -> Iterator[Table]:
-    """Yield what there is to say."""
+    """Yield the tables of the findings."""
     yield medians(results)
     if _scales(results):
         yield scaling(results)

@@ -50,7 +50,7 @@ class Results:
 
     @property
     def labels(self) -> list[str]:
-        """The combinations in words, by the parameters that tell them apart."""
+        """The combinations as text, by the parameters that distinguish them."""
         combinations = [group.parameters for group in self.groups]
         names = _telling(combinations, self.varied)
         return [shown({name: each[name] for name in names}) or "all runs" for each in combinations]

@@ -126,7 +126,7 @@ def corrected(p: Sequence[float]) -> list[float]:
 
 
 def any_difference(groups: Sequence[Sequence[float]]) -> float:
-    """Return the probability that groups differ so much by chance (Kruskal-Wallis test)."""
+    """Return the p-value of the Kruskal-Wallis test for differences between groups."""
     from scipy.stats import kruskal
 
     if len({value for group in groups for value in group}) < 2:

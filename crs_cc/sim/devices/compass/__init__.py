@@ -199,7 +199,7 @@ class Compasses:
         return self._noise.rows(robots, numbers)
 
     def table(self, state: EnvState) -> Records:
-        """Return what the kernel of calm time is told of compasses, (n,) of dtype `COMPASS`."""
+        """Return the input of the calm-time kernel for compasses, (n,) of dtype `COMPASS`."""
         compass = compasses(state)
         table = np.zeros(len(compass.on), COMPASS)
         table["interval_s"], table["noise"] = self._interval_s, self._noise_rad

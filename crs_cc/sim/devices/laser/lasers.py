@@ -286,7 +286,7 @@ def _is_on(mode: npt.NDArray[np.integer]) -> BoolArray:
 
 
 def page(context: RequestContext) -> BoolArray:
-    """Answer LASER_PAGE with a page of what a reply announced; refuse robots without a laser."""
+    """Answer LASER_PAGE with a page of an announced reading; reject robots without a laser."""
     laser, mine = laser_state(context.state), context.constants.numbers["laser"][context.rows]
     first, predicted = context["first"].copy(), context["predicted"] != 0
     context.clear_data()

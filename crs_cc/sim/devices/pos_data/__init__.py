@@ -64,7 +64,7 @@ def keep(
 
 
 def page(context: RequestContext) -> None:
-    """Answer POS_DATA with a page of what the last reply carried of one kind of sensor."""
+    """Answer POS_DATA with a page of the last reply's data of one kind of sensor."""
     kept, kinds, first = context.state.pos_data, context["kind"], context["first"]
     context["count"] = 0
     context.clear_data()

@@ -210,7 +210,7 @@ class SonarRing:
         return self._simple.know(rays)
 
     def kernel_tables(self) -> KernelTables:
-        """Return what the kernel of calm time is told."""
+        """Return the input of the calm-time kernel."""
         return self._simple.tables()
 
     def draw(self, rows: IndexArray, numbers: Int64Array) -> FloatArray:

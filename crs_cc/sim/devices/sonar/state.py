@@ -106,7 +106,7 @@ class SonarState:
     def reorder(
         self, rows: IndexArray, order: IndexArray, length: IndexArray, now_s: FloatArray
     ) -> None:
-        """Start new orders: the first sonar fires now, those in no order hear nothing."""
+        """Start new orders: the first sonar fires now, those in no order have no echo."""
         self.order[rows] = order
         self.length[rows] = length
         self.start_s[rows] = now_s
