@@ -4,18 +4,13 @@ from __future__ import annotations
 
 import re
 import shlex
-import socket
 import subprocess
 from pathlib import Path
 
+from tests.cli.machines import free_port
 from tests.commands import crs
 
 PAGE = Path(__file__).parents[2] / "docs" / "distributed.md"
-
-
-def free_port() -> int:
-    with socket.create_server(("127.0.0.1", 0)) as taken:
-        return int(taken.getsockname()[1])
 
 
 def test_the_commands_of_the_page_work_and_the_run_is_that_of_one_process(tmp_path: Path) -> None:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
+import io
 import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stderr
 from pathlib import Path
 
 import pytest
@@ -15,6 +15,8 @@ from websockets.sync.client import connect
 
 from crs_cc.cli.main import main
 from crs_cc.debug.errors import DebugError
+from tests.cli.machines import free_port
+from tests.cli.shown_run import page_of
 from tests.debug.debuggers import debugger_of
 from tests.workbench.test_screen import Page
 
@@ -25,18 +27,12 @@ REPLIES = b"hello\n46\nunknown: dance\na longer line, which goes in pieces\n"
 WAIT_S = 20.0
 
 
-def free_port() -> int:
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        return int(free.getsockname()[1])
-
-
 @contextmanager
-def beside(work: Callable[[], None]) -> Iterator[None]:
+def beside(work: Callable[[], object]) -> Iterator[threading.Thread]:
     """Do something in a thread, and wait for its end."""
     thread = threading.Thread(target=work)
     thread.start()
-    yield
+    yield thread
     thread.join(WAIT_S)
     assert not thread.is_alive()
 
@@ -115,15 +111,13 @@ def test_where_nobody_listens_a_connection_is_refused(capfd: pytest.CaptureFixtu
 def test_pages_pause_and_change_a_run_with_ways_to_the_real_network(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
-    port, said = free_port(), ""
+    port, said = free_port(), io.BytesIO()
     options = "--forward", str(port), "--view", "--record", "run.mcap", "--max-time", "900"
     words = ["run", SERVER, *options, "--speed", "20", "--", str(port), "1"]
-    with beside(lambda: main(words)):
-        while "token" not in said:
-            said += capfd.readouterr().err
-        found = re.search(r"127.0.0.1:(\d+)/#token=(\S+)", said)
-        assert found
-        url, protocols = f"ws://127.0.0.1:{found[1]}/channel", ["crs.1", f"token.{found[2]}"]
+    stream = io.TextIOWrapper(said, write_through=True)
+    with redirect_stderr(stream), beside(lambda: main(words)) as run:
+        page_port, token = page_of(run, said)
+        url, protocols = f"ws://127.0.0.1:{page_port}/channel", ["crs.1", f"token.{token}"]
         with connect(url, subprotocols=protocols, proxy=None, max_size=None) as line:  # type: ignore[arg-type]
             page = Page(line)
             page.ask("pause")

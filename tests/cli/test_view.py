@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
-import re
 import signal
 import subprocess
 import sys
 import threading
-from contextlib import ExitStack, closing
+from contextlib import ExitStack, closing, redirect_stderr
 from pathlib import Path
 
 import pytest
@@ -24,6 +24,7 @@ from crs_cc.workbench.clients import Client
 from crs_cc.workbench.screen import Screen
 from crs_cc.workbench.server import Server
 from tests.cli.machines import free_port
+from tests.cli.shown_run import page_of
 from tests.commands import crs
 
 PROGRAM = """\
@@ -71,18 +72,14 @@ def test_a_run_that_is_shown_is_the_same_run(
     assert runs[0]["state_hash"] == runs[1]["state_hash"]
 
 
-def test_a_page_can_hold_a_run_that_goes_on_by_itself(
-    program: str, capfd: pytest.CaptureFixture[str]
-) -> None:
+def test_a_page_can_hold_a_run_that_goes_on_by_itself(program: str) -> None:
     thread = threading.Thread(target=main, args=(["run", program, "--speed", "0.01", "--view"],))
-    thread.start()
-    said = ""
-    while "token" not in said:
-        said += capfd.readouterr().err
-    found = re.search(r"127.0.0.1:(\d+)/#token=(\S+)", said)
-    assert found
-    words = ["crs.1", f"token.{found[2]}"]
-    url = f"ws://127.0.0.1:{found[1]}/channel"
+    said = io.BytesIO()
+    with redirect_stderr(io.TextIOWrapper(said, write_through=True)):
+        thread.start()
+        port, token = page_of(thread, said)
+    words = ["crs.1", f"token.{token}"]
+    url = f"ws://127.0.0.1:{port}/channel"
     with connect(url, subprotocols=words, proxy=None) as page:  # type: ignore[arg-type]
         hello = json.loads(page.recv(20))
         assert hello["can"] == ["change", "play"]
