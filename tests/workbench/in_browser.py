@@ -17,7 +17,10 @@ from crs_cc.workbench.screen import Screen
 FLAGS = [
     *("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
     *("--no-proxy-server", "--disable-background-networking"),
+    *("--disable-gpu-compositing", "--disable-accelerated-2d-canvas"),
 ]
+"""Only WebGL is left to the software that stands for a graphics processor: to compose the page and
+to draw its flat pictures by it takes three times as long."""
 
 
 @contextmanager
