@@ -22,7 +22,7 @@ Observation = dict[str, FloatArray]
 
 
 class GymEnv(gymnasium.Env[Any, Any]):
-    """One robot that Python steers, beside any others that run C or stand still.
+    """One robot controlled from Python, beside any others that run C or do not move.
 
     Attributes:
         env: the environment behind this one.

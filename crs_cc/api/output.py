@@ -28,7 +28,7 @@ class Streams:
         self.written = 0
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Keep what a program writes to a stream."""
+        """Store a program's output to a stream."""
         self.written += len(content)
         kept = self._written[robot, stream]
         kept += content[: MOST_BYTES - len(kept)]

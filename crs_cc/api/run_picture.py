@@ -33,7 +33,7 @@ class Paths:
         self._stride, self._next = 1, 1
 
     def copy(self) -> Paths:
-        """Return what is known so far; positions that are added later do not change it."""
+        """Return a copy; positions that are added later do not change it."""
         copied = copy(self)
         copied._samples = self._samples.copy()
         return copied

@@ -28,7 +28,7 @@ def action_space(env: Env, robot: str) -> Box:
 
 
 def observation_space(env: Env, robot: str) -> Dict:
-    """Return the space of what is observed of a robot, by name."""
+    """Return the observation space of a robot, by name."""
     return Dict(
         {
             each.name: Box(each.low, each.high, each.shape, np.float64)

@@ -59,7 +59,7 @@ def around(document: Document, nodes: Sequence[Node], known: Extents) -> Extent:
 
 
 def copies(document: Document, nodes: Sequence[Node], motions: Sequence[Motion]) -> Plan:
-    """Copy elements, once for each motion; the copies stand behind the originals.
+    """Copy elements, once for each motion; the copies follow the originals.
 
     Raises:
         ValueError: an element has no position, or there would be too many copies.
@@ -95,7 +95,7 @@ def _demand_few(count: int) -> None:
 
 
 def written(document: Document, node: Node, values: Mapping[str, str | None]) -> str:
-    """Return an element as text, with other attributes where they usually stand."""
+    """Return an element as text, with other attributes at their usual positions."""
     order = [row.name for row in properties(schema_of(document), path_of(node))]
     return markup.fragment(document, node, values, order)
 

@@ -93,7 +93,7 @@ def group(
 
 
 def _own_id(node: Node) -> dict[str, str | None]:
-    """Return the id that a part keeps, so that it does not depend on what stands before it."""
+    """Return the id that a part keeps, so that it does not depend on preceding elements."""
     return {"id": address(node)}
 
 

@@ -43,7 +43,7 @@ def exported(world: WorldModel, kind: str) -> tuple[bytes, list[str]]:
 
 
 def export(world: WorldModel, path: Path) -> list[str]:
-    """Write a world to a file in another format; return what was left out.
+    """Write a world to a file in another format; return what was omitted.
 
     Raises:
         ValueError: there is no such format.

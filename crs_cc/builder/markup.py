@@ -33,7 +33,7 @@ _STEP: Final = "  "
 
 
 def escaped(value: str, quote: str = '"') -> str:
-    r"""Return a value as it stands between quotes.
+    r"""Return a value as written between quotes.
 
     >>> escaped("a<b & \"c\"\n")
     'a&lt;b &amp; &quot;c&quot;&#10;'
@@ -110,7 +110,7 @@ def set_attributes(
 
 
 def _attribute_place(document: Document, node: Node, name: str, order: Sequence[str]) -> int:
-    """Return where a new attribute goes: behind the last that comes before it."""
+    """Return the position of a new attribute: after the last one that precedes it."""
     before = order[: order.index(name)] if name in order else tuple(node.attribute_at)
     places = [node.attribute_at[each].end for each in before if each in node.attribute_at]
     begin = node.begin + len(b"<") + len(node.tag.encode(document.codec))

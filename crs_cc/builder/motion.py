@@ -91,7 +91,7 @@ class Motion:
 
 
 def _exact(value: float) -> float:
-    """Return -1, 0 or 1 for what is one of them but for rounding."""
+    """Return -1, 0 or 1 for a value that equals one of them except for rounding."""
     return round(value) + 0.0 if abs(value - round(value)) < 1e-15 else value
 
 

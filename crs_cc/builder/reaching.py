@@ -78,7 +78,7 @@ def _inner_radius_m(thing: Thing) -> float:
 
 
 def unreachable(document: Document, world: WorldModel) -> list[Diagnostic]:
-    """Return warnings about goals that nobody can meet.
+    """Return warnings about goals that cannot be met.
 
     Args:
         document: the file, for the lines of its goals.
@@ -189,7 +189,7 @@ def _is_apart(reached: _Reached, one: Cells, other: Cells, most_m: float) -> boo
 
 
 def _not_covered(reached: _Reached, goal: Cover, robots: Sequence[Robot]) -> str:
-    """Return how much of the floor robots can get to, if that is less than a goal wants."""
+    """Return the share of the floor that robots can reach, if it is less than a goal requires."""
     floor, cells = reached.floor, Floor(reached.world)
     free = cells.free(goal.cell_m)
     covered = np.zeros(free.shape, dtype=np.bool_)

@@ -139,7 +139,7 @@ class WorldBuilder:
         return [address(node) for node in nodes if kind in ("", node.tag)]
 
     def get(self, name: str) -> dict[str, str]:
-        """Return the attributes of an element as they stand in the file."""
+        """Return the attributes of an element as written in the file."""
         return dict(self.element(name).attributes)
 
     def problems(self) -> tuple[Diagnostic, ...]:
@@ -167,7 +167,7 @@ class WorldBuilder:
         return model
 
     def visible(self) -> WorldModel | None:
-        """Return the world without what is wrong in it; None if its form is wrong."""
+        """Return the world without its invalid elements; None if the file cannot be parsed."""
         model, _ = self._examine()
         return model if isinstance(model, WorldModel) else None
 
@@ -420,7 +420,7 @@ class WorldBuilder:
         scale: float | None = None,
         thickness: float = THICKNESS_M,
     ) -> tuple[Self, list[str]]:
-        """Return the builder of a new world with what a plan shows, and what was left out.
+        """Return the builder of a new world with the elements of a plan, and what was omitted.
 
         The area is as large as the plan with a margin. If the plan has no robot, one is added at
         a free place, if there is any.
@@ -454,11 +454,11 @@ class WorldBuilder:
         return self.document.together(title)
 
     def undo(self) -> str:
-        """Take the latest change back; return what it was, empty if there is none."""
+        """Undo the latest change; return its description, empty if there is none."""
         return self.document.undo()
 
     def redo(self) -> str:
-        """Make the change again that was undone last; return what it is, empty if none."""
+        """Redo the change that was undone last; return its description, empty if there is none."""
         return self.document.redo()
 
     def save(self, path: str | os.PathLike[str] | None = None) -> Path:

@@ -59,7 +59,7 @@ class ChangedRun:
 
 
 def recorded_changes(recording: Recording) -> list[Change]:
-    """Return what the user changed in a recorded run; raise RecordingError if it is not valid."""
+    """Return the changes of a recorded run; raise RecordingError if they are invalid."""
     found = []
     for _, data in recording.data(topics.INPUT.topic):
         if data.get("kind") == "change":

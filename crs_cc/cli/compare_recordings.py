@@ -92,7 +92,7 @@ def compare(here: Recording, there: Recording, *, onward: bool = False) -> Compa
 
 
 def exact_rows(found: Comparison) -> dict[str, Any]:
-    """Return what is found as a page shows it, see `ExactComparison.go_on`."""
+    """Return the results in the form of a page, see `ExactComparison.go_on`."""
     is_variable = found.variables.__contains__
     at_s = max(found.time_s, found.later_s)
     return {

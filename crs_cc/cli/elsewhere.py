@@ -138,7 +138,7 @@ class Elsewhere:
             self._resumption.compare(self._session)
 
     def change(self, made: Callable[[Change], None]) -> None:
-        """Make the recorded changes of a resumed run again, and hold robots that nobody steers.
+        """Repeat the recorded changes of a resumed run, and hold robots without a host.
 
         These are those whose programs have stopped with their host.
 

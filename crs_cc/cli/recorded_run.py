@@ -70,7 +70,7 @@ class RecordedRunCheck:
         return self._input.read(robot, wanted)
 
     def waiting(self, robot: int, clock_s: float, _read: int = 0) -> tuple[int, float]:
-        """Return what a program was told of its input at a time."""
+        """Return the recorded state of a program's input at a time."""
         return self._input.waiting(robot, clock_s)
 
     def step(self, _step: Step) -> None:

@@ -64,7 +64,7 @@ def run_host(options: JoinOptions) -> int:
 
 
 def _program(options: JoinOptions, executable: Executable, files: Sequence[Path]) -> Program:
-    """Return what a recording of the run needs of the program."""
+    """Return the parts of the program that a recording of the run needs."""
     compiler = options.compiler
     contents = {path: read_regular_file(path) for path in files}
     return Program(

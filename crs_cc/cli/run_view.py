@@ -106,11 +106,11 @@ class RunView:
         self._watcher.step(step)
 
     def change(self, change: Change) -> None:
-        """List a change of the run, whoever has made it."""
+        """List a change to the run, of any origin."""
         self._run.note(change)
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Show what a program has written."""
+        """Show the output of a program."""
         self._watcher.write(robot, stream, content)
 
     def close(self) -> None:

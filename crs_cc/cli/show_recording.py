@@ -45,7 +45,7 @@ def show_recording(
     mended: Path | None,
     **targets: Path | None,
 ) -> int:
-    """Do what is asked for with a recording; without anything, summarise it.
+    """Execute the options for a recording; without any, summarise it.
 
     Args:
         path: the recording.

@@ -283,7 +283,7 @@ class Runner:
             self._view.change(change)
 
     def _hint_at_silence(self) -> None:
-        """Say where a run stands that has no limit and has written nothing."""
+        """Report the progress of a run that has no time limit and prints nothing."""
         hint = self.hints.silence(on_terminal=is_terminal(sys.stderr))
         if hint is not None and self._options.compiler.warnings.severity(hint.flag) is not None:
             self._progress.clear()
@@ -367,7 +367,7 @@ class Runner:
 
     @contextmanager
     def _waiting_for_input(self) -> Iterator[None]:
-        """Show what was printed, and let Ctrl-C end the run."""
+        """Show the output so far, and let Ctrl-C end the run."""
         self._progress.clear()
         self._output.flush()
         # Clients outside let a timestep end after Ctrl-C.

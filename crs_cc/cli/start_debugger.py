@@ -73,7 +73,7 @@ def _columns() -> int:
 def record_at_end(
     debugger: Debugger, loaded: Loaded, options: DebugOptions, waiting: WaitingAfter
 ) -> None:
-    """Record the run as it stands when the debugger ends, if requested."""
+    """Record the run in its final state when the debugger ends, if requested."""
     if options.record is not None:
         record(debugger, loaded, options, waiting, options.record)
 
@@ -90,7 +90,7 @@ def record(
 def given_input(
     options: DebugOptions, recorded: RecordedRunCheck | None = None
 ) -> tuple[Input | None, WaitingAfter]:
-    """Return the programs' standard input if it is given, and what is known of it.
+    """Return the programs' standard input if it is given, and its known part.
 
     Raises:
         click.UsageError: there are two, or a line of a script is invalid.

@@ -76,7 +76,7 @@ def screen_of(options: DebugOptions, port: int) -> Screen:
 
 
 def _opened(options: DebugOptions, port: int) -> tuple[Screen, Loaded, WaitingAfter]:
-    """Return the screen, what is loaded, and what is known of the programs' input."""
+    """Return the screen, the loaded programs, and the known part of their input."""
     diagnostics = Diagnostics()
     loaded = load(options, diagnostics, debug=True)
     if not options.quiet:

@@ -116,7 +116,7 @@ def _replayed(sweep: Sweep, found: Results, svg: dict[str, str]) -> dict[str, st
 
 
 def _maps(recording: Recording, area: Area) -> dict[str, str]:
-    """Return maps of where robots were in a run, and of what lies in each field at its end."""
+    """Return maps of the robots' positions in a run, and of each field at its end."""
     import numpy as np
 
     from crs_cc.recording.field_sketches import sketches_in

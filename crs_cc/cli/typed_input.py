@@ -38,7 +38,7 @@ Typed = tuple[float, bytes]
 
 
 def parse_script(text: str, name: str) -> list[Typed]:
-    """Return what a script types.
+    """Return the lines that a script types.
 
     Args:
         text: the script.

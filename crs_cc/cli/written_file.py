@@ -14,7 +14,7 @@ _FULL: Final = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 
 @contextmanager
 def written_file(path: Path) -> Iterator[None]:
-    """Name a file in errors about writing it, and remove what a full disk has left of it."""
+    """Name a file in errors about writing it, and remove the partial file."""
     try:
         yield
     except OSError as error:

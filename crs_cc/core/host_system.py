@@ -83,7 +83,7 @@ def keep_freed_memory() -> bool:
 
 
 def is_private(status: os.stat_result) -> bool:
-    """Return whether a file or folder is ours, and nobody else can write to it.
+    """Return whether a file or folder belongs to the user, and no other user can write to it.
 
     Windows has no such permissions; there, folders in a user's profile are private by default.
     """

@@ -58,7 +58,7 @@ def is_token(given: object, token: str) -> bool:
 
 
 def listen(port: int) -> socket.socket:
-    """Return a socket that listens on the loopback interface; port 0 stands for any that is free.
+    """Return a socket that listens on the loopback interface; port 0 selects a free one.
 
     Raises:
         OSError: the port is in use.

@@ -32,7 +32,7 @@ def battery_facts(environment: Environment, robot: int, name: str) -> Iterator[F
 
 
 def world_facts(environment: Environment, name: str) -> Iterator[Fact]:
-    """Return what a value of the whole world comes from."""
+    """Return the cause of a value of the whole world."""
     timestep_s = environment.timestep_s
     if name in {"time", "timestep"}:
         yield Fact(f"{environment.state.cycle} timesteps of {timestep_s:g} s have been simulated")

@@ -54,7 +54,7 @@ _MAX_STEPS: Final = 1_000_000
 
 
 class Debugger:
-    """A debugging session: a recorded run, and what the user inspects, stops at and changes.
+    """A debugging session: a recorded run, and its inspection, stop points and changes.
 
     Attributes:
         run: the run; to be moved by the methods of this class only.

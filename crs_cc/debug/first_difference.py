@@ -12,7 +12,7 @@ _OF_PROGRAMS: Final = frozenset({"program", "clock"})
 
 
 class ComparedRun(Protocol):
-    """A run that can tell its state at timesteps, later ones each time."""
+    """A run that returns its state at timesteps, in increasing order."""
 
     def facts(self, timesteps: Sequence[int]) -> list[Facts]:
         """Return what can be compared at the starts of timesteps, in their order."""

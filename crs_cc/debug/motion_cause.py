@@ -84,7 +84,7 @@ def pushers(environment: Environment, number: int) -> list[int]:
 
 
 def facts(run: RecordedRun, number: int, concern: Concern) -> Iterator[Fact]:
-    """Return what else has to do with a value of an object, as the run stands."""
+    """Return further causes of a value of an object at the current position."""
     environment = run.session.environment
     is_robot = number < len(environment.world.robots)
     if is_robot and concern == "motion":

@@ -357,7 +357,7 @@ class Navigator:
         return spots
 
     def _snapshot(self, robot: int, statements: int, before: Position) -> Position:
-        """Return the latest snapshot with at most so many sites passed."""
+        """Return the latest snapshot with at most this number of sites passed."""
         run = self._run
         places = run.history.places(before) or [BEGINNING]
 

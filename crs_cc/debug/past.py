@@ -42,7 +42,7 @@ MAX_INSTANTS: Final = 100_000
 
 @dataclass(frozen=True, slots=True)
 class Instant:
-    """An instant of the past, and what is told of it.
+    """A position in the past, with its description.
 
     Attributes:
         position: where to go to see it: before the statement that did it, if there is one.

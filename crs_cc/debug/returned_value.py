@@ -9,7 +9,7 @@ from crs_cc.runtime.layout import HEADER_SIZE, RESULT
 
 
 def returned_value(stopped: Stopped, reader: ValueReader, call: StackFrame) -> Value | None:
-    """Return the value of a call, right behind it; None if it has none.
+    """Return the value of a call, directly after it; None if it has none.
 
     Only there the header of the callee, which has the value, is still intact (see `layout`).
 

@@ -75,7 +75,7 @@ class SearchedParts:
                 yield part
 
     def _part(self, begin: Position, limit: Position) -> SearchedPart | None:
-        """Return what is to be searched from a snapshot on; None for nothing."""
+        """Return the part to be searched from a snapshot on; None for nothing."""
         if self._everywhere:
             return SearchedPart(begin, limit, self._robots, begin)
         is_inside = limit > Position(limit.timestep, 0)

@@ -29,7 +29,7 @@ class Skip:
     enabled: bool = True
 
     def covers(self, call: StackFrame) -> bool:
-        """Return whether a call is of what is skipped."""
+        """Return whether a call is to be skipped."""
         return (not self.function or plain_name(call.function) == self.function) and (
             not self.file or is_file(call.location.file, self.file)
         )

@@ -177,7 +177,7 @@ class WatchSet:
         return self._plain is executable
 
     def arm(self, wanted: Sequence[Watched]) -> None:
-        """Set what is watched; accesses to what stays watched are kept.
+        """Set the watched ranges; accesses to those that remain are kept.
 
         Raises:
             DebugError: there is too much, or memory is exhausted.
@@ -381,7 +381,7 @@ def _moved(before: Observation, now: Observation) -> bool:
 
 
 def joined(spans: Iterable[Span], most: int) -> list[Span]:
-    """Return at most so many ranges that cover some others, at least one on each side of the stack.
+    """Return a limited number of ranges that cover others, at least one on each side of the stack.
 
     >>> joined([(0x900000, 4), (0x900008, 4), (0x900004, 4), (0x900100, 1)], 6)
     [(9437184, 12), (9437440, 1)]

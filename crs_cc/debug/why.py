@@ -326,7 +326,7 @@ class Why:
     def _from_library(
         self, place: EvaluationPlace, function: str, text: str, wanted: MemoryObject, depth: int
     ) -> tuple[Cause, ...]:
-        """Return what a function of the library wrote an object from."""
+        """Return the source from which a function of the library wrote an object."""
         robot = place.robot
         for field, value in self._view.vendor_state(robot):
             if value.address == wanted.address:
@@ -367,7 +367,7 @@ class Why:
     def _of_world(
         self, here: Position, name: WorldName | WorldDistance, depth: int
     ) -> Iterator[Cause]:
-        """Return what a value of the world came from."""
+        """Return the cause of a value of the world."""
         environment = self._run.session.environment
         if isinstance(name, WorldDistance):
             for each in (name.one, name.other):

@@ -125,7 +125,7 @@ def _compile(
 
 
 def _drop_consequences(diagnostics: Diagnostics) -> None:
-    """Drop what the later stages report in lines that the preprocessor has rejected."""
+    """Drop messages of later stages about lines that the preprocessor has rejected."""
     rejected = {
         (each.location.file, each.location.line)
         for each in diagnostics.errors

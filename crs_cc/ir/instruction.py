@@ -112,7 +112,7 @@ class ByteState(IntEnum):
 
 
 def plain_states(states: bytes) -> bytes:
-    """Return the states of bytes without what they say of constants, arguments and origins."""
+    """Return the states of bytes without the bits for constants, arguments and origins."""
     return states.translate(_PLAIN)
 
 

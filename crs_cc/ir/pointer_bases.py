@@ -136,7 +136,7 @@ class _Analysis:
             self._note(block)
 
     def _meet(self, block: Block, known: _Known) -> bool:
-        """Add what is known on a way to a block; return whether less is known there than before."""
+        """Merge the facts of a path into a block; return whether it has fewer facts than before."""
         alive = self._liveness.at_start(block)
         known = {each: what for each, what in known.items() if alive >> each.index & 1}
         before = self._at_start.get(block)
@@ -152,7 +152,7 @@ class _Analysis:
         return met != before
 
     def _through(self, block: Block) -> _Known:
-        """Return what is known at the end of a block."""
+        """Return the facts at the end of a block."""
         known = self._at_start[block].copy()
         self._compared = set()
         for it in block.instructions:
@@ -218,7 +218,7 @@ class _Analysis:
         return known.get(operand) if isinstance(operand, Register) else _INDEX
 
     def _follow(self, it: Instruction, known: _Known) -> None:
-        """Update what is known after an instruction."""
+        """Update the facts after an instruction."""
         if isinstance(it, SameObject):
             self._compared.add((it.left, it.right))
         if isinstance(it, Load | Store) and isinstance(it.base, Register):
@@ -324,7 +324,7 @@ def _is_pointer(place: Register | Slot) -> bool:
 def _common(
     left: _Pointer | _Distance | _Index | None, right: _Pointer | _Distance | _Index | None
 ) -> _Pointer | _Distance | _Index | None:
-    """Return what is known of a register on both of two ways."""
+    """Return the common facts about a register on two paths."""
     if left == right:
         return left
     if isinstance(left, _Distance) or isinstance(right, _Distance):

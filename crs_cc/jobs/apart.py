@@ -17,7 +17,7 @@ IS_APART: Final = hasattr(os, "fork")
 
 
 def apart(compute: Callable[[], _T]) -> _T:
-    """Return what a function returns, plain data, computed in a copy of this process.
+    """Return the result of a function, plain data, computed in a fork of this process.
 
     Whatever else the function changes, in any module, ends with the copy. If the copy ends without
     a result, so does this process, in the same way; if this process is killed, the copy ends, too.

@@ -220,7 +220,7 @@ class Worker:
         return process
 
     def _next(self, process: subprocess.Popen[bytes], limit_s: float) -> tuple[Data | None, bool]:
-        """Return what a process says next, None at its end, and whether it was too late."""
+        """Return the next message of a process, None at its end, and whether it has timed out."""
         late = threading.Event()
 
         def stop() -> None:

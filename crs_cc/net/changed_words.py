@@ -48,7 +48,7 @@ class KnownRows:
         return tables[0] if len(tables) == 1 else np.concatenate(tables)
 
     def set(self, table: Table) -> None:
-        """Make the rows of a table known, of which the other side has been told."""
+        """Store the rows of a table that the other side has received."""
         first = 0
         for kernel, count in self._parts:
             kernel.known[:count] = table[first : first + count]
@@ -74,7 +74,7 @@ class KnownRows:
         )
 
     def enter(self, content: bytes | memoryview, rules: Rules | None = None) -> bool:
-        """Enter what the other side has changed.
+        """Apply the changes of the other side.
 
         Args:
             content: the changes.

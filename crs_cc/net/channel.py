@@ -310,7 +310,7 @@ class Channel:
                 look_s, least = now_s + self._silence_s, len(rest) + _LEAST_PROGRESS
 
     def _part(self, size: int) -> bytes:
-        """Return some bytes, of so many that are wanted."""
+        """Return some of the requested bytes."""
         try:
             part = self._connection.recv(min(max(size, _LEAST), _CHUNK))
         except OSError as error:

@@ -88,7 +88,7 @@ class ClusterFleet(DistantFleet):
         return channel
 
     def close(self) -> None:
-        """Dismiss the hosts; where programs stand stays known."""
+        """Dismiss the hosts; the state of the programs is kept."""
         if self._is_closed:
             return
         self.dismiss(everyone=True)

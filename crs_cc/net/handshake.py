@@ -63,7 +63,7 @@ class Hello:
 
     @classmethod
     def of(cls, content: bytes) -> Self:
-        """Return what is said in a message.
+        """Return the contents of a message.
 
         Raises:
             RefusedError: it is not valid, or of another version.

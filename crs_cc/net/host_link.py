@@ -50,7 +50,7 @@ Result = TypeVar("Result")
 
 
 class HostGoneError(Exception):
-    """A host is lost, and its programs are not to go on."""
+    """A host is lost, and its programs are not to be continued."""
 
 
 class HostLink:
@@ -123,7 +123,7 @@ class HostLink:
             self._renew(str(error))  # which sends this grant, too
 
     def collect(self) -> None:
-        """Wait until the programs have run, and put what they have changed among the rows."""
+        """Wait until the programs have run, and write their changes to the rows."""
         while True:
             try:
                 self._collect()
@@ -211,7 +211,7 @@ class HostLink:
             raise ConnectionLostError(str(error)) from None
 
     def read(self, robot: int, wanted: int, clock_s: float) -> bytes:
-        """Return what a host answers about standard input.
+        """Return a host's reply about standard input.
 
         Args:
             robot: the robot's number.
@@ -301,7 +301,7 @@ class HostLink:
                 return
 
     def _begin_log(self) -> None:
-        """Keep what is granted from now on."""
+        """Log the grants from now on."""
         self._start = self._restoring()
         self._most_log_bytes = max(LEAST_LOG_BYTES, len(self._start))
 

@@ -61,7 +61,7 @@ class HostedPrograms:
         self.known = KnownRows(len(fleet), kernel)
 
     def set(self, rows: Table) -> None:
-        """Set slots and clocks to what the other end knows."""
+        """Set slots and clocks to the values that the other end has."""
         self._table[:] = rows
         self.known.set(rows)
 

@@ -104,7 +104,7 @@ class Offer:
 
 
 def offered(connection: Connection, seen: str) -> Offer | None:
-    """Return an offer to a host, if nobody is between.
+    """Return an offer to a host, if the connection is direct.
 
     Args:
         connection: the connection to the host.

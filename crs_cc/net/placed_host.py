@@ -71,7 +71,7 @@ def _unpacked(text: str) -> Executable:
 
 
 def announced(executable: Executable) -> Program:
-    """Return what a host says of a program that the environment itself has compiled."""
+    """Return a host's message for a program that the environment itself has compiled."""
     code = digest_of(executable.machine_code)
     return Program(
         executable.name,

@@ -144,7 +144,7 @@ class ProgramHost:
         return self.fleet.timing["asks"].nonzero()[0]
 
     def _written(self, asking: IndexArray) -> list[tuple[int, int, bytes]]:
-        """Return what programs that ask want to be written: robot, stream and content."""
+        """Return the output requested by programs: robot, stream and content."""
         if not len(asking):
             return []
         codes = self.fleet.codes[asking].tolist()

@@ -234,7 +234,7 @@ class Roster:
         return found
 
     def take(self, seat: Seat, is_ended: Callable[[], bool]) -> Channel | None:
-        """Wait for a connection to a host; return None if the run ends meanwhile."""
+        """Wait for a connection to a host; return None if the run ends first."""
         with self._changed:
             while not seat.is_offered:
                 if is_ended():
@@ -278,7 +278,7 @@ def _require_program(seat: Seat, hello: Hello) -> None:
 
 
 def _short(digest: str) -> str:
-    """Return so much of a digest as tells programs apart."""
+    """Return a digest, shortened so that it still distinguishes programs."""
     return digest[:12]
 
 

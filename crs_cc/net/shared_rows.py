@@ -95,7 +95,7 @@ class SharedRows:
         self._count[host], self._words[host] = 0, _NOTHING
 
     def known(self, host: int) -> Table:
-        """Return a copy of what a host knows."""
+        """Return a copy of the rows that a host has."""
         return self._kernel.known[self._hosts[host]]
 
     # -- a round ---------------------------------------------------------------------------------
@@ -140,7 +140,7 @@ class SharedRows:
         self._words[host], self._ran[host] = size // WORD_BYTES, rounds
 
     def put(self, host: int, content: memoryview, rounds: int) -> None:
-        """Put what a host has changed in some rounds where `take` finds it.
+        """Store a host's changes of some rounds for `take`.
 
         Raises:
             ValueError: it has a size that is not valid.
@@ -167,5 +167,5 @@ class SharedRows:
         return None if bad else (reached, bool(is_any))
 
     def error(self, host: int) -> str:
-        """Return what is wrong with what a host has put; empty if nothing is."""
+        """Return an error message for a host's changes; empty if they are valid."""
         return ERRORS[self._error[host]]

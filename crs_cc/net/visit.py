@@ -104,7 +104,7 @@ def _move(channel: Channel, offer: str) -> None:
 
 
 def _welcome(channel: Channel) -> tuple[tuple[str, ...], tuple[str, ...], bool, str]:
-    """Return what an environment says: our robots, awaited ones, whether it wants our program.
+    """Return the reply of an environment: our robots, awaited ones, whether it needs our program.
 
     And the name of another way, if it offers one.
     """

@@ -208,7 +208,7 @@ class WordKernel:
         return self._traffic + (0 if words == rows else words) * WORD_BYTES
 
     def call(self, kind: int, *arguments: int) -> tuple[int, ...]:
-        """Run the kernel; return what it says."""
+        """Run the kernel; return its result."""
         _ARGUMENTS[len(arguments)].pack_into(self.memory, self._place, kind, *arguments)
         self._resume()
         return _RESULTS.unpack_from(self.memory, self._place)

@@ -152,5 +152,5 @@ class BeliefDecoder:
 
 
 def signed(whole: Numbers) -> Int64Array:
-    """Return numbers as they are written as those that they stand for."""
+    """Decode stored numbers to signed ones."""
     return whole.view(np.int32).astype(np.int64)

@@ -95,7 +95,7 @@ class Block:
         self._hashes.append((time_ns, found))
 
     def unsaved(self) -> Second:
-        """Return what is new since the last time; all of it stays in the block.
+        """Return the data that is new since the last call; all data stays in the block.
 
         Nothing must be added to the block as long as it is used.
         """
@@ -116,7 +116,7 @@ class Block:
         return Second(self._shape, before, tails, output, hashes, entries)
 
     def put(self, second: Second) -> None:
-        """Add what was saved of another block; raise ValueError if it is not valid."""
+        """Add the saved data of another block; raise ValueError if it is invalid."""
         at = 0
         for columns in self._columns():
             count = len(columns.content())
@@ -177,7 +177,7 @@ class Block:
 
 
 def saved_messages(data: bytes) -> Iterator[Encoded]:
-    """Yield the messages of what was saved.
+    """Yield the messages of the saved data.
 
     Raises:
         struct.error, ValueError: it is not valid.

@@ -110,7 +110,7 @@ class RunDescription:
         return made
 
     def _given(self) -> dict[str, Any]:
-        """Return what is not as its default; the defaults are part of the format."""
+        """Return the values that differ from their defaults, which are part of the format."""
         values = asdict(self)
         return {
             each.name: values[each.name]

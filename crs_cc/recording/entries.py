@@ -54,7 +54,7 @@ class Entries:
     def add_text(
         self, channel: Channel, time_ns: int, stream: tuple[int, int], fields: Mapping[str, str]
     ) -> None:
-        """Add an entry of what a robot printed on a stream: strings by name, quicker than `add`."""
+        """Add an entry for a robot's output to a stream, faster than `add`."""
         time_us, (robot, number) = round(time_ns / _US), stream
         strings = ",".join(f'"{name}":{_COMPACT.encode(text)}' for name, text in fields.items())
         content = f'{{"time_us":{time_us},"robot":{robot},"stream":{number},{strings}}}'
@@ -80,7 +80,7 @@ class Entries:
                 yield channel.topic, time_us, content
 
     def _by_channel(self) -> list[tuple[Channel, list[_Entry]]]:
-        """Return what there is, in an order that does not depend on what was added first."""
+        """Return the entries in an order that is independent of that of their addition."""
         return sorted(self._found.items(), key=lambda each: each[0].topic)
 
 

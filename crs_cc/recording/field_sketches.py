@@ -47,7 +47,7 @@ _LONGEST: Final = 1000  # characters of a name
 
 @dataclass(frozen=True, slots=True)
 class FieldSketch:
-    """What lies in a field at an instant.
+    """The contents of a field at a time.
 
     Attributes:
         name: the field.

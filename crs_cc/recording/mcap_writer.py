@@ -58,7 +58,7 @@ _SIZES: Final = struct.Struct("<QQ")
 
 
 class Target(Protocol):
-    """A file that is written, and whose end is written anew."""
+    """An output file whose end can be rewritten."""
 
     def write(self, data: bytes, /) -> object:
         """Write all of the bytes."""
@@ -104,7 +104,7 @@ class McapWriter:
         self._write(MAGIC + record(Op.HEADER, text(PROFILE) + text(f"crs_cc {__version__}")))
 
     def define(self, channels: Iterable[Channel]) -> None:
-        """Define channels before their use: no number depends on what is saved when."""
+        """Define channels before their use, so that their numbers do not depend on timing."""
         for channel in channels:
             self._number(channel)
 
@@ -136,7 +136,7 @@ class McapWriter:
         self.pending += len(data)
 
     def save(self, first_ns: int, last_ns: int, parts: Iterable[Part]) -> None:
-        """Write what is new since the last time, to be replaced by the next `cut`.
+        """Write the new data since the last call, to be replaced by the next `cut`.
 
         Args:
             first_ns: when it begins.

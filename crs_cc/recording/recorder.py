@@ -242,13 +242,13 @@ class Recorder:
         self._add_json(topics.INPUT, self._nowns(robot), data)
 
     def waiting(self, robot: int, clock_s: float, answer: tuple[int, float]) -> None:
-        """Record what a program was told of input that it could read."""
+        """Record the reply to a program about available input."""
         ready, wait_s = answer
         data = {"kind": "waiting", "robot": robot, "clock_s": clock_s, "ready": ready}
         self._add_json(topics.INPUT, ns(clock_s), {**data, "wait_s": wait_s})
 
     def change(self, data: Mapping[str, Any]) -> None:
-        """Record what the user has just changed in the run, as plain data."""
+        """Record a change that the user has just made, as plain data."""
         self._moved = True
         if self.failed is None:
             self._add_json(topics.INPUT, ns(self._session.time_s), data)
@@ -262,7 +262,7 @@ class Recorder:
         return max(1, left) * self._timestep_s
 
     def sample(self) -> None:
-        """Record what is there after one or more timesteps, of which only the last moved."""
+        """Record the state after one or more timesteps, of which only the last had motion."""
         timesteps = self._state.timesteps
         if self.failed is not None or timesteps == self._sampled:
             return
@@ -355,13 +355,13 @@ class Recorder:
         self._writer.add(channel, time_ns, data)
 
     def _add_fields(self) -> None:
-        """Record the pheromone fields that are not what was recorded of them leads to."""
+        """Record the pheromone fields that differ from their recorded prediction."""
         session = self._session
         for entry in self._fields.entries(session.environment):
             self._block.add_entry(topics.FIELD, ns(session.time_s), entry)
 
     def _unasked(self) -> Served:
-        """Return what all sensors of all robots tell now, as an answer to no request."""
+        """Return the current readings of all sensors of all robots, without a request."""
         environment = self._session.environment
         robots = np.flatnonzero(environment.last_state.presence.present)
         return Served(
@@ -400,7 +400,7 @@ class Recorder:
         self._alive = alive.tobytes()
 
     def _note_roster(self) -> None:
-        """Record who and what is there from now on; a key frame follows."""
+        """Record the roster from now on; a key frame follows."""
         if self._rosters:
             self._complete()
         environment = self._session.environment

@@ -38,7 +38,7 @@ class Recovered:
 
 
 def recover(recording: Recording, target: Path) -> Recovered:
-    """Write what is intact in a recording to another file.
+    """Write the intact part of a recording to another file.
 
     Raises:
         OSError: it cannot be written.
@@ -76,5 +76,5 @@ def recover(recording: Recording, target: Path) -> Recovered:
 
 
 def _cut(writer: McapWriter) -> None:
-    """Write what is pending as one chunk, as its messages may depend on each other."""
+    """Write the pending messages as one chunk, as they may depend on each other."""
     writer.cut(SMALL_LEVEL if writer.pending <= MAX_CHUNK else LEVEL, is_whole=True)

@@ -121,7 +121,7 @@ def traffic_of(traffic: Records, posted: Sequence[Records]) -> dict[str, list[An
 
 
 def readings_of(served: Served) -> dict[str, Any] | None:
-    """Return what a sensor other than `State` told programs, a row for each; None for nothing."""
+    """Return a reading sent to programs that is not in `State`, a row for each; None for none."""
     rows = [row for row, result in enumerate(served.results.tolist()) if result]
     if not rows:
         return None

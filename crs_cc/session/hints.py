@@ -133,7 +133,7 @@ class Hints:
             self._add(int(robots[again][index]), "unfinished-move", text, advice)
 
     def _left_s(self, robots: IndexArray, at_s: FloatArray) -> FloatArray:
-        """Return how long the moves of robots go on [s], 0 for those that have ended."""
+        """Return the remaining times of robots' moves [s], 0 for those that have ended."""
         axes = self._environment.state.drive.axes
         moving = axes.limit[robots] > 0.0
         end_s = np.where(moving, axes.end_s(robots), 0.0).max(axis=1)

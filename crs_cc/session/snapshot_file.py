@@ -56,7 +56,7 @@ _CLASSES: Final = (
 
 
 def identity(world: WorldModel, seed: int, fleet: Fleet) -> dict[str, str]:
-    """Return what a session must be like to go on from a snapshot of another one."""
+    """Return the properties that a session must share to continue from a snapshot."""
     programs = hashlib.sha256()
     for robot in range(len(fleet)):
         programs.update(hashlib.sha256(fleet.executable(robot).machine_code).digest())

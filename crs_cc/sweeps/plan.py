@@ -62,7 +62,7 @@ def combinations(experiment: Experiment) -> Iterator[Parameters]:
 
 
 def to_check(experiment: Experiment) -> list[Parameters]:
-    """Return what is checked before the first run: all combinations, of a search both extremes."""
+    """Return the combinations to check before the first run: all, or both extremes of a search."""
     if experiment.search is None:
         return list(combinations(experiment))
     ranges = experiment.ranges.items()

@@ -129,7 +129,7 @@ def failures(rows: Iterable[Row]) -> list[tuple[str, str, list[Row]]]:
 
 
 def heading(rows: Sequence[Row]) -> list[str]:
-    """Return the columns of a table: first what was varied, then what came of it."""
+    """Return the columns of a table: first the parameters, then the results."""
     parameters, goals, measures = (
         dict.fromkeys(name for row in rows for name in row.get(kind, ()))
         for kind in ("parameters", "goals", "measures")

@@ -27,7 +27,7 @@ _NAME: Final = "sweep"
 
 
 class ParameterSearch:
-    """The search of an experiment, which is chosen and told batch by batch."""
+    """The search of an experiment, which proposes and evaluates batch by batch."""
 
     def __init__(self, experiment: Experiment, folder: Path) -> None:
         """Create the study, or open it if it has begun.
@@ -101,7 +101,7 @@ class ParameterSearch:
 
 
 def best(search: Search, rows: Iterable[Row]) -> tuple[Mapping[str, Value], float] | None:
-    """Return the parameters with the best median of what is searched for, and it; None for none.
+    """Return the parameters with the best median of the measure, and the median; None for none.
 
     Of equal ones the first.
     """

@@ -144,7 +144,7 @@ def _run_on(
     advance: Callable[[int], bool],
     printed: Callable[[], int],
 ) -> Ending:
-    """Advance a session to its end, or until it has used up what it may.
+    """Advance a session to its end, or to a limit.
 
     Looks are at fixed instants, so that they are the same however a run is advanced.
     """

@@ -260,7 +260,7 @@ class Sweep:
                 raise ExperimentError.at(place, f"{name}: no C file uses the macro '{macro}'")
 
     def _check_plan(self, plan: dict[str, Any], *, resume: bool) -> None:
-        """Refuse to go on with results of something else."""
+        """Refuse to continue with results of a different experiment."""
         if not resume or not (self.folder / _PLAN).exists():
             return
         try:

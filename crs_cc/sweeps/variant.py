@@ -41,7 +41,7 @@ _LINKS: Final = ("serial", "ideal")
 
 @dataclass(frozen=True, slots=True)
 class Variant:
-    """What a combination of parameters stands for.
+    """The world and programs of a combination of parameters.
 
     Attributes:
         parameters: the combination.
@@ -73,7 +73,7 @@ class VariantLoader:
     """Loads the variants of an experiment; programs are compiled once for all that share them."""
 
     def __init__(self, experiment: Experiment, folder: Path) -> None:
-        """Set what is varied.
+        """Set the parameters.
 
         Args:
             experiment: the experiment.

@@ -79,7 +79,7 @@ def _of(job: dict[str, Any]) -> _Loaded:
 
 
 def _load(job: dict[str, Any]) -> None:
-    """Load what later runs need as well; what is wrong with it is said by the job itself."""
+    """Load the data that later runs need as well; the job itself reports its errors."""
     with contextlib.suppress(CrsError, TypeError, ValueError):
         world_of(_of(job).variant(job).world)  # checks it, for all runs of the variant
         _of(job).measures  # noqa: B018 - loads them
@@ -120,7 +120,7 @@ def _batch(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
 
 
 def _guarded(job: dict[str, Any], do: Callable[[], dict[str, Any]]) -> dict[str, Any]:
-    """Return what a function returns, or what it raised: one run must not end the sweep."""
+    """Return the result of a function, or its exception: one run must not end the sweep."""
     try:
         return do()
     except CrsError as error:
@@ -145,7 +145,7 @@ def _message(error: CrsError, job: dict[str, Any]) -> str:
 
 
 def _check(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
-    """Return what a variant was loaded from, or what is wrong with it."""
+    """Return the sources of a variant, or its error."""
     loaded = _of(job)
     variant = loaded.variant(job)
     prepared()
@@ -200,7 +200,7 @@ class _Run:
         return {**row, **_results(session.result()), "wall_s": wall_s}
 
     def measured(self, row: dict[str, Any]) -> dict[str, Any]:
-        """Return its row with the user's measures; what they looked at is given up.
+        """Return its row with the user's measures, and release the session.
 
         They are computed apart: what their code keeps or changes reaches no other run.
         """
@@ -230,7 +230,7 @@ class _Run:
 def _values(
     measures: Sequence[Measure], session: Session, path: Path | None, most: int
 ) -> dict[str, Any]:
-    """Return the values of measures up to the first that fails, and what was wrong with it."""
+    """Return the values of measures up to the first that fails, and its error."""
     values: dict[str, Any] = {}
     limit_memory(most)
     try:

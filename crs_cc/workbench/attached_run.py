@@ -125,7 +125,7 @@ class AttachedRun:
         return done
 
     def note(self, change: Change) -> None:
-        """Note a change, whoever has made it."""
+        """Record a change, of any origin."""
         self._changes.append(change)
 
     def changes(self) -> Sequence[Change]:
@@ -157,5 +157,5 @@ class AttachedRun:
         raise DebugError("this run is not debugged: start it with crs view")
 
     def settle(self) -> None:
-        """Show what a change has done."""
+        """Show the effect of a change."""
         self._watcher.show()

@@ -34,7 +34,7 @@ class KnownBranches:
         debugger.branches.keeps_past = True
 
     def notice(self) -> None:
-        """Keep what is known of the branch that the engine has left by a change."""
+        """Keep the known data of the branch that the engine has left by a change."""
         name = self._debugger.branches.current.name
         if name == self._name:
             return
@@ -74,7 +74,7 @@ class KnownBranches:
         ]
 
     def feed(self, name: str) -> Feed:
-        """Return what is known of another branch.
+        """Return the known data of another branch.
 
         Raises:
             DebugError: it does not exist.

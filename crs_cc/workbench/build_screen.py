@@ -146,7 +146,7 @@ class BuildScreen:
     # -- what pages ask for ----------------------------------------------------------------------
 
     def receive(self, client: Client, command: dict[str, Any]) -> None:
-        """Carry a command out, and tell all pages what has become of the world."""
+        """Execute a command, and send the changed world to all pages."""
         number, name = command["id"], command["do"]
         do = self._do.get(name)
         if do is None:
@@ -204,7 +204,7 @@ class BuildScreen:
         return displayed(str(self.builder.save(path)))
 
     def _read(self, _: dict[str, Any]) -> None:
-        """Read the file again, which somebody else has changed."""
+        """Reload the file, which another program has changed."""
         if self.builder.path is not None:
             self.builder = WorldBuilder(self.builder.path)
 
@@ -251,7 +251,7 @@ class BuildScreen:
 
 
 def _operations() -> list[dict[str, Any]]:
-    """Return the operations on what is selected, with the fields of their forms."""
+    """Return the operations for the selection, with the fields of their forms."""
     return [
         {
             "name": row.name, "summary": row.summary,

@@ -43,7 +43,7 @@ Approach = tuple[float, int, str, float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Clearance:
-    """How far a robot was from what was nearest, over time.
+    """The distance of a robot from the nearest object, over time.
 
     Attributes:
         times_s: the instants, (n,).
@@ -60,7 +60,7 @@ class Clearance:
 
 
 class Clearances:
-    """The distances between robots and what is around them in the known frames of a run.
+    """The distances between robots and surrounding objects in the known frames of a run.
 
     Attributes:
         names: of all objects, by number; the robots are the first.
@@ -165,7 +165,7 @@ def _poses(
 
 
 def closest(world: WorldModel, feed: Feed, selected: int) -> dict[str, Any]:
-    """Return the closest approaches in what is known of a run, see `MAX_DISTANCES`.
+    """Return the closest approaches in the known part of a run, see `MAX_DISTANCES`.
 
     Args:
         world: the world.

@@ -32,7 +32,7 @@ def _play(screen: Context) -> None:
 
 
 def _pause(screen: Context) -> None:
-    """Interrupt what the run does, and pause it when it has heard."""
+    """Interrupt the run, and pause it."""
     screen.run.interrupt()
 
     def pause() -> None:

@@ -35,7 +35,7 @@ class DebuggedRecording:
     can = frozenset({"play", "seek", "change", "debug"})
 
     def __init__(self, playback: Playback, make: Callable[[], DebuggedRun]) -> None:
-        """Store what is recorded, and the function that loads the programs.
+        """Store the recording, and the function that loads the programs.
 
         Args:
             playback: what is recorded.
@@ -121,7 +121,7 @@ class DebuggedRecording:
         return (self._there() or self._playback).status(is_playing=is_playing)
 
     def where(self) -> dict[str, Any] | None:
-        """Return where the selected robot's program stands; None if it stands elsewhere."""
+        """Return the location of the selected robot's program; None if it is at another time."""
         debugged = self._there()
         return None if debugged is None else debugged.where()
 
@@ -131,7 +131,7 @@ class DebuggedRecording:
         return self._opened().shell()
 
     def debugger(self) -> Debugger:
-        """Return the debugger, wherever it stands."""
+        """Return the debugger, at any position."""
         return self._opened().debugger()
 
     def session(self) -> Session:
@@ -168,7 +168,7 @@ class DebuggedRecording:
         return None if self._debugged is None else self._debugged.new_world()
 
     def settle(self) -> None:
-        """Notice what a command of the debugger has done."""
+        """Update after a command of the debugger."""
         debugged = self._debugged
         if debugged is None or not self._is_here:
             return

@@ -93,7 +93,7 @@ class DebuggedRun:
         self._debugger.view.select_robot(robot)
 
     def stand(self) -> None:
-        """Do nothing: the programs always stand at the time that is shown."""
+        """Do nothing: the programs are always at the displayed time."""
 
     def shell(self) -> Shell:
         """Return the command line of the debugger."""
@@ -113,7 +113,7 @@ class DebuggedRun:
         return self._debugger.session
 
     def edit(self, text: str, *, is_playing: bool) -> str:
-        """Change it at the start of this timestep, wherever its programs stand in that."""
+        """Change the run at the start of this timestep, at any position of its programs."""
         debugger = self._debugger
         here = debugger.position
         if here != Position(here.timestep, 0):
@@ -154,7 +154,7 @@ class DebuggedRun:
         return self._debugger
 
     def settle(self) -> None:
-        """Notice what a command of the debugger has done."""
+        """Update after a command of the debugger."""
         self._branches.notice()
         changes = self._debugger.run.history.changes
         if changes is not self._changes:

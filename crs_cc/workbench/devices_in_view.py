@@ -30,7 +30,7 @@ MAX_HEATED: Final = 500
 
 
 def devices_in_view(environment: Environment, rows: Sequence[int], selected: int) -> dict[str, Any]:
-    """Return what is drawn of some robots' devices, and what the selected one's have measured."""
+    """Return the drawn state of some robots' devices, and the readings of the selected one's."""
     fields = range(len(environment.world.fields))
     return {
         "fingers": dict(_fingers(environment, rows)),
@@ -81,7 +81,7 @@ def _holds(environment: Environment, rows: Sequence[int]) -> Iterator[tuple[int,
 
 
 def _degraded(environment: Environment) -> Iterator[tuple[int, str, int, str, str]]:
-    """Yield robot, device, element (-1 for all), phase and name of what is degraded."""
+    """Yield robot, device, element (-1 for all), phase and name of degradations."""
     if not len(environment.state.degradation.table):
         return
     robots = {robot.id: row for row, robot in enumerate(environment.world.robots)}
@@ -136,7 +136,7 @@ def _camera(environment: Environment, robot: int) -> list[tuple[str, float | Non
 
 
 def _readings(environment: Environment, device: str, robot: int) -> list[float | None]:
-    """Return what a device has measured last, null for no value; nothing without the device."""
+    """Return the last readings of a device, null for no value; nothing without the device."""
     found = environment.reading(device, robot)
     numbers = [] if found is None else rounded(found.astype(np.float64))
     return [None if math.isnan(each) else each for each in numbers]

@@ -109,7 +109,7 @@ class ExactComparison:
         return name == self.name and self._branch == self._run.branches().current
 
     def go_on(self) -> dict[str, Any]:
-        """Look on for a part of a second; return how far it is and what it has found.
+        """Continue the search for a fraction of a second; return its progress and results.
 
         First for anything that differs, and from there on for a variable of a program.
 

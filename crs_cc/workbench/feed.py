@@ -86,7 +86,7 @@ class Feed:
         client.put(text)
 
     def known(self) -> dict[str, Any]:
-        """Return what is known, besides the frames; thread-safe."""
+        """Return the known data, except the frames; thread-safe."""
         with self._lock:
             return self._known()
 
@@ -94,7 +94,7 @@ class Feed:
         return {**self.description, "frame_s": self.frame_s, **self._course()}
 
     def _course(self) -> dict[str, Any]:
-        """Return what is known of the course of the run."""
+        """Return the known course of the run."""
         return {
             "end_s": self.end_s,
             "rosters": [roster_fields(each) for each in self._rosters],
@@ -108,7 +108,7 @@ class Feed:
         return list(self._rosters)
 
     def settle(self) -> None:
-        """Pass on the frames up to here: the run stands, and pages may go back."""
+        """Send the frames up to here: the run has stopped, and pages may go back."""
         with self._lock:
             self._flush()
 
@@ -180,7 +180,7 @@ class Feed:
         self._events, self._output = list(events), list(output)
 
     def forget(self, time_s: float) -> None:
-        """Discard what is known after a time: the run takes another course."""
+        """Discard data after a time: the run takes another course."""
         after_s = time_s + _SLACK_S
         with self._lock:
             self.end_s = time_s
@@ -205,7 +205,7 @@ class Feed:
         return other
 
     def become(self, other: Feed) -> None:
-        """Know what another feed knows, and tell all pages."""
+        """Take over the data of another feed, and notify all pages."""
         copied = other.fork()
         with self._lock:
             self.frames, self.messages, self.trace = copied.frames, copied.messages, copied.trace

@@ -102,7 +102,7 @@ def _state(debugger: Debugger, robot: int) -> list[list[str]]:
 def history(
     screen: Context, *, robot: int, expressions: str, begin_s: float, end_s: float, count: int
 ) -> dict[str, Any]:
-    """Return what is known of expressions of a robot over time; null for those of its program."""
+    """Return the known values of a robot's expressions over time; null for those of its program."""
     if not 1 <= count <= MAX_SAMPLES:
         raise DebugError(f"at most {MAX_SAMPLES} times")
     found: list[Samples | None] = []
@@ -126,7 +126,7 @@ def _apart(screen: Context, robot: int, expression: str, **span: Any) -> Samples
 
 
 def _of_the_past(screen: Context, robot: int, expression: str) -> Value | None:
-    """Return the latest value of what is found from frames; None for another expression."""
+    """Return the latest value of a quantity in frames; None for another expression."""
     now_s = screen.run.time_s
     if expression == CLEARANCE:
         found = Clearances(screen.run.world, screen.feed, now_s - _LATEST_S, now_s).of(robot).gap_m
@@ -140,7 +140,7 @@ def _of_the_past(screen: Context, robot: int, expression: str) -> Value | None:
 
 
 def near(screen: Context, robot: int) -> dict[str, Any]:
-    """Return who came close to what, in what is known of the run; a robot's own at first."""
+    """Return the close approaches in the known part of the run; those of a robot first."""
     if not 0 <= robot < len(screen.run.world.robots):
         return {"approaches": [], "robots": 0}
     return closest(screen.run.world, screen.feed, robot)

@@ -30,7 +30,7 @@ of the message among those of its sender, content (None where it is not known)."
 
 
 class MessageLog:
-    """The fates of messages, in the order in which they were told; thread-safe."""
+    """The fates of messages, in the order in which they were reported; thread-safe."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()

@@ -87,7 +87,7 @@ def plain_text(content: dict[str, Any]) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Return a value with null for what is not finite."""
+    """Return a value with null for numbers that are not finite."""
     if isinstance(value, float):
         return value if abs(value) < float("inf") else None
     if isinstance(value, dict):

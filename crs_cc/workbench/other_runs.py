@@ -178,7 +178,7 @@ class OtherRuns:
 
 
 def recorded_feed(recording: Recording, first: int = 0) -> Feed:
-    """Return what is recorded; its blocks are numbered from a number on.
+    """Return the recorded data; its blocks are numbered from a number on.
 
     Raises:
         RecordingError: it is damaged, or has no frames.

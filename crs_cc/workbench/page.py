@@ -139,7 +139,7 @@ def html_page(
 
 
 def known_of(feed: Feed) -> dict[str, Any]:
-    """Return what a feed knows of a run, as the contents of a page.
+    """Return the data of a feed, as the contents of a page.
 
     Raises:
         ValueError: it is too much for one.

@@ -52,7 +52,7 @@ class Playback:
     """
 
     def __init__(self, recording: Recording, world: WorldModel, feed: Feed) -> None:
-        """Fill a feed with what is recorded.
+        """Fill a feed with the recorded data.
 
         Raises:
             RecordingError: the recording is damaged, or has no frames.

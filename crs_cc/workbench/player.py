@@ -35,7 +35,7 @@ def _always() -> bool:
 
 
 class Player:
-    """Decides when a run goes on.
+    """Decides when a run advances.
 
     Attributes:
         is_playing: whether it goes on.
@@ -73,7 +73,7 @@ class Player:
         self._jobs.put(lambda: None)
 
     def play(self) -> None:
-        """Let it go on."""
+        """Let the run continue."""
         self.is_playing = True
         self.restart()
 
@@ -88,7 +88,7 @@ class Player:
         self.restart()
 
     def restart(self) -> None:
-        """Count time anew: the run has been moved."""
+        """Restart the measurement of time: the run has been moved."""
         self._started = self._asked = None
 
     def timesteps(self, now_s: Callable[[], float]) -> int:

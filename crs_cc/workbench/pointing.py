@@ -31,7 +31,7 @@ class Pointing:
         return sorted(self._asked)
 
     def ask(self, robot: int, answer: Callable[[Pose], None]) -> None:
-        """Ask for a pose, in place of what was asked for this robot before."""
+        """Ask for a pose; this replaces an earlier request for this robot."""
         self._asked[robot] = answer
 
     def forget(self, robot: int) -> None:

@@ -50,7 +50,7 @@ class ProgramChecks:
         self._thread: threading.Thread | None = None
 
     def messages(self, world: WorldModel) -> dict[str, list[dict[str, Any]]]:
-        """Return what is known to be wrong with the programs of robots, and find out the rest.
+        """Return the known errors of the robots' programs, and start checking the others.
 
         Returns:
             for each robot whose program has errors, these as `crs check --json` writes them.

@@ -95,7 +95,7 @@ def when(screen: Context, condition: str) -> list[Row]:
 
 
 def said(screen: Context, file: str, line: int, text: str) -> list[Row]:
-    """Return what a log point at a line would have said in all that is known of the run."""
+    """Return the messages of a log point at a line in the known part of the run."""
     wanted = _one(text)
 
     def messages(past: Past, whole: Range) -> Sequence[Instant]:
@@ -120,7 +120,7 @@ def hits(screen: Context, number: int) -> list[Row]:
 
 
 def _found(screen: Context, ask: Callable[[Past, Range], Sequence[Instant]]) -> list[Row]:
-    """Return what was found in all that is known of the run; the first ones of too many."""
+    """Return the results in the known part of the run; the first ones if there are too many."""
     screen.player.pause()
     with _asking(screen, until_s=screen.feed.end_s) as debugger:
         past = Past(debugger.view, debugger.stop_points)

@@ -62,7 +62,7 @@ def status(
 
 
 def row(session: Session, run: RecordedRun, robot: int) -> dict[str, Any]:
-    """Return the row of a robot, with the line at which its program stands."""
+    """Return the row of a robot, with the current line of its program."""
     return _row(session, robot) | _place(run, robot)
 
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Halt:
-    """Why a run stands.
+    """The reason of a stop.
 
     Attributes:
         reason: a word: `paused`, `breakpoint`, `error`, `end`, ...
@@ -48,7 +48,7 @@ class Run(Protocol):
 
     @property
     def stands(self) -> bool:
-        """Whether its programs stand at the time that is shown, so that they can be asked."""
+        """Whether its programs are at the displayed time, so that they can be inspected."""
 
     @property
     def world(self) -> WorldModel:
@@ -77,16 +77,16 @@ class Run(Protocol):
         """Return the table of the robots."""
 
     def where(self) -> dict[str, Any] | None:
-        """Return where the selected robot's program stands; None if that is not known."""
+        """Return the location of the selected robot's program; None if it is not known."""
 
     def stand(self) -> None:
-        """Let the programs stand at the time that is shown; raise DebugError if they cannot."""
+        """Move the programs to the displayed time; raise DebugError if this is impossible."""
 
     def shell(self) -> Shell:
         """Return the command line of the debugger there; raise DebugError if there is none."""
 
     def debugger(self) -> Debugger:
-        """Return the debugger, wherever it stands; raise DebugError if there is none."""
+        """Return the debugger, at any position; raise DebugError if there is none."""
 
     def session(self) -> Session:
         """Return the run at the time that is shown; raise DebugError if it does not get there."""
@@ -118,4 +118,4 @@ class Run(Protocol):
         """Return the world for pages if robots have been added since the last call."""
 
     def settle(self) -> None:
-        """Notice what a command of the debugger has done."""
+        """Update after a command of the debugger."""

@@ -77,7 +77,7 @@ class Screen:
         feed.server = self.server
 
     def play(self) -> None:
-        """Let the run go on and stop as pages wish, until the player has ended."""
+        """Run and stop as requested by pages, until the player has ended."""
         self.publish()
         while count := self.player.timesteps(lambda: self.run.time_s):
             may_go_on = self.run.advance(count)
@@ -94,7 +94,7 @@ class Screen:
     # -- what pages are told ---------------------------------------------------------------------
 
     def tick(self) -> None:
-        """Tell where a run is that goes on, not too often."""
+        """Report the progress of a running run, at a limited rate."""
         now_s = time.monotonic()
         if now_s - self._told_s >= _STATE_S:
             self._told_s = now_s
@@ -149,7 +149,7 @@ class Screen:
             self.server.broadcast(message("world", world=world))
 
     def _tell_panel(self) -> None:
-        """Tell what the control panel shows, if that has changed."""
+        """Send the contents of the control panel, if they have changed."""
         found = self.run.panel()
         text = "" if found is None else message("panel", **found)
         if text and text != self._panel:

@@ -60,7 +60,7 @@ class Receiver(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Front:
-    """What stands before a server: connections come through it, from other machines perhaps.
+    """A front end of a server: connections come through it, possibly from other machines.
 
     Attributes:
         address: its address, as `http://procyon:8000`.

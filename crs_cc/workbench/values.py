@@ -119,11 +119,11 @@ class _Tree:
             yield row | {"set": f"State[{index}]", "ask": f"State[{index}]", "last": True}
 
     def _robot(self, group: str) -> Iterator[Row]:
-        """Yield what is known of the robot."""
+        """Yield the values of the robot."""
         return self._rows(robot_rows(self._debugger.session, self._debugger.view.robot), group)
 
     def _world(self, group: str) -> Iterator[Row]:
-        """Yield what is known of the world."""
+        """Yield the values of the world."""
         return self._rows(world_rows(self._debugger.session.environment), group)
 
     def _rows(self, found: Iterable[TextRow], above: str) -> Iterator[Row]:

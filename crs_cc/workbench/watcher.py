@@ -37,7 +37,7 @@ class Watcher:
         self._has_turret = False
 
     def begin(self, session: Session, known: int = 0) -> None:
-        """Watch a session from where it stands.
+        """Watch a session from its current position.
 
         Args:
             session: the session.
@@ -90,14 +90,14 @@ class Watcher:
         self._is_off = True
 
     def resume(self, timesteps: int) -> None:
-        """Watch on in another branch of the run, of which the feed knows so many timesteps."""
+        """Continue in another branch of the run, of which the feed has a number of timesteps."""
         self._is_off = False
         self._timesteps = max(timesteps, self._session.timesteps)
         self._alive = tuple(self._session.state.alive.tolist())
         self._names = ()
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Tell what a program has written."""
+        """Report the output of a program."""
         if self._is_off or self._session.timesteps < self._timesteps:
             return
         clock_s = float(self._session.state.clock_s[robot])

@@ -22,7 +22,7 @@ THICKNESS_M: Final = 0.1
 
 
 def read_plan(path: Path, scale_m: float | None = None, thickness_m: float = THICKNESS_M) -> Drawn:
-    """Return what a plan shows: SVG, PNG, a world of Stage, or SDF.
+    """Return the elements of a plan: SVG, PNG, a world of Stage, or SDF.
 
     Args:
         path: the file.

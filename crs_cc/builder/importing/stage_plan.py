@@ -91,7 +91,7 @@ def _bitmap(
     place: Pose,
     more: dict[str, str],
 ) -> None:
-    """Add what a picture shows, which is as large as the model."""
+    """Add the dark areas of a picture, which has the size of the model."""
     for left, bottom, right, top in boxes:
         middle = ((left + right) / 2 - 0.5) * size[0], ((bottom + top) / 2 - 0.5) * size[1]
         own = Pose(*middle).within(place)

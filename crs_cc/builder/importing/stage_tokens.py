@@ -63,7 +63,7 @@ class _Parser:
         self._tokens.reverse()
 
     def fill(self, block: Block, depth: int = 0) -> None:
-        """Read what is in a block, to its end."""
+        """Read the contents of a block, to its end."""
         if depth > MAX_DEPTH:
             raise ValueError(f"blocks are nested more than {MAX_DEPTH} deep")
         while self._tokens:

@@ -179,7 +179,7 @@ class _ProgramRun:
         return max(1, min(most, int(left_s / timestep_s + ROUNDING_S)))
 
     def _check_limits(self, *, is_last: bool) -> None:
-        """Stop a run that has used up more than it may, or done what it may not.
+        """Stop a run that has exceeded a limit, or done something forbidden.
 
         What it has used up counts at fixed instants, however many timesteps run at once, and when
         its program has ended.

@@ -156,7 +156,7 @@ def _log(context: CommandContext, text: str) -> Answer:
 
 
 def _place(context: CommandContext, text: str) -> str:
-    """Return a location: by default the current line, or so many lines before or after it."""
+    """Return a location: by default the current line, or some lines before or after it."""
     offset = _OFFSET.fullmatch(text)
     if text and offset is None:
         return text

@@ -99,7 +99,7 @@ def sparkline(found: Sequence[Instant], end_s: float) -> Answer:
 
 
 def log_past(context: CommandContext, text: str) -> Answer:
-    """Answer with what a log point would have said in the past, among the world's events."""
+    """Answer with the past messages of a log point, among the world's events."""
     rest, part = _ranged(context, text)
     found = _PLACE.search(rest)
     if not found:

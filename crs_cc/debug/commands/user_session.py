@@ -33,7 +33,7 @@ class UserSession:
         self._context.settings.keep_in(settings_file())
 
     def keep_commands(self, typed: Sequence[str]) -> None:
-        """Keep the commands of this session, after those of others that have ended meanwhile."""
+        """Store the commands of this session after those of sessions that have ended since."""
         path, settings = history_file(), self._context.settings
         if path is not None and typed and settings["history save"]:
             lines = [*read_lines(path), *typed]

@@ -70,7 +70,7 @@ def report_stop(session: EditorSession, stop: Stop) -> None:
 
 
 def report_moved(session: EditorSession) -> None:
-    """Report that programs go on that the client believes to be stopped.
+    """Report the continuation of programs that the client believes to be stopped.
 
     A client that has not asked for it may let a robot run again that stops beside a stopped one.
     """

@@ -79,7 +79,7 @@ def address_of(evaluator: Evaluator, pointer: str, frame: StackFrame | None) -> 
 def bytes_behind(
     evaluator: Evaluator, pointer: str, span: Span, frame: StackFrame | None
 ) -> str | None:
-    """Return an expression that names bytes behind a pointer: an object if there is one.
+    """Return an expression for the bytes at a pointer: an object if there is one.
 
     Args:
         evaluator: evaluates it.

@@ -33,7 +33,7 @@ GONE: Final = bytes([ByteState.INACCESSIBLE])
 
 
 class ValueReader(Protocol):
-    """The part of the stopped program that values need: formatting, memory behind pointers."""
+    """The part of the stopped program that values need: formatting, targets of pointers."""
 
     @property
     def short(self) -> Values:

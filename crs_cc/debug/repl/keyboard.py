@@ -50,7 +50,7 @@ class Keyboard:
                 self._terminal.line(Line('Type "quit" or Ctrl-D to end the debugger.'))
 
     def read(self, _robot: int, wanted: int) -> bytes:
-        """Read input for a program: at most so many bytes, at most one line.
+        """Read input for a program: at most `wanted` bytes, at most one line.
 
         Ctrl-C ends the input, and the program stops after that.
         """

@@ -16,14 +16,14 @@ from crs_cc.session.session import Session
 
 
 class ArmedStops:
-    """Where programs stop, and the accesses to what is watched.
+    """The stops of programs, and the accesses to watched memory.
 
     Attributes:
         request: what was asked for last.
     """
 
     def __init__(self, session: Session, robots: int) -> None:
-        """Let the programs of so many robots stop nowhere."""
+        """Set no stops for a number of robots."""
         self._session = session
         self.request = StopRequest()
         self._armed: set[int] = set()  # robots whose programs may have marks or watched objects
@@ -59,7 +59,7 @@ class ArmedStops:
         self._world_watches.arm(request.world)
 
     def enter(self) -> None:
-        """Set in the slots of the programs what is not said by their marks."""
+        """Set the stop conditions in the programs' slots that their marks do not contain."""
         self.request.enter(self._session.fleet.slots)
 
     def know(self, first: int, executables: Sequence[Executable]) -> None:

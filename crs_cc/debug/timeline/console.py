@@ -132,7 +132,7 @@ class ReplayConsole:
                 yield place, robot, piece
 
     def forget_typed(self, place: Position) -> None:
-        """Forget what was typed from a position on, so that it is asked for again."""
+        """Discard lines typed from a position on, so that programs wait for them again."""
         for robot, asked_at in self._asked_at.items() if self.is_typed else ():
             count = next((at for at, each in enumerate(asked_at) if each >= place), len(asked_at))
             del asked_at[count:], self._reads[robot][count:]

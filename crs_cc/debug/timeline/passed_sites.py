@@ -70,7 +70,7 @@ class PassedSites:
     """The stretches of a run that are known."""
 
     def __init__(self, most_bytes: int = MAX_BYTES) -> None:
-        """Know none, and take no more memory for them than so many bytes."""
+        """Start without records, and limit their memory to a number of bytes."""
         self._most_bytes = most_bytes
         self._stretches: dict[int, _Stretch] = {}  # by number; the oldest is the first
         self._bytes = 0

@@ -38,7 +38,7 @@ class StopRequest:
     tests: Mapping[int, Mapping[int, tuple[str, ...]]] = field(default_factory=dict)
 
     def enter(self, slots: Records) -> None:
-        """Set in the slots of the programs what is not said by their marks."""
+        """Set the stop conditions in the programs' slots that their marks do not contain."""
         slots["stop_before_all"] = 0
         slots["stop_from"] = 0
         for wanted, robots in enumerate((self.all, self.everywhere), start=1):

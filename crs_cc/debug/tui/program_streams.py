@@ -43,7 +43,7 @@ class ProgramStreams:
         return taken
 
     def read(self, robot: int, wanted: int) -> bytes:
-        """Return input for a program, at most so many bytes; wait for the user."""
+        """Return input for a program, at most `wanted` bytes; wait for the user."""
         left = self._left.pop(robot, b"")
         if not left:
             self._is_asking = True

@@ -54,7 +54,7 @@ class TimeLine(Widget, can_focus=True):
     ]
 
     class Move(Message):
-        """The user wants to go to a time [s]."""
+        """The user has requested to go to a time [s]."""
 
         def __init__(self, time_s: float) -> None:
             super().__init__()

@@ -33,7 +33,7 @@ _ACTIONS: Final = ("accept", "refuse", "send", "end", "reset")
 
 
 def change_network(session: Session, _programs: Sequence[Executable], words: Words) -> str:
-    """Change what the real network does; return a description.
+    """Act as the real network; return a description.
 
     Raises:
         ValueError: it is invalid or impossible.

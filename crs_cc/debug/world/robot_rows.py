@@ -74,7 +74,7 @@ def robot_rows(session: Session, robot: int) -> list[Row]:
 
 
 def activity(session: Session, robot: int) -> str:
-    """Return what a robot's program does, or its outcome."""
+    """Return the activity of a robot's program, or its outcome."""
     result = session.state.robot_result(robot)
     if result.outcome == "exited":
         return f"exited with {result.exit_status}"

@@ -87,7 +87,7 @@ def enter(unit: Unit, state: FunctionState, location: Location) -> None:
 
 
 def _extents(ctype: CType) -> list[ObjectSymbol]:
-    """Return the hidden variables with the sizes and offsets of what is variable in a type."""
+    """Return the hidden variables with the variable sizes and offsets of a type."""
     found: list[ObjectSymbol] = []
     while isinstance(ctype, PointerType | ArrayType):
         if isinstance(ctype, ArrayType) and isinstance(ctype.extent, ObjectSymbol):

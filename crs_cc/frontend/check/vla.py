@@ -93,7 +93,7 @@ def set_extent(symbol: ObjectSymbol, value: Expression) -> Expression:
 
 @contextmanager
 def effects(unit: Unit) -> Iterator[list[Expression]]:
-    """Collect the side effects of the types that are checked meanwhile."""
+    """Collect the side effects of the types that are checked in this context."""
     state = unit.function
     if state is None:
         yield []

@@ -30,7 +30,7 @@ _IMPLICIT_INT: Final = "type specifier missing, defaults to 'int'"
 
 
 class Omissions:
-    """Supply what a file's declarations leave out."""
+    """Supply the omitted parts of a file's declarations."""
 
     def __init__(
         self,

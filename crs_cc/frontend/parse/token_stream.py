@@ -80,7 +80,7 @@ class TokenStream:
         self.classified = None
 
     def close_scopes(self, depth: int) -> None:
-        """Close the inner scopes until only so many are open."""
+        """Close the inner scopes until only `depth` are open."""
         del self.scopes[depth:]
         self.classified = None
 
@@ -90,7 +90,7 @@ class TokenStream:
         self.classified = None
 
     def replace(self, ahead: int, token: Token) -> None:
-        """Replace the token that is so many tokens ahead."""
+        """Replace the token that is some tokens ahead."""
         self.buffer[self.index + ahead] = token
         self.classified = None
 

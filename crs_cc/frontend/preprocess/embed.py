@@ -31,7 +31,7 @@ def numbers(content: bytes) -> str:
 
 
 def embed(state: State, header: Header, tokens: Sequence[Token], place: Place) -> list[Token]:
-    """Return the tokens that `#embed` stands for; report what is wrong with it.
+    """Return the tokens that replace `#embed`; report its errors.
 
     Args:
         state: the run.

@@ -51,7 +51,7 @@ class Header:
     content: bytes | None = None
 
     def read(self) -> bytes | Refusal:
-        """Return what is in the header."""
+        """Return the contents of the header."""
         return read_regular_file(self.file) if self.content is None else self.content
 
 

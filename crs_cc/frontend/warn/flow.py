@@ -288,5 +288,5 @@ def _ends(value: tree.Expression) -> bool:
 
 
 def _is_tangled(node: tree.Switch) -> bool:
-    """Return whether labels of a switch lie deeper in its body, as in Duff's device."""
+    """Return whether labels of a switch are nested deeper in its body, as in Duff's device."""
     return sum(isinstance(each, tree.CaseLabel) for each in node.body) != len(node.labels)

@@ -65,7 +65,7 @@ def firing_order(name: str, value: int, order: Sequence[int]) -> Posted:
 
 
 def talk(text: bytes) -> Exchange[None]:
-    """Speak a text up to its zero: it is what the robot's program writes, on one line.
+    """Print a text up to its null character as output of the robot's program, on one line.
 
     Control characters are replaced, as a client outside is not to rule the user's terminal.
     """

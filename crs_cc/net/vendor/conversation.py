@@ -210,7 +210,7 @@ class LineConversation(Conversation):
         self._ask(self._line.open(), self._opened)
 
     def receive(self, content: bytes) -> None:
-        """Answer what has come; what is no packet is skipped, or has no rest in time."""
+        """Answer the received packets; invalid or incomplete ones are skipped."""
         if self._silence is not None:
             self._silence.cancel()
         self._silence = self._loop.call_later(SILENCE_S, self._reader.forget)

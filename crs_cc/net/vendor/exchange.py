@@ -55,7 +55,7 @@ class Posted:
 
 @dataclass(frozen=True, slots=True)
 class AskUser:
-    """A question to the user, for the configuration that he points at; None if there is nobody."""
+    """A request to the user for a configuration, by clicks; None if there is no user."""
 
 
 T = TypeVar("T")

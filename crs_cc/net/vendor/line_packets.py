@@ -38,7 +38,7 @@ class LinePacket:
 
 
 class LineReader:
-    """Cuts what comes over the line into packets, and skips what is none.
+    """Splits the data of the line into packets, and skips invalid ones.
 
     Attributes:
         bad: how many bytes have been skipped.

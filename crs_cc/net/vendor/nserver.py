@@ -120,7 +120,7 @@ class NserverClient:
     """
 
     def __init__(self, port: int) -> None:
-        """Remember the port that the client is told."""
+        """Store the port that is sent to the client."""
         self.has_quit = False
         self._port = port
         self._mask = Mask()

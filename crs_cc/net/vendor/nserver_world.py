@@ -149,7 +149,7 @@ def _motion_check(elements: Elements) -> Exchange[Packet]:
 
 
 def _get_conf(_elements: Elements) -> Exchange[Packet]:
-    """Ask the user for a configuration; fail if nobody looks."""
+    """Ask the user for a configuration; fail if there is no page."""
     found = yield AskUser()
     return Packet(88, found) if found is not None else _ERROR
 

@@ -229,7 +229,7 @@ class _TcpWire(asyncio.Protocol):
 
 
 class _TerminalWire:
-    """The robot's end of a pseudo terminal; nobody can tell whether a program has it open."""
+    """The robot's end of a pseudo terminal; it is unknown whether a program has it open."""
 
     def __init__(self, loop: asyncio.AbstractEventLoop, terminal: int) -> None:
         self._loop, self._terminal = loop, terminal

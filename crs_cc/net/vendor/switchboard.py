@@ -164,7 +164,7 @@ class Switchboard:
                 self._changed.wait(min(-pause_s, LOOK_S))
 
     def read(self, robot: int, size: int) -> bytes:
-        """Return what a relay reads: requests that `waiting` has announced."""
+        """Return a relay's input: requests that `waiting` has announced."""
         line = self._lines[robot]
         content = bytes(line.inbox[:size])
         del line.inbox[:size]
@@ -206,7 +206,7 @@ class Switchboard:
             call.done(end.value, at_s)
 
     def _ask_user(self, line: _Line) -> None:
-        """Ask the user for what a call wants."""
+        """Ask the user for the result of a call."""
         call = line.call
 
         def answer(found: Configuration) -> None:
@@ -281,7 +281,7 @@ class Switchboard:
         return any(line.is_left for line in self._lines.values())
 
     def ask(self, robot: int, exchange: Exchange[Any], done: Done) -> None:
-        """Have an exchange with a robot; `done` is told what it has come to."""
+        """Start an exchange with a robot; `done` is called with its result."""
         clock = self.clock  # which the run's thread may change
         asked_s = -math.inf if clock is None else clock.simulated_s()
         with self._changed:
@@ -289,7 +289,7 @@ class Switchboard:
             self._changed.notify_all()
 
     def release(self, robot: int, *, connected: bool = True, ends: bool = False) -> None:
-        """Take leave of a client that has gone; its robot is free when it has been told.
+        """Release a disconnected client; its robot is free once its relay has been notified.
 
         Args:
             robot: the robot.

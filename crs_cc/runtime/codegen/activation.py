@@ -183,7 +183,7 @@ class Activation:
         return [*stopping.PUSH_STOPPED, *self.no_value(), ("return",)]
 
     def no_value(self) -> list[Instr]:
-        """Push a value that nobody uses, if the function returns one."""
+        """Push an unused value, if the function returns one."""
         kind = self.function.result
         return [] if kind is None else [(f"{kind}.const", 0)]
 

@@ -294,7 +294,7 @@ class _FunctionCode:
         return self.stop_site(node, statement, after_call=False)
 
     def behind(self, node: Node, call: Call) -> Node:
-        """Debug builds: stop behind a marked call, before its result is used."""
+        """Debug builds: stop after a marked call, before its result is used."""
         return self.stop_site(node, call, after_call=True)
 
     def stop_site(self, node: Node, it: Instruction, *, after_call: bool) -> Node:
@@ -367,7 +367,7 @@ class _FunctionCode:
         pass_arguments(call, names, memory, self.build, in_registers=in_registers)
 
     def push_arguments(self, call: Call) -> None:
-        """Push what is passed in registers."""
+        """Push the arguments that are passed in registers."""
         code, convention = self.writer.code, self.convention(call)
         code += [("local.get", SP), ("local.get", FUEL)]
         registers = convention.registers if convention else ()

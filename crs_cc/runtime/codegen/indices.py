@@ -35,7 +35,7 @@ _OF_LOCALS: Final = frozenset({"local.get", "local.set", "local.tee"})
 
 
 def passed(number: int) -> int:
-    """Return the index of what is passed in a register, until `with_parameters` has run."""
+    """Return the index of a parameter in a register, until `with_parameters` has run."""
     return -1 - number
 
 

@@ -80,7 +80,7 @@ class KnownMemory(PlainMemory):
         self.facts = Facts()
 
     def begin(self, block: Block) -> None:
-        """Recall what is known at the start of a block: all that was at the end of the one before.
+        """Restore the facts at the start of a block: those at the end of its predecessor.
 
         It is not if that has not been written yet.
         """

@@ -210,7 +210,7 @@ def _module(
 def _add_program(
     module: Module, program: Program, names: Symbols, build: Build
 ) -> list[FunctionInfo]:
-    """Add the program's functions, and their general forms; return what debuggers are told."""
+    """Add the program's functions, and their general forms; return the debug information."""
     infos = []
     for function in program.functions.values():
         code, info = generate_shared(function, names, build)

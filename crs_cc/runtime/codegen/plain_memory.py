@@ -57,7 +57,7 @@ class PlainMemory:
         """Discard known facts at a join of control flow."""
 
     def begin(self, block: Block) -> None:
-        """Recall what is known at the start of a block."""
+        """Restore the facts at the start of a block."""
 
     def end(self, block: Block) -> None:
         """Record the facts known at the end of a block."""

@@ -58,7 +58,7 @@ def _known(stopped: Stopped) -> dict[int, Origin]:
 
 
 def _evidence(stopped: Stopped, address: int, size: int) -> Iterator[_Parts]:
-    """Yield what is known of the number, the surest first: of a word, of all bytes, of one."""
+    """Yield evidence for the number, the strongest first: of a word, of all bytes, of one."""
     first = address & -WORD
     for start in (first, *range(max(0, address - WORD + 1), address + 1)):
         yield _parts(stopped, range(start, start + WORD), whole=True)

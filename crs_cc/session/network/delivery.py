@@ -33,7 +33,7 @@ NEVER: Final = 2**62
 
 
 def deliver(network: Network, cycle: int, time_s: float) -> None:
-    """Deliver what is due at the start of a cycle.
+    """Deliver the segments due at the start of a cycle.
 
     Args:
         network: the network.

@@ -82,7 +82,7 @@ class Network:
         return robot if robot is not None and self._environment.present[robot] else None
 
     def machine_at(self, endpoint: Endpoint) -> str | None:
-        """Return name and port of what a run can reach in the real network; None for nothing."""
+        """Return name and port of a reachable computer of the real network; None for none."""
         name = self.addresses.machine_name(endpoint[0])
         for machine in self.state.machines:
             if (machine.name, machine.port) == (name, endpoint[1]):
@@ -117,7 +117,7 @@ class Network:
         return robot, number
 
     def remove(self, key: Key, at_s: float) -> None:
-        """Remove a socket: the other end is told, as are those of connections that wait."""
+        """Remove a socket, and notify the other end and the ends of pending connections."""
         socket = self.state.sockets.pop(key)
         for number in socket.waiting:
             self.remove((key[0], number), at_s)

@@ -120,7 +120,7 @@ SegmentKind: TypeAlias = Literal[
 
 @dataclass(frozen=True, slots=True)
 class Segment:
-    """Something on its way.
+    """A segment in transit.
 
     Attributes:
         due: the cycle at whose start it arrives.

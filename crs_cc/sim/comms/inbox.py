@@ -182,7 +182,7 @@ def clear(messages: MessageState, present: BoolArray) -> None:
 
 
 def tidy(messages: MessageState) -> None:
-    """Remove messages that nobody can receive any more."""
+    """Remove messages that can no longer be received."""
     left = messages.receptions["status"] != GONE
     table = messages.receptions[left]
     kept, number = np.unique(table["packet"], return_inverse=True)

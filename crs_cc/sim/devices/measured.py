@@ -31,7 +31,7 @@ def measured(
     measurement: _Measurement,
     shape: tuple[int, int],
 ) -> FloatArray:
-    """Return what a device measures, (k, values).
+    """Return the measurements of a device, (k, values).
 
     Raises:
         DeviceError: a device of another package raised an exception, or its result is not an array

@@ -105,7 +105,7 @@ class RayCaster:
 
     @property
     def all_alike(self) -> bool:
-        """Whether beams can hit the same things at all heights."""
+        """Whether beams can hit the same objects at all heights."""
         return self._outlook is None
 
     def prospect(

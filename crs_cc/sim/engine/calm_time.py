@@ -153,7 +153,7 @@ class CalmTime:
     # -- the kernel's memory ---------------------------------------------------------------------
 
     def _enter(self, *, keeps: bool, most: FloatArray) -> None:
-        """Copy what the kernel works on into its memory."""
+        """Copy the kernel's input into its memory."""
         data, state, kernel = self._data, self._data.state, self.kernel
         places = state.bodies.position_m[len(state.connected) :].tobytes()
         places += state.bodies.angle_rad[len(state.connected) :].tobytes()

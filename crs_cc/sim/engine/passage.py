@@ -57,7 +57,7 @@ class Passage:
         return np.concatenate([_answers_of(self.earlier, self.first), logged])
 
     def served(self, cycle: int) -> tuple[Served, ...]:
-        """Return what was answered in a timestep, as `Step.served` has it."""
+        """Return the replies of a timestep, in the form of `Step.served`."""
         answers = self.answers
         return tuple(served_of(answers[answers["cycle"] == cycle]))
 
@@ -71,7 +71,7 @@ def served_of(answers: Records) -> list[Served]:
 
 
 def _answers_of(served: Sequence[Served], cycle: int) -> Records:
-    """Return what was answered in a timestep by other means, each time with `State`."""
+    """Return the replies of a timestep that the kernel did not give, each with `State`."""
     answers = np.zeros(sum(len(each.robots) for each in served), ANSWER)
     answers["cycle"], begin = cycle, 0
     for number, each in enumerate(served, -len(served)):

@@ -113,7 +113,7 @@ def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> Non
 def in_the_way(
     state: EnvState, constants: RobotConstants, place: Pose, radius_m: float, robot: int = -1
 ) -> str:
-    """Return the name of what a robot would overlap at a place; empty for nothing.
+    """Return the name of the object that a robot would overlap at a position; empty for none.
 
     Args:
         state: has the poses of all objects.

@@ -106,7 +106,7 @@ class Declarations:
         return found
 
     def _referred(self, node: Node) -> Iterator[Node]:
-        """Yield what a declaration refers to: a type, the type that it extends, a group."""
+        """Yield the references of a declaration: a type, the type that it extends, a group."""
         for kind in ("type", "base"):
             if (_COMPLEX_TYPE, node.get(kind)) in self._named:
                 yield self._named[_COMPLEX_TYPE, node.get(kind)]

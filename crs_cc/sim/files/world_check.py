@@ -20,7 +20,7 @@ from crs_cc.sim.model.world import Robot, WorldModel
 
 
 def check_world(world: WorldModel) -> None:
-    """Check the values of a world and what they have to do with each other.
+    """Check the values of a world and their consistency.
 
     Raises:
         WorldError: the world is invalid; all errors are reported at once, with the lines of the

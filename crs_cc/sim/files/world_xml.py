@@ -184,7 +184,7 @@ def load_any(path: Path) -> Model:
 def examine(
     text: bytes, file: str, name: str, folder: Path | None
 ) -> tuple[Model | None, Sequence[Diagnostic]]:
-    """Return what a text describes, as far as it can be understood, and its errors.
+    """Return the model of a text, as far as it is valid, and its errors.
 
     Of a world whose errors are in values only, it is the world without what is wrong in it.
 

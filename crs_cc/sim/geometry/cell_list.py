@@ -67,7 +67,7 @@ def blocks(counts: IndexArray, most: int | None = None) -> Iterator[slice]:
 
 
 def parts(whole: slice, most: int) -> Iterator[slice]:
-    """Yield slices of at most so many queries that together are a slice.
+    """Split a slice of queries into slices of limited length.
 
     >>> [(part.start, part.stop) for part in parts(slice(2, 7), 4)]
     [(2, 6), (6, 7)]

@@ -103,7 +103,7 @@ class Points:
         return cls(ping, place, exact.magnitude(place), share)
 
     def of_pings(self, part: slice) -> Self:
-        """Return the targets of a part of the pings, which are numbered anew."""
+        """Return the targets of a part of the pings, which are renumbered."""
         found = self.where((self.ping >= part.start) & (self.ping < part.stop))
         return type(self)(found.ping - part.start, found.place, found.reported_m, found.share)
 

@@ -47,7 +47,7 @@ work, or until none of the most at once is free."""
 
 @dataclass(frozen=True, slots=True)
 class Region:
-    """Where the centres of things may be, and how they are distributed there.
+    """The region of the centres of objects, and their distribution in it.
 
     Attributes:
         corners_m: the corners of a polygon around them.
@@ -83,7 +83,7 @@ class Region:
 
 
 class Taken:
-    """The space that is taken in an area: by its solids, by robots, by what was placed before."""
+    """The occupied space in an area: by its solids, by robots, by objects placed before."""
 
     def __init__(self, area: Area, solids: Sequence[Solid], robots: Sequence[Robot] = ()) -> None:
         self._area, self._solids = area, solids

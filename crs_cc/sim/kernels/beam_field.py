@@ -30,7 +30,7 @@ _CELLS_PER_REACH: Final = 3
 
 
 class _Places(NamedTuple):
-    """Where shapes lie in the arena.
+    """The positions of shapes in the arena.
 
     Attributes:
         outlines: the place of segments and circles, 0 if there are none.

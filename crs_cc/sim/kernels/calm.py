@@ -157,12 +157,12 @@ class CalmKernel:
                 place += spaces.get(name, 0)
 
     def tell(self, **numbers: float) -> None:
-        """Set what the kernel is told."""
+        """Set the input of the kernel."""
         for name, number in numbers.items():
             self._head[name] = number
 
     def begin(self, until: int, cycle: int, room_m: float, goal_room_m: float) -> None:
-        """Set what differs with each call, and what the kernel changes."""
+        """Set the data that differs with each call, and the data that the kernel changes."""
         self._head["until"] = until
         changed = Changed(cycle, room_m, goal_room_m)
         _CHANGED.pack_into(self._bytes, self._changed, *changed)

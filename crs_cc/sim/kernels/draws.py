@@ -44,7 +44,7 @@ class Draws:
         return 0 if self._draw is None else _AHEAD
 
     def tables(self) -> dict[str, Any]:
-        """Return the table that the kernel is told at first: nothing is known."""
+        """Return the initial table of the kernel: no errors are known."""
         return {f"{self.name}_first": np.full(len(self._robots), _UNKNOWN)}
 
     def spaces(self) -> dict[str, int]:

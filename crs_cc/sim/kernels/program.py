@@ -139,7 +139,7 @@ class Kernels:
 
     @property
     def result(self) -> int:
-        """Return what the last kernel has returned."""
+        """Return the result of the last kernel."""
         found: int = _RESULT.unpack_from(self._memory, self._place)[0]
         return found
 
@@ -232,7 +232,7 @@ class Kernels:
         return found.reshape(shape)
 
     def replies(self, rows: IndexArray | None, for_s: FloatArray) -> Records:
-        """Return what replies tell of robots, (k,) of dtype `REPLY`.
+        """Return the contents of replies of robots, (k,) of dtype `REPLY`.
 
         Args:
             rows: their rows in `robots`, None for the first ones.

@@ -163,7 +163,7 @@ def complaint(degradation: Degradation, model: RobotModel) -> str:
 
 
 def part(degradation: Degradation, model: RobotModel) -> str:
-    """Return what is degraded: the device and its element, such as `drive left`."""
+    """Return the degraded device and element, such as `drive left`."""
     names = degradables()[degradation.device].elements(model)
     which = "" if degradation.element is None else f" {names[degradation.element]}"
     return f"{degradation.device}{which}"
@@ -214,7 +214,7 @@ def _names_one(element: object, names: tuple[str, ...]) -> bool:
 
 
 def out_of_range(degradation: Degradation) -> Iterator[str]:
-    """Yield what is wrong with the values of a degradation, each with its field."""
+    """Yield errors in the values of a degradation, each with its field."""
     stuck, duration_s = degradation.stuck, degradation.duration_s
     fixed = 0.0 if stuck is None or stuck == HOLD else stuck
     limits = (

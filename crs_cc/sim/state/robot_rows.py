@@ -200,7 +200,7 @@ class RobotRows:
         return home
 
     def replies(self, rows: Rows, for_s: FloatArray, kinds: RobotKinds) -> Records:
-        """Return what replies tell of robots, (k,) of dtype `REPLY`.
+        """Return the contents of replies of robots, (k,) of dtype `REPLY`.
 
         Args:
             rows: the robots, k of them.

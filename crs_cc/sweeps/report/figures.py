@@ -52,7 +52,7 @@ _SHORT_LEGEND: Final = 32
 
 
 def _svg(draw: Callable[[Axes], None]) -> str:
-    """Return what is drawn as the text of an SVG element."""
+    """Return the figure as the text of an SVG element."""
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
@@ -232,7 +232,7 @@ def visits(places_m: FloatArray, cell_m: float, area: Area) -> str:
 
 
 def field_map(sketch: FieldSketch, age_s: float, area: Area) -> str:
-    """Return what lies in a pheromone field, as colours.
+    """Return the contents of a pheromone field, as colours.
 
     Args:
         sketch: the field at the last instant of which it is known.

@@ -123,7 +123,7 @@ def results(rows: Sequence[Row], measure: str = "") -> Results:
 
 
 def _telling(combinations: Sequence[Mapping[str, Value]], varied: Sequence[str]) -> list[str]:
-    """Return the first parameters that tell combinations apart; others vary with these.
+    """Return the first parameters that distinguish combinations; others vary with these.
 
     >>> _telling([{"setup": "", "fault": ""}, {"setup": "noisy", "fault": "dead=yes"}],
     ...          ["setup", "fault"])

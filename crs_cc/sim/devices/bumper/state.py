@@ -28,7 +28,7 @@ class BumperState:
 
     @classmethod
     def released(cls, count: int) -> Self:
-        """Return the released switches of so many robots."""
+        """Return the released switches of a number of robots."""
         return cls(np.zeros(count, dtype=np.int32), LastMeasurement.never(count))
 
 

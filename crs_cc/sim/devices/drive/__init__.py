@@ -389,7 +389,7 @@ def _stop(
 
 
 def turn_turret(state: EnvState, rows: IndexArray, way_rad: float, speed_radps: FloatArray) -> None:
-    """Turn turrets by an angle, independently of the speed set by `sp`; other axes go on.
+    """Turn turrets by an angle, independently of the speed set by `sp`; other axes continue.
 
     Args:
         state: changed in place.

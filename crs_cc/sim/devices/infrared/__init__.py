@@ -284,7 +284,7 @@ class InfraredRing:
         return self._noise.rows(robots, numbers)
 
     def table(self, state: EnvState) -> Records:
-        """Return what the kernel of calm time is told of rings, (n,) of dtype `RING`.
+        """Return the input of the calm-time kernel for rings, (n,) of dtype `RING`.
 
         Where the beams of each kind lie is counted from those of the first one.
         """

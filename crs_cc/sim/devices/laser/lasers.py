@@ -102,7 +102,7 @@ class Lasers:
         *,
         range_m: FloatArray,
     ) -> None:
-        """Write what the lasers of robots see from poses, infinite for nothing, (k, 482)."""
+        """Write the ranges of robots' lasers at poses, infinite for none, (k, 482)."""
         range_m[:] = np.inf
         for laser, points, some in self._alike(numbers, laser_state(state).wanted[numbers]):
             seen_m = rays.distances_m(state, self._fan(laser, points), poses[some], own=rows[some])

@@ -42,7 +42,7 @@ _PAGE: Final = 6
 def keep(
     state: EnvState, constants: RobotConstants, clock: BoardClock, rows: IndexArray, kinds: int
 ) -> None:
-    """Store what a reply carries, for the pages.
+    """Store the data of a reply, for the pages.
 
     Args:
         state: changed in place.

@@ -39,7 +39,7 @@ _NEAR_M: Final = 1e-3  # cells must have a size
 
 
 class Beams:
-    """The beams of all robots by the sonar's number; a missing sonar hears nothing.
+    """The beams of all robots by the sonar's number; a missing sonar has no echo.
 
     Attributes:
         boards: the board of each mode of each kind of robot.

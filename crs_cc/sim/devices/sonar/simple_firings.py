@@ -28,7 +28,7 @@ _MOST_NUMBERS: Final = 10_000  # of beams that are copied for each call of the k
 
 
 class KernelTables(NamedTuple):
-    """What the kernel of calm time is told of sonars, see `kernels/calm.c`.
+    """The input of the calm-time kernel for sonars, see `kernels/calm.c`.
 
     Attributes:
         beams: the beams of each mode.
