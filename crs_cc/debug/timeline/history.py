@@ -31,13 +31,13 @@ from crs_cc.session.result import SessionSnapshot
 MAX_BYTES: Final = 72 * 2**20
 """Memory for snapshots by default [bytes]; chosen by us."""
 
-INTERVAL: Final = 5
+INTERVAL: Final = 10
 """Timesteps from one snapshot to the next, for one robot."""
 
 ROBOTS_LATER: Final = 8
 """For every so many robots more, a timestep more: a snapshot's cost grows faster than a step's."""
 
-NEAR, FINER = 2, 5
+NEAR, FINER = 1, 10
 """So many intervals before the place that the user went back to, they are so much shorter."""
 
 MAX_REPLAY_INTERVALS: Final = 64

@@ -10,6 +10,7 @@ Rounds are kept in blocks, packed when full: the answers of successive rounds ha
 
 from __future__ import annotations
 
+import struct
 from array import array
 from dataclasses import dataclass
 from typing import Final, Self
@@ -26,6 +27,7 @@ MAX_BYTES: Final = 128 * 2**20
 """Memory for what is noted [bytes]; chosen by us: days of a robot, over a minute of a hundred."""
 
 _UNKNOWN: Final = -1
+_ONE: Final = struct.Struct("=qqqd")
 _FEW: Final = 8
 """Messages of a part of the programs as small as this are unpacked one by one."""
 
@@ -55,12 +57,18 @@ class RoundInput:
             clock_s: by robot, the clock of its program [s].
             fleet: the programs, with their replies.
         """
-        robots = np.flatnonzero(pending)
+        robots = pending.nonzero()[0]
         messages = fleet.messages(robots).view(np.uint8)
-        places, count = messages != 0, np.array([len(robots)], np.int64)
-        numbers = count, robots.astype(np.int64), pending[robots], clock_s[robots]
-        arrays = (*numbers, np.packbits(places), messages[places])
-        return cls(len(robots), b"".join(each.tobytes() for each in arrays))
+        places = messages != 0
+        if len(robots) == 1:  # the same bytes, without arrays of one
+            only = int(robots[0])
+            head = _ONE.pack(1, only, pending[only], clock_s[only])
+        else:
+            count = np.array([len(robots)], np.int64)
+            numbers = count, robots.astype(np.int64), pending[robots], clock_s[robots]
+            head = b"".join(each.tobytes() for each in numbers)
+        content = head + np.packbits(places).tobytes() + messages[places].tobytes()
+        return cls(len(robots), content)
 
     @classmethod
     def unpacked(cls, content: bytes) -> Self:
