@@ -176,7 +176,7 @@ def grade(
     _check_once("", list(map(os.path.realpath, files)))
     worlds = [Path(name) for name in files if is_world(name)]
     if not worlds:
-        raise click.UsageError("no world: name at least one file .xml with goals.")
+        raise click.UsageError("no world: name at least one .xml file with goals.")
     inputs, wanted = parse_named_files(named_files), Robots(**robots)
     if wanted.robot.endswith(".xml"):
         wanted = replace(wanted, robot=os.path.realpath(wanted.robot))

@@ -121,5 +121,5 @@ def _definition(model: str | None) -> str:
 
     if model not in known_robots() and not Path(model).is_file():
         names = ", ".join(known_robots())
-        raise click.UsageError(f"unknown robot '{model}' (known: {names}, or a file .xml).")
+        raise click.UsageError(f"unknown robot '{model}' (known: {names}, or an .xml file).")
     return definition_of(empty_world("", model).robots[0].model)

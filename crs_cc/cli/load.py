@@ -115,7 +115,7 @@ def load_world_of(options: ProgramOptions) -> WorldModel:
     path, robot = options.inputs.world, options.robot
     if robot not in known_robots() and not robot.endswith(".xml"):
         names = ", ".join(known_robots())
-        raise click.UsageError(f"unknown robot '{robot}' (known: {names}, or a file .xml).")
+        raise click.UsageError(f"unknown robot '{robot}' (known: {names}, or an .xml file).")
     if path is None:
         world = empty_world(options.setup, robot)
     else:

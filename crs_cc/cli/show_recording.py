@@ -170,7 +170,7 @@ def _verify(recording: Recording) -> None:
     found = verify(recording)
     click.echo(
         f"{recording.path}: the same run: {found.hashes} hashes agree, {found.states} of them of"
-        f" all state, up to {found.simulated_s:.2f} s"
+        f" the complete state, up to {found.simulated_s:.2f} s"
     )
 
 

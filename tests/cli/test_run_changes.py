@@ -62,7 +62,7 @@ def test_a_script_repeats_what_was_done_to_the_bit(
     assert result["robots"][0]["pose"]["x_m"] == x_m
     assert result["robots"][0]["pose"]["y_m"] == y_m
     assert main(["replay", str(run), "--verify"]) == 0
-    assert "the same run: 3 hashes agree, 1 of them of all state" in capsys.readouterr().out
+    assert "3 hashes agree, 1 of them of the complete state" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -292,7 +292,7 @@ def test_what_was_changed_by_hand_is_recorded_and_done_again(
     assert last.values[0].tolist() == pytest.approx([1.0, 2.0], abs=0.01)
     recording.close()
     assert main(["replay", str(path), "--verify"]) == 0
-    assert "the same run: 5 hashes agree, 1 of them of all state" in capfd.readouterr().out
+    assert "the same run: 5 hashes agree, 1 of them of the complete state" in capfd.readouterr().out
     look = ["-ex", "print i", "-ex", "info robots", "-ex", "goto 0.5", "-ex", "info robots"]
     options = ["--at", "3", *look, "-ex", "goto 3.5", "--record", str(again)]
     assert main(["debug", "--batch", str(path), *options]) == 0

@@ -74,7 +74,7 @@ def test_a_recording_that_is_checked_in_is_of_todays_format_and_the_same_run(
         "the simulation runs this recording in another way than it was recorded: if that is meant,"
         " --update-goldens records it anew"
     )
-    assert "the same run: 5 hashes agree, 1 of them of all state" in capfd.readouterr().out
+    assert "the same run: 5 hashes agree, 1 of them of the complete state" in capfd.readouterr().out
 
 
 def test_a_recording_of_an_older_format_says_what_reads_it(

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 _TURNING: Final = frozenset({"steering", "turret"})
 
-HEADINGS: Final = ("robot", "name", "program", "does", "clock", "x", "y", "heading")
+HEADINGS: Final = ("robot", "name", "program", "activity", "clock", "x", "y", "heading")
 """The columns of `summary`."""
 
 

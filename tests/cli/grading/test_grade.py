@@ -301,7 +301,7 @@ def test_a_copy_is_found_where_its_first_run_was_stopped_from_outside() -> None:
 @pytest.mark.parametrize(
     ("arguments", "text", "status"),
     [
-        (["in"], "no world: name at least one file .xml with goals.", 2),
+        (["in"], "no world: name at least one .xml file with goals.", 2),
         (["task.xml"], "no submissions: name a folder.", 2),
         (["empty", "task.xml"], "no submissions in empty.", 2),
         (["nowhere", "task.xml"], "nowhere: No such file or directory.", 2),

@@ -2,7 +2,7 @@
 import { el, fill } from "crs/dom.js";
 
 const MANY = 200;
-const HINTS = { does: "The motion of its motors, and what its program is waiting for. A command takes time on the link, the line between computer and robot." };
+const HINTS = { activity: "The motion of its motors, and what its program is waiting for. A command takes time on the link, the line between computer and robot." };
 const OUTCOMES = { exited: "ended", failed: "error", left: "left", running: "" };
 
 /** @type {import("./index.js").Panel} */
@@ -64,7 +64,7 @@ export const robots = {
         ["speed", `${data.speed.toFixed(3)} m/s, ${turn}°/s`],
         data.battery === null ? null : ["battery", `${(100 * data.battery).toFixed(1)} %`],
         ["collisions", String(data.collisions)],
-        ["does", data.does],
+        ["activity", data.does],
         data.fails?.length ? ["fails", data.fails.join("; ")] : null,
       ];
       fill(details, ...rows.filter((each) => each).flatMap(([name, text]) => [el("dt", {}, name), el("dd", { title: HINTS[name] }, text)]));
