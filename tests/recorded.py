@@ -10,7 +10,7 @@ from unittest import mock
 import pytest
 
 from crs_cc.cli.main import main
-from crs_cc.recording import recorder
+from crs_cc.recording import recording_file
 
 PROGRAM = r"""
 #include <Nclient.h>
@@ -58,7 +58,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     with (
         mock.patch.object(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"go\nmore\n"))),
         mock.patch.object(sys, "stdout", printed),
-        mock.patch.object(recorder, "BLOCK_S", 2.0),
+        mock.patch.object(recording_file, "BLOCK_S", 2.0),
     ):
         assert main(["run", *files, "--record", str(path), "--quiet", "--max-time", "8"]) == 3
     for name in ("speed.h", "drive.c", "room.xml"):

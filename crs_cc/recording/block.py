@@ -44,6 +44,7 @@ class Block:
         readings: its readings of `State`.
         entries_size: the bytes of everything in JSON but hashes, roughly.
         is_whole: whether its messages have to be in the same chunk; known when they are made.
+        shape: who is in its frames.
     """
 
     def __init__(self, begin_s: float, shape: Shape, frames_before: int = 0) -> None:
@@ -58,7 +59,7 @@ class Block:
         self.seconds, self.is_whole = 0, False
         self.frames = GatheredFrames(shape)
         self._gather()
-        self._shape, self._frames_before = shape, frames_before
+        self.shape, self._frames_before = shape, frames_before
         self._output: list[Output] = []
         self._hashes: list[tuple[int, Hash]] = []
         self._saved_bytes = [0] * COLUMNS
@@ -68,8 +69,8 @@ class Block:
     @property
     def size(self) -> int:
         """Return how many bytes it takes when encoded, roughly."""
-        believed = self._shape.robots / ODOMETRY_FRAMES
-        poses = _ROW * (self._shape.robots + self._shape.objects + believed) * len(self.frames)
+        believed = self.shape.robots / ODOMETRY_FRAMES
+        poses = _ROW * (self.shape.robots + self.shape.objects + believed) * len(self.frames)
         rest = _READING * self.readings.count + _HASH * len(self._hashes)
         return round(poses) + rest + self.entries_size
 
@@ -113,7 +114,7 @@ class Block:
         output, self._saved_output = self._output[self._saved_output :], len(self._output)
         hashes, self._saved_hashes = self._hashes[self._saved_hashes :], len(self._hashes)
         entries = list(self._entries.unmarked()) if self._entries.are_new else []
-        return Second(self._shape, before, tails, output, hashes, entries)
+        return Second(self.shape, before, tails, output, hashes, entries)
 
     def put(self, second: Second) -> None:
         """Add the saved data of another block; raise ValueError if it is invalid."""

@@ -1,37 +1,29 @@
 """Records a run while it is running.
 
 What happens is gathered, of a passage of many timesteps at once where the session tells it so, and
-written each second of simulated time, so a run that is killed loses its last second at most. Of a
-small world, a second is so little that most of a chunk would be its head and its index: it is saved
-as it is, and all that has been saved in two minutes is then replaced by one chunk. When the disk is
-full, the recording ends and the run goes on.
+written each second of simulated time, see `recording_file`.
 """
 
 from __future__ import annotations
 
 import json
 import math
-import os
-import stat
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 
 from crs_cc.recording import topics
-from crs_cc.recording.block import Block
 from crs_cc.recording.content import as_fields
 from crs_cc.recording.digest import digest
-from crs_cc.recording.entries import SPAN_NS
 from crs_cc.recording.field_sketches import ChangedFields
 from crs_cc.recording.gathered import GatheredFrames, Shape
 from crs_cc.recording.hashes import DIGEST_BITS, STATE_DIGITS, Hash
-from crs_cc.recording.mcap_records import NS, Channel, ns
-from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
-from crs_cc.recording.readings import ReadingEncoder
+from crs_cc.recording.mcap_records import Channel, ns
+from crs_cc.recording.recording_file import RecordingFile
 from crs_cc.recording.step_events import events_of, marks_of, readings_of, traffic_of
 from crs_cc.sim.engine.step import Served
 
@@ -50,13 +42,6 @@ Sensors = Literal["none", "read", "all"]
 FULL_HASH_SECONDS: Final = 60
 """How often the hash of all state is recorded: of 10,000 robots it takes 0.7 s, of one 1 ms. It is
 in the middle of such a span of time: many runs last whole minutes, and there is one at the end."""
-
-BLOCK_S: Final = SPAN_NS / NS
-"""A chunk holds at most so much simulated time: more would save little. What a second brings is
-saved before, so that a killed run loses no more."""
-
-MAX_ROWS: Final = 20_000
-"""Readings that are gathered at most before they are encoded; some megabytes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,8 +67,6 @@ class Recorder:
     """Writes the recording of one session.
 
     Attributes:
-        failed: the error that ended the recording, if any.
-        written_s: up to when the run has been written [s].
         needs_each: whether it has to sample each timestep in which something moves.
     """
 
@@ -105,17 +88,8 @@ class Recorder:
         Raises:
             OSError: it cannot be written.
         """
-        self.failed: OSError | None = None
-        self.written_s = 0.0
         self._options = options
-        self._file: BinaryIO = path.open("wb", buffering=0)
-        self._writer = McapWriter(_Whole(self._file))
-        self._writer.define(topics.TOPICS.values())
-        self._writer.metadata(topics.RUN, run)
-        for name, content in attachments.items():
-            self._writer.attachment(name, content)
-        self._can_save = stat.S_ISREG(os.fstat(self._file.fileno()).st_mode)
-        self._encoder = ReadingEncoder()
+        self._file = RecordingFile(path, run, attachments)
         self._fields = ChangedFields()
         self._output_crc = 0
         self._foxglove: FoxgloveView | None = None
@@ -126,6 +100,16 @@ class Recorder:
         )
         self._moved = True  # since the last frame
         self._stride = 1
+
+    @property
+    def failed(self) -> OSError | None:
+        """The error that ended the recording, if any."""
+        return self._file.failed
+
+    @property
+    def written_s(self) -> float:
+        """Up to when the run has been written [s]."""
+        return self._file.written_s
 
     def begin(self, session: Session) -> None:
         """Start with a session before its first timestep."""
@@ -148,7 +132,6 @@ class Recorder:
             robots = session.environment.world.robots
             self._foxglove_sensors = FoxgloveSensors(robots, self._options.foxglove_robots)
         self._names: tuple[str, ...] = ()
-        self._block = Block(session.time_s, Shape(0, 0, has_turret=False))
         self._note_roster()
         self._add_frame()
         self._add_fields()
@@ -173,10 +156,8 @@ class Recorder:
             if served.states is None:
                 self._note_served(step, served)
         if self._options.sensors != "none":
-            readings = self._block.readings
-            readings.add(step.served)
-            if readings.count > MAX_ROWS:
-                self._shorten()
+            self._file.block.readings.add(step.served)
+            self._limit()
         self._note_frame(timesteps)
 
     def passed(self, passage: Passage) -> None:
@@ -184,11 +165,10 @@ class Recorder:
         if self.failed is not None:
             return
         if self._options.sensors != "none":
-            readings = self._block.readings
+            readings = self._file.block.readings
             readings.add(passage.earlier)
             readings.add_passage(passage.logged)
-            if readings.count > MAX_ROWS:
-                self._shorten()
+            self._limit()
         first, stride = passage.first + 1, self._stride
         last = passage.first + passage.count
         if self.needs_each:
@@ -200,7 +180,7 @@ class Recorder:
         if count:
             moved = passage.moved if stride == 1 else passage.frames[begin::stride].tobytes()
             when = first + begin, stride, count
-            self._block.frames.add_passage(
+            self._file.block.frames.add_passage(
                 when, self._timestep_s, moved, self._environment.last_state
             )
         self._moved, self._last = last % stride != 0, last
@@ -228,13 +208,13 @@ class Recorder:
             return
         self._output_crc = zlib.crc32(content, self._output_crc)
         time_ns = self._nowns(robot)
-        self._block.add_output(time_ns, robot, stream, content)
-        self._limit_entries()
+        self._file.block.add_output(time_ns, robot, stream, content)
+        self._limit()
         if self._foxglove is not None:
             from crs_cc.recording.foxglove.messages import LOG, log_message
 
             name = self._robot_ids[robot]
-            self._writer.add(LOG, time_ns, log_message(time_ns, name, stream, content))
+            self._file.add(LOG, time_ns, log_message(time_ns, name, stream, content))
 
     def read(self, robot: int, content: bytes) -> None:
         """Record a piece of a program's standard input."""
@@ -271,11 +251,11 @@ class Recorder:
         if self._foxglove_sensors is not None:
             state = self._environment.last_state
             for channel, time_ns, data in self._foxglove_sensors.messages(state):
-                self._writer.add(channel, time_ns, data)
+                self._file.add(channel, time_ns, data)
         if timesteps >= self._next_hash:
             self._end_second()
-        elif self._writer.pending > MAX_CHUNK:
-            self._shorten()
+        else:
+            self._limit()
 
     def finish(self, result: RunResult) -> None:
         """Record the end, with the results."""
@@ -284,81 +264,49 @@ class Recorder:
                 self._add_frame()
             self._add_fields()
             self._add_hash(result.state_hash)
-            self._complete()
-            self._try(lambda: self._writer.metadata(topics.RESULT, _result_values(result)))
-            self._try(self._writer.finish)
+            self._file.complete(self._session.time_s)
+            self._file.metadata(topics.RESULT, _result_values(result))
+            self._file.finish()
         self._file.close()
 
     # -- frames and seconds ----------------------------------------------------------------------
 
     def _end_second(self) -> None:
-        session, block = self._session, self._block
+        session = self._session
         seconds = session.timesteps // self._per_second
         self._next_hash = (seconds + 1) * self._per_second
         is_full = seconds % FULL_HASH_SECONDS == FULL_HASH_SECONDS // 2
         self._add_fields()
         self._add_hash(session.state_hash() if is_full else "")
-        lasted_s = session.time_s - block.begin_s
-        size = block.size + self._writer.pending
-        second_s = self._per_second * self._timestep_s
-        is_long = lasted_s + second_s > BLOCK_S + 1e-6
-        if is_long or not self._can_save or size * (lasted_s + second_s) > MAX_CHUNK * lasted_s:
-            self._complete()
-            return
-        block.seconds += 1
-        begin_ns, now_ns = ns(self.written_s), ns(session.time_s)
-        self._try(lambda: self._writer.save(begin_ns, now_ns, block.unsaved().parts()))
-        self._note_written()
+        self._file.end_second(session.time_s, self._per_second * self._timestep_s)
 
-    def _shorten(self) -> None:
-        """Write what has become much, before the second is over."""
-        if self._block.seconds:  # which may be saved
-            self._complete()
-            return
-        for message in self._block.take(self._encoder):
-            self._writer.add(*message)
-        if self._writer.pending > MAX_CHUNK:
-            self._cut(LEVEL)
-
-    def _complete(self) -> None:
-        """Encode and write what has been gathered."""
-        for message in self._block.messages(self._encoder):
-            self._writer.add(*message)
-        level, is_whole = SMALL_LEVEL if self._block.seconds else LEVEL, self._block.is_whole
-        self._block = Block(self._session.time_s, self._shape, self._block.frames_after)
-        self._cut(level, is_whole=is_whole)
-
-    def _cut(self, level: int, *, is_whole: bool = False) -> None:
-        self._try(lambda: self._writer.cut(level, is_whole=is_whole))
-        self._note_written()
-
-    def _note_written(self) -> None:
-        if self.failed is None:
-            self.written_s = self._session.time_s
+    def _limit(self) -> None:
+        if self._file.is_large:
+            self._file.shorten(self._session.time_s)
 
     def _add_frame(self) -> None:
         state = self._environment.last_state
         time_s = state.cycle * self._timestep_s
-        self._block.frames.add(time_s, state)
+        self._file.block.frames.add(time_s, state)
         self._moved = False
         if self._foxglove is not None:
             self._add_scene(self._foxglove, time_s, state)
         if self._options.sensors == "all":
-            self._block.readings.add([self._unasked()])
+            self._file.block.readings.add([self._unasked()])
 
     def _add_scene(self, view: FoxgloveView, time_s: float, state: EnvState) -> None:
         """Add a frame for Foxglove."""
-        alone = GatheredFrames(self._shape)
+        alone = GatheredFrames(self._file.block.shape)
         alone.add(time_s, state)
         names, time_ns = (self._robot_ids, self._object_names), ns(time_s)
         channel, data = view.frame(time_ns, alone.frames().poses[0], *names)
-        self._writer.add(channel, time_ns, data)
+        self._file.add(channel, time_ns, data)
 
     def _add_fields(self) -> None:
         """Record the pheromone fields that differ from their recorded prediction."""
         session = self._session
         for entry in self._fields.entries(session.environment):
-            self._block.add_entry(topics.FIELD, ns(session.time_s), entry)
+            self._file.block.add_entry(topics.FIELD, ns(session.time_s), entry)
 
     def _unasked(self) -> Served:
         """Return the current readings of all sensors of all robots, without a request."""
@@ -378,7 +326,7 @@ class Recorder:
         session = self._session
         state = "" if self._hides_state else state_hash[:STATE_DIGITS]
         found = Hash(session.timesteps, digest(session), self._output_crc & DIGEST_BITS, state)
-        self._block.add_hash(ns(session.time_s), found)
+        self._file.block.add_hash(ns(session.time_s), found)
 
     def _note_ends(self) -> None:
         """Record which programs have ended since the last time."""
@@ -402,15 +350,15 @@ class Recorder:
     def _note_roster(self) -> None:
         """Record the roster from now on; a key frame follows."""
         if self._rosters:
-            self._complete()
+            self._file.complete(self._session.time_s)
         environment = self._session.environment
         self._names = environment.names
         robots = environment.world.robots
         has_turret = any("turret" in robot.model.drive.axis_names for robot in robots)
         self._robot_ids = [robot.id for robot in robots]
         self._object_names = list(environment.pushables)
-        self._shape = Shape(len(robots), len(self._object_names), has_turret)
-        self._block = Block(environment.time_s, self._shape, self._block.frames_after)
+        shape = Shape(len(robots), len(self._object_names), has_turret)
+        self._file.begin_block(environment.time_s, shape)
         self._rosters += 1
         values = {
             "time_ns": str(ns(environment.time_s)),
@@ -418,48 +366,18 @@ class Recorder:
             "objects": json.dumps(self._object_names),
             "columns": "x y heading turret" if has_turret else "x y heading",
         }
-        self._try(lambda: self._writer.metadata(f"{topics.ROSTER}{self._rosters}", values))
+        self._file.metadata(f"{topics.ROSTER}{self._rosters}", values)
 
     # -- messages --------------------------------------------------------------------------------
 
     def _add_json(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> None:
-        self._block.add_entry(channel, time_ns, data)
-        self._limit_entries()
-
-    def _limit_entries(self) -> None:
-        if self._block.entries_size > MAX_CHUNK:
-            self._shorten()
+        self._file.block.add_entry(channel, time_ns, data)
+        self._limit()
 
     def _nowns(self, robot: int) -> int:
         session = self._session
         clock_s = float(session.state.clock_s[robot])
         return ns(clock_s if math.isfinite(clock_s) else session.time_s)
-
-    def _try(self, write: Callable[[], None]) -> None:
-        if self.failed is None:
-            try:
-                write()
-            except OSError as error:
-                self.failed = error
-
-
-class _Whole:
-    """A file without buffer that is written as a whole, or raises."""
-
-    def __init__(self, file: BinaryIO) -> None:
-        self._file = file
-
-    def write(self, data: bytes) -> int:
-        view = memoryview(data)
-        while view:
-            view = view[self._file.write(view) :]
-        return len(data)
-
-    def seek(self, offset: int) -> int:
-        return self._file.seek(offset)
-
-    def truncate(self, size: int) -> int:
-        return self._file.truncate(size)
 
 
 def _result_values(result: RunResult) -> dict[str, str]:

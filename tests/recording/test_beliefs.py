@@ -187,7 +187,7 @@ def test_an_answer_of_the_kernel_begins_as_one_that_is_kept() -> None:
 
 def test_a_run_is_recorded_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Odometry and readings of a run with slip, and a program that moves the frame of odometry."""
-    monkeypatch.setattr("crs_cc.recording.recorder.BLOCK_S", 7.0)
+    monkeypatch.setattr("crs_cc.recording.recording_file.BLOCK_S", 7.0)
     (tmp_path / "drive.c").write_text(PROGRAM)
     (tmp_path / "room.xml").write_text(WORLD)
     world = load_world(tmp_path / "room.xml")

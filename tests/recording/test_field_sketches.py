@@ -12,7 +12,7 @@ import pytest
 from crs_cc.api.session import Session
 from crs_cc.cli.main import main
 from crs_cc.core.errors import RecordingError
-from crs_cc.recording import recorder
+from crs_cc.recording import recording_file
 from crs_cc.recording.field_sketches import MAX_SIDE, TOLERANCE, FieldSketch, sketches_in
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_records import NS
@@ -66,7 +66,7 @@ def test_it_is_the_same_run_and_the_same_bytes_however_often_it_was_saved(
     monkeypatch: pytest.MonkeyPatch,
     capfd: pytest.CaptureFixture[str],
 ) -> None:
-    monkeypatch.setattr(recorder, "MAX_CHUNK", 20_000)
+    monkeypatch.setattr(recording_file, "MAX_CHUNK", 20_000)
     record(fields_folder, tmp_path / "often.mcap")
     monkeypatch.setattr(McapWriter, "save", lambda _writer, _first_ns, _last_ns, _parts: None)
     record(fields_folder, tmp_path / "once.mcap")

@@ -13,7 +13,7 @@ import pytest
 from mcap.reader import make_reader
 
 from crs_cc.cli.main import main
-from crs_cc.recording import recorder
+from crs_cc.recording import recording_file
 from crs_cc.recording.foxglove.messages import POINTS, FoxgloveView
 from crs_cc.recording.recording import Recording
 from crs_cc.sim.files.world_xml import empty_world
@@ -24,7 +24,7 @@ def test_scenes_and_logs_are_valid_and_are_those_of_the_frames(
 ) -> None:
     path = tmp_path / "fox.mcap"
     options = ["-ex", "goto 3", "--record", str(path), "--foxglove"]
-    monkeypatch.setattr(recorder, "BLOCK_S", 2.0)
+    monkeypatch.setattr(recording_file, "BLOCK_S", 2.0)
     assert main(["debug", "--batch", str(recorded), *options]) == 0
     found: dict[str, list[dict[str, object]]] = {"/scene": [], "/log": []}
     with path.open("rb") as file:

@@ -14,7 +14,7 @@ import pytest
 from mcap.reader import NonSeekingReader, make_reader
 
 from crs_cc.cli.main import main
-from crs_cc.recording import frames, recorder, topics
+from crs_cc.recording import frames, recording_file, topics
 from crs_cc.recording.block import Block, saved_messages
 from crs_cc.recording.columns import Part
 from crs_cc.recording.frames import FrameDecoder, count_in, messages
@@ -155,7 +155,7 @@ def test_a_run_that_is_killed_loses_its_last_second_at_most(
         kept.append(path.read_bytes())
 
     monkeypatch.setattr(McapWriter, "save", noted)
-    monkeypatch.setattr(recorder, "BLOCK_S", 3.0)
+    monkeypatch.setattr(recording_file, "BLOCK_S", 3.0)
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"go\n")))
     files = [str(tmp_path / name) for name in ("drive.c", "room.xml")]
     main(["run", *files, "--record", str(path), "--quiet", "--max-time", "5.5"])
@@ -286,16 +286,16 @@ def test_a_full_disk_ends_the_recording_and_not_the_run(
         'int main(void) { int i; for (i = 0; i < 5; i++) { printf("%d", i); sleep(1); } return 4; }'
     )
     left = 1800
-    write = recorder._Whole.write
+    write = recording_file._Whole.write
 
-    def limited(self: recorder._Whole, data: bytes) -> int:
+    def limited(self: recording_file._Whole, data: bytes) -> int:
         nonlocal left
         left -= len(data)
         if left < 0:
             raise OSError(errno.ENOSPC, "No space left on device")
         return write(self, data)
 
-    monkeypatch.setattr(recorder._Whole, "write", limited)
+    monkeypatch.setattr(recording_file._Whole, "write", limited)
     path = tmp_path / "run.mcap"
     assert main(["run", str(program), "--record", str(path), "--quiet"]) == 4
     said = capfd.readouterr()

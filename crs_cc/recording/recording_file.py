@@ -1,0 +1,159 @@
+"""The file of a recording while it is written: a block that grows, and chunks that are complete.
+
+Each second of simulated time is written, so a run that is killed loses its last second at most. Of
+a small world, a second is so little that most of a chunk would be its head and its index: it is
+saved as it is, and all that has been saved in two minutes is then replaced by one chunk. When the
+disk is full, the recording ends and the run goes on.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any, BinaryIO, Final
+
+from crs_cc.recording import topics
+from crs_cc.recording.block import Block, Encoded
+from crs_cc.recording.entries import SPAN_NS
+from crs_cc.recording.gathered import Shape
+from crs_cc.recording.mcap_records import NS, Channel, ns
+from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
+from crs_cc.recording.readings import ReadingEncoder
+
+BLOCK_S: Final = SPAN_NS / NS
+"""A chunk holds at most so much simulated time: more would save little. What a second brings is
+saved before, so that a killed run loses no more."""
+
+MAX_ROWS: Final = 20_000
+"""Readings that are gathered at most before they are encoded; some megabytes."""
+
+
+class RecordingFile:
+    """A recording that is written.
+
+    Attributes:
+        failed: the error that ended it, if any.
+        written_s: up to when the run has been written [s].
+        block: what has been gathered since the last chunk.
+    """
+
+    def __init__(
+        self, path: Path, run: Mapping[str, str], attachments: Mapping[str, bytes]
+    ) -> None:
+        """Create the file, see `Recorder`.
+
+        Raises:
+            OSError: it cannot be written.
+        """
+        self.failed: OSError | None = None
+        self.written_s = 0.0
+        self.block = Block(0.0, Shape(0, 0, has_turret=False))
+        self._file: BinaryIO = path.open("wb", buffering=0)
+        self._writer = McapWriter(_Whole(self._file))
+        self._writer.define(topics.TOPICS.values())
+        self._writer.metadata(topics.RUN, run)
+        for name, content in attachments.items():
+            self._writer.attachment(name, content)
+        self._can_save = stat.S_ISREG(os.fstat(self._file.fileno()).st_mode)
+        self._encoder = ReadingEncoder()
+
+    def add(self, channel: Channel, time_ns: int, data: bytes) -> None:
+        """Add a message that is not gathered in the block."""
+        self._writer.add(channel, time_ns, data)
+
+    def metadata(self, name: str, values: Mapping[str, str]) -> None:
+        """Write named strings."""
+        self._try(lambda: self._writer.metadata(name, values))
+
+    def begin_block(self, now_s: float, shape: Shape) -> None:
+        """Begin an empty block at a time [s], after those that are complete."""
+        self.block = Block(now_s, shape, self.block.frames_after)
+
+    @property
+    def is_large(self) -> bool:
+        """Whether so much has been gathered that it must not wait for the end of the second."""
+        block = self.block
+        return (
+            block.readings.count > MAX_ROWS
+            or block.entries_size > MAX_CHUNK
+            or self._writer.pending > MAX_CHUNK
+        )
+
+    def shorten(self, now_s: float) -> None:
+        """Write what has been gathered, before the second is over, at a time [s]."""
+        if self.block.seconds:  # which may be saved
+            self.complete(now_s)
+            return
+        self._write(self.block.take(self._encoder))
+        if self._writer.pending > MAX_CHUNK:
+            self._cut(now_s, LEVEL)
+
+    def end_second(self, now_s: float, second_s: float) -> None:
+        """Write what the second has brought that ends at a time, and lasted so long [s]."""
+        block = self.block
+        lasted_s = now_s - block.begin_s
+        size = block.size + self._writer.pending
+        is_long = lasted_s + second_s > BLOCK_S + 1e-6
+        if is_long or not self._can_save or size * (lasted_s + second_s) > MAX_CHUNK * lasted_s:
+            self.complete(now_s)
+            return
+        block.seconds += 1
+        begin_ns, now_ns = ns(self.written_s), ns(now_s)
+        self._try(lambda: self._writer.save(begin_ns, now_ns, block.unsaved().parts()))
+        self._note_written(now_s)
+
+    def complete(self, now_s: float) -> None:
+        """Encode and write the block, and begin another at a time [s]."""
+        block = self.block
+        self._write(block.messages(self._encoder))
+        level = SMALL_LEVEL if block.seconds else LEVEL
+        self.begin_block(now_s, block.shape)
+        self._cut(now_s, level, is_whole=block.is_whole)
+
+    def finish(self) -> None:
+        """Write the index."""
+        self._try(self._writer.finish)
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+    def _write(self, messages: Iterable[Encoded]) -> None:
+        for message in messages:
+            self._writer.add(*message)
+
+    def _cut(self, now_s: float, level: int, *, is_whole: bool = False) -> None:
+        self._try(lambda: self._writer.cut(level, is_whole=is_whole))
+        self._note_written(now_s)
+
+    def _note_written(self, now_s: float) -> None:
+        if self.failed is None:
+            self.written_s = now_s
+
+    def _try(self, write: Callable[[], Any]) -> None:
+        if self.failed is None:
+            try:
+                write()
+            except OSError as error:
+                self.failed = error
+
+
+class _Whole:
+    """A file without buffer that is written as a whole, or raises."""
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._file = file
+
+    def write(self, data: bytes) -> int:
+        view = memoryview(data)
+        while view:
+            view = view[self._file.write(view) :]
+        return len(data)
+
+    def seek(self, offset: int) -> int:
+        return self._file.seek(offset)
+
+    def truncate(self, size: int) -> int:
+        return self._file.truncate(size)
