@@ -138,7 +138,7 @@ class _Targets:
     default=60.0,
     show_default=True,
     metavar="S",
-    help="Limit of the real time for compiling: a last resort.",
+    help="Real-time limit for compiling: a last resort.",
 )
 @click.option(
     "--max-wall",
@@ -147,7 +147,7 @@ class _Targets:
     default=300.0,
     show_default=True,
     metavar="S",
-    help="Limit of the real time of a run, without compiling: a last resort.",
+    help="Real-time limit of a run, excluding compilation: a last resort.",
 )
 @program_options.robot_options
 @click.option("-q", "--quiet", is_flag=True, help="Do not write the grades to stdout.")

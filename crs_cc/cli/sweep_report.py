@@ -42,8 +42,8 @@ _CELL_M: Final = 0.1
 def report(*, folder: Path, measure: str, replays: bool) -> int:
     """Report on the sweep in DIR: write DIR/report.html, DIR/summary.csv and DIR/figures.
 
-    It has medians with quartiles and bootstrap confidence intervals over the seeds, tests and
-    effect sizes, figures, and replays of the runs with the smallest, the median and the largest
+    The report has medians with quartiles and bootstrap confidence intervals over the seeds, tests
+    and effect sizes, figures, and replays of the runs with the smallest, the median and the largest
     value. The extra 'analysis' is required.
     """
     if not all(map(find_spec, _NEEDED)):
