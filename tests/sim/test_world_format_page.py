@@ -1,4 +1,4 @@
-"""Every type of the schemas has documentation, of which `docs/world-format.md` is made."""
+"""The schemas are documented: `docs/world-format.md` is made of that."""
 
 from __future__ import annotations
 
@@ -15,4 +15,12 @@ def test_every_type_of_the_schema_is_documented(name: str) -> None:
         for each in schema.root.iter(f"{XS}complexType")
         if each.get("name") and not documentation(each)
     ]
+    assert not missing
+
+
+@pytest.mark.parametrize("name", ["world.xsd", "robot.xsd"])
+def test_every_attribute_of_the_schema_is_documented(name: str) -> None:
+    attributes = [each for each in Schema(name).root.iter(f"{XS}attribute") if each.get("name")]
+    missing = [each.get("name") for each in attributes if not documentation(each)]
+    assert attributes
     assert not missing

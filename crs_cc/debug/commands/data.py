@@ -236,11 +236,11 @@ DATA: Final = Group(
             "print", "[-OPTION... --] [/FMT] [EXPRESSION]", "Print the value of a C expression.",
             _print,
             ("p", "inspect"),
-            text="All operators, casts, macros and calls of the program's functions. Extensions:"
+            text="It can use all operators, casts, macros and the program's functions. Extensions:"
             " a[2..5] and *p@4 are slices, turn::count and 'map.c'::size are variables of"
             " other functions and files, $3 is a printed value, $ the last one, $$ the one before,"
-            " $$4 the fourth before the last; $_ is the address that x examined last and $__ what"
-            " is there, $_exitcode the exit status of the program; $name = 7 sets"
+            " $$4 the fourth before the last; $_ is the address that x examined last and $__ its"
+            " contents, $_exitcode the exit status of the program; $name = 7 sets"
             f" a convenience variable. Without EXPRESSION, print $. {_FORMATS} Options, -pretty"
             " and -elements N, are the settings of print for this value, and end with --."
             f" {_CHANGES}",

@@ -290,7 +290,7 @@ EDITS: Final = {
     "heal": Edit(
         "ROBOT [DEVICE[.ELEMENT]]",
         "Remove the degradations of a robot or of one of its devices.",
-        "Or a single degradation, by its name.",
+        "A single degradation can be removed by its name.",
         _heal,
     ),
     "charge": Edit(

@@ -24,7 +24,7 @@ _HELP: Final = (
 
 NETWORK_HELP: Final = (
     _SYNTAX,
-    "Act for the real network: call a robot's port, send, accept, end.",
+    "Act as the real network: call a robot's port, send, accept, end.",
     _HELP,
 )
 """Syntax, summary and further help."""
