@@ -1,4 +1,4 @@
-/** The page: a run that goes on, or one that the page holds. */
+/** The page: a live run, or one that the page contains. */
 import { SocketChannel } from "crs/channel.js";
 import { Compared } from "crs/compared.js";
 import { button, el, part } from "crs/dom.js";

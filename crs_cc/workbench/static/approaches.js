@@ -1,8 +1,8 @@
-/** Who came close to what, as far as the run is known: asked for while it stands, and now and then. */
+/** The close approaches in the known part of the run: requested when it stops, and periodically. */
 import { oneAtATime } from "crs/one_at_a_time.js";
 
-const EVERY = 3000; // while the run goes on [ms]
-const SHARE = 0.03; // of the time of a run that goes on
+const EVERY = 3000; // while the run advances [ms]
+const SHARE = 0.03; // of the time of an advancing run
 
 export class Approaches {
   /** @param {any} model */
@@ -23,7 +23,7 @@ export class Approaches {
     });
   }
 
-  /** Those that the run does not tell: contacts are collisions. */
+  /** Those that are not events of the run: contacts are collisions. */
   get events() {
     return this.all.filter((each) => !isContact(each[6]));
   }

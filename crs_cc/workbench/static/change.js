@@ -61,7 +61,7 @@ export function sayAtFields(fields, wrong) {
   for (const each of fields) each.say(texts.get(each) ?? "");
 }
 
-/** What stands in a command for a field that is empty. */
+/** The text in a command for an empty field. */
 export const NOTHING = "?";
 
 /** A text to type. */

@@ -34,7 +34,7 @@ export function withZeros(sent) {
 }
 
 export class SocketChannel {
-  /** @param {Hear} hear is told every message; bytes as `{type: "frame" | "block", ...}` */
+  /** @param {Hear} hear is called with every message; bytes as `{type: "frame" | "block", ...}` */
   constructor(hear) {
     this.hear = hear;
     this.isLocal = false;

@@ -1,5 +1,5 @@
 /**
- * The time that is shown: smooth between what the run tells, and free of the run while the user
+ * The displayed time: smooth between the times that the run sends, and free of the run while the user
  * drags the time line.
  */
 import { isStill } from "crs/theme.js";

@@ -9,7 +9,7 @@ import { oneAtATime } from "crs/one_at_a_time.js";
 import { Scene } from "crs/scene.js";
 
 const PIECE = 36000; // bytes of a file that are sent at once
-const GROWN = 0.5; // of what is known, until runs are compared anew [s]
+const GROWN = 0.5; // of the known part, until runs are compared again [s]
 
 /** Before the name of a run: the distance to where the robot is in that run. */
 export const APART = "apart from ";

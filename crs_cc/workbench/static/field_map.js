@@ -31,7 +31,7 @@ export function fieldPixels(field, number) {
   return data;
 }
 
-/** Pictures of fields, made anew when there is another amount anywhere. */
+/** Pictures of fields, redrawn when any amount changes. */
 export class FieldPictures {
   constructor() {
     /** @type {Map<string, {data: string, canvas: HTMLCanvasElement}>} */
@@ -50,7 +50,7 @@ export class FieldPictures {
   }
 }
 
-/** The scale of the fields that are shown: which colour is which, and what the densest stands for. */
+/** The scale of the displayed fields: their colours, and the amount of the densest one. */
 export function fieldScale(o) {
   const { pen, look } = o;
   const [left, width] = [12, 180];

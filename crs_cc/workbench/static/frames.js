@@ -112,7 +112,7 @@ export class Frames {
     this.decoded = new Map();
     /** @type {Frame[]} the latest frames of a live run, as they have come */
     this.tail = [];
-    /** @type {Frame | null} where the run stands */
+    /** @type {Frame | null} the current frame of the run */
     this.exact = null;
     this.last = null;
   }
@@ -134,7 +134,7 @@ export class Frames {
     this.blocks.push([begin, end, number]);
   }
 
-  /** Show blocks rather than what came live: the run stands, and its frames are complete there. */
+  /** Show blocks rather than live frames: the run has stopped, and its frames are complete there. */
   settle() {
     this.tail = [];
   }

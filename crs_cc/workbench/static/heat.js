@@ -28,7 +28,7 @@ export function heatRgb(share) {
 /** @param {number} share */
 export const heatColour = (share) => `rgb(${heatRgb(share).join(", ")})`;
 
-/** The distance of a place from the nearest point of a thing [m]. */
+/** The distance of a place from the nearest point of an object [m]. */
 function distance(shape, x, y) {
   if (shape.radius) return Math.max(0, Math.hypot(x - shape.x, y - shape.y) - shape.radius);
   const corners = cornersOf(shape);
@@ -53,7 +53,7 @@ export function heatAt(things, x, y) {
   return sum;
 }
 
-/** What is hot in a scene: things, and robots where they are. @param {any} scene */
+/** The hot objects of a scene, and hot robots at their positions. @param {any} scene */
 export function hotThings(scene) {
   return [...scene.shapes, ...scene.bodies]
     .filter((each) => scene.heat(each) > 0)

@@ -55,7 +55,7 @@ export class Instruments {
     for (const [name, [begin, end]] of this.filled) this.filled.set(name, [Math.min(begin, time), Math.min(end, time)]);
   }
 
-  /** Say what a panel wants to know while it is shown. @param {string} name @param {() => Wish} wish */
+  /** Set the requests of a panel while it is shown. @param {string} name @param {() => Wish} wish */
   want(name, wish) {
     this.wishes.set(name, wish);
   }

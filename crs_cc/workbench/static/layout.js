@@ -90,7 +90,7 @@ export class Layout {
 
   share() {
     const words = new URLSearchParams(location.hash.slice(1));
-    const { clock } = this.model; // while it stands, what is shown may still be on its way there
+    const { clock } = this.model; // while it is stopped, the displayed time may still be approaching it
     words.set("t", (clock.isPlaying ? clock.shown : (clock.held ?? clock.target)).toFixed(3));
     words.set("view", this.page.views.cameras());
     history.replaceState(null, "", `#${words}`);

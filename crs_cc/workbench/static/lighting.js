@@ -6,7 +6,7 @@ const KEY = "crs-light";
 export class Lighting {
   constructor() {
     this.day = 1; // 0 is night
-    this.sun = -125; // where the sun stands [degrees from the x axis]
+    this.sun = -125; // direction of the sun [degrees from the x axis]
     /** @type {{x: number, y: number, z: number, bright: number}[]} */
     this.lamps = [];
     this.version = 0;

@@ -23,7 +23,7 @@ export class Look {
     /** @type {{sonar: number, echo: number | null, met: string, robot: number, t: number} | null} the beam that a reading is from */
     this.beam = null;
     this.time = 0;
-    this.version = 0; // rises when something must be drawn anew
+    this.version = 0; // increases when something must be redrawn
     for (const kind of ["status", "event", "forget", "hello", "look"]) model.on(kind, () => this.version++);
     for (const kind of ["forget", "hello"]) model.on(kind, () => (this.trails.isStale = true));
     this.recorded = new RecordedFields([], [], () => {});

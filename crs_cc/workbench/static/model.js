@@ -168,10 +168,10 @@ export class Model {
     this.tell("forget", message);
   }
 
-  /** The run goes on in another branch, of which all is told. */
+  /** The run continues in another branch, whose whole state is sent. */
   hear_course({ events, output, rosters, blocks, end_s }) {
     Object.assign(this.run, { events, output, rosters });
-    const { last } = this.frames; // the next frame is told as the difference to it
+    const { last } = this.frames; // the next frame is sent as the difference from it
     this.frames = new Frames(blocks.map(([number, begin, end]) => [begin, end, number]), this.run.frame_s, (number) => this.channel.block(number));
     this.frames.last = last;
     this.state.end = end_s;

@@ -1,4 +1,4 @@
-/** What is drawn over a view of things: which of them can be pushed. */
+/** Overlay of a view: the outlines of movable objects. */
 import { cornersOf } from "crs/scene.js";
 
 const MOST = 500;

@@ -45,7 +45,7 @@ export class RecordedFields {
   }
 }
 
-/** A field in which nothing lies. @param {Sketch} sketch */
+/** An empty field. @param {Sketch} sketch */
 const nothing = (sketch) => ({ ...sketch, most: 0, data: "", shares: new Uint8Array(sketch.rows * sketch.columns) });
 
 /** What is left of an amount since a sketch. @param {Sketch} sketch @param {number} time */

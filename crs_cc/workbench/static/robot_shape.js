@@ -26,7 +26,7 @@ export function joined(parts) {
   return whole;
 }
 
-/** A cylinder that stands: from one height to another. */
+/** An upright cylinder: from one height to another. */
 function drum(radius, low, high, sides, top = radius) {
   const geometry = new THREE.CylinderGeometry(top, radius, high - low, sides);
   return geometry.rotateX(Math.PI / 2).translate(0, 0, (low + high) / 2);

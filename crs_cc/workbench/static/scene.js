@@ -1,5 +1,5 @@
 /**
- * What there is to see: things and robots, and where they are at a time.
+ * The visible objects and robots, and their positions at a time.
  *
  * @typedef {{id: string, x: number, y: number, angle: number, height: number, colour: string,
  *   corners?: number[][], radius?: number, heat?: number, movable?: boolean, lift?: number}} Shape
@@ -25,13 +25,13 @@ export class Scene {
     /** @type {Body[]} by row, of the frames so far: made once, as there may be thousands */
     this.known = [];
     this.time = -1;
-    /** @type {Map<string, number>} how high things are that robots carry [m] */
+    /** @type {Map<string, number>} the heights of objects that robots carry [m] */
     this.carried = new Map();
     /** @type {Record<string, number>} of what no longer has the heat of the world */
     this.heats = {};
   }
 
-  /** The heat that a thing or a robot has now. @param {{id: string, heat?: number}} thing */
+  /** The current heat of an object or a robot. @param {{id: string, heat?: number}} thing */
   heat(thing) {
     return this.heats[thing.id] ?? thing.heat ?? this.robots.get(thing.id)?.heat ?? 0;
   }

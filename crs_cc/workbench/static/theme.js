@@ -37,5 +37,5 @@ export function restoreTheme() {
   }
 }
 
-/** Whether the user wants nothing to move that need not. */
+/** Whether the user prefers reduced motion. */
 export const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -3,8 +3,8 @@
 const SECONDS = 20;
 const MOST = 64; // robots
 const STEP = 0.02; // [m] between two points, at least
-const FINE = 0.3; // [s] between two points: more leaves out what lies between
-const GAP = 1.5; // [s] of the shown time: more is a jump, and trails are looked up anew
+const FINE = 0.3; // [s] between two points: more omits those between them
+const GAP = 1.5; // [s] of the displayed time: more is a jump, and trails are looked up again
 
 export class Trails {
   /** @param {() => void} changed called when paths have been looked up, to draw them */
@@ -48,7 +48,7 @@ export class Trails {
     if (!last || Math.hypot(point.x - last.x, point.y - last.y) > STEP) path.push(point);
   }
 
-  /** Take the paths from the frames; meanwhile the run may go on. */
+  /** Take the paths from the frames; the run may advance at the same time. */
   async lookUp(scene, frames) {
     [this.isLooking, this.isStale, this.isCoarse] = [true, false, false];
     const found = await frames.span(Math.max(0, this.time - SECONDS), this.time).catch(() => []);

@@ -85,7 +85,7 @@ export class View3D {
     renderer.render(this.world, lens);
   }
 
-  /** Set the size of the canvas, where it is another: that empties it and makes its buffers anew. */
+  /** Set the size of the canvas if it has changed: this clears it and recreates its buffers. */
   resize(width, height, ratio) {
     const key = [width, height, ratio].join();
     if (key === this.size) return;
@@ -170,7 +170,7 @@ export class View3D {
     }
   }
 
-  /** The floor as a heat sensor sees it, anew when something hot has moved. */
+  /** The floor as seen by a heat sensor, redrawn when a hot object has moved. */
   warm(look) {
     const things = hotThings(this.scene);
     const key = things.map((each) => [each.x, each.y, each.heat].map((n) => n.toFixed(2))).join();

@@ -37,7 +37,7 @@ export class Views {
     model.on("say", ({ text, isError }) => this.say(text, isError));
   }
 
-  /** Show a world anew. @param {any} scene */
+  /** Show a world again. @param {any} scene */
   setScene(scene) {
     this.scene = scene;
     if (!this.all.length) this.add();

@@ -1,4 +1,4 @@
-/** The things and the ground of a world, as geometries. */
+/** The objects and the ground of a world, as geometries. */
 import * as THREE from "three";
 import { gridStep } from "crs/units.js";
 

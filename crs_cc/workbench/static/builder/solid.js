@@ -42,7 +42,7 @@ export class Solid {
     this.element.replaceChildren();
   }
 
-  /** Make the picture anew; what comes meanwhile is shown by the next. */
+  /** Redraw the picture; changes made in the meantime appear in the next one. */
   async renew() {
     this.isStale = true;
     if (!this.isOn || this.isAsking) return;
@@ -143,7 +143,7 @@ export class Solid {
     }
   }
 
-  /** The element under the pointer, and where it is: what stands there, or lies on the ground. */
+  /** The element under the pointer, and its position: an object, or part of the ground. */
   under(event) {
     const { clientWidth, clientHeight } = this.element;
     if (!this.picture?.lens || this.model.inside) return null;

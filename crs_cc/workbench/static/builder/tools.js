@@ -6,7 +6,7 @@ import { handleAt, paintHandles } from "./handles.js";
 import { Brush } from "./heights.js";
 
 const NEAR = 10; // [px] to snap to an end
-const HELD = 2000; // [ms] that a world may be held still before it is drawn anew
+const HELD = 2000; // [ms] that a world may be frozen before it is redrawn
 const FREE = 1e4; // per metre: of places with Alt
 const ANGLE = Math.PI / 12; // of turns without Alt
 const RIGHT = Math.PI / 36; // walls this near to a right angle get one

@@ -7,8 +7,8 @@ import { Layer, penOf, resized } from "./layer.js";
 import { corners, isOn, paintName, paintShape } from "./paint.js";
 
 const NEAR = 8; // [px]
-const FAST = 6; // a picture that takes less is always drawn anew [ms]
-const REST = 200; // without a move, until it is drawn anew [ms]
+const FAST = 6; // a picture that takes less is always redrawn [ms]
+const REST = 200; // without a move, until it is redrawn [ms]
 const DIM = 0.3; // what is around a definition that is edited
 
 export class View {
@@ -158,7 +158,7 @@ export class View {
     this.frozen = null;
   }
 
-  /** The view moves: large worlds are drawn anew when it rests. @param {number} rest [ms] */
+  /** The view moves: large worlds are redrawn when it rests. @param {number} rest [ms] */
   moving(rest = REST) {
     this.isMoving = true;
     clearTimeout(this.timer);

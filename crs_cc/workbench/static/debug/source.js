@@ -89,7 +89,7 @@ export class Source {
     return new Map(here.map((each) => [each.line, each]));
   }
 
-  /** Mark the line where the program stands, breakpoints, and a fault. @param {number} line */
+  /** Mark the program's current line, breakpoints, and a fault. @param {number} line */
   mark(line) {
     const { file, innermost, error } = this.model.where ?? {};
     const points = this.points();

@@ -55,7 +55,7 @@ export const code = {
     const lineIn = (file) => (model.where?.file === file ? model.where.line : 0);
     const isHere = () => model.where !== null && Math.abs(model.where.t - model.state.t) < 1e-9;
 
-    /** Let the programs of a recording follow the time, when it stands. */
+    /** Let the programs of a recording follow the time when it stops. */
     const follow = () => {
       clearTimeout(timer);
       const { playing, busy, t } = model.state;
@@ -114,7 +114,7 @@ export const code = {
       get file() {
         return source.file;
       },
-      /** Where the selected function stands, if it is one that is called again and again: its variables come and go. */
+      /** The selected function, if it is called repeatedly: its variables exist only during a call. */
       get passing() {
         const frames = (model.where?.frames ?? []).filter((each) => !each.library);
         const at = frames.findIndex((each) => each.current);

@@ -113,7 +113,7 @@ export const plot = {
     const seriesOf = (expression) => instruments.series.of(instruments.name(expression));
     const colourOf = (expression) => LINES[(colours.get(expression) ?? 0) % LINES.length];
 
-    /** A chip stays while its value changes: one that is replaced under the pointer hears no click. */
+    /** A chip is kept while its value changes: one that is replaced under the pointer receives no click. */
     const chip = (each) => {
       const mark = el("i.dot");
       mark.style.background = colourOf(each);

@@ -6,7 +6,7 @@ const MOST = 12; // questions that are kept
 const CUT = "..."; // what the engine says of a node at which its tree ends
 
 /**
- * A node, as the server tells it.
+ * A node, as sent by the server.
  * @typedef {{text: string, how: string, expression: string, t: number, place: string, robot: number,
  *   file: string, line: number, beam: {sonar: number, echo: number | null, met: string} | null, causes: Node[]}} Node
  * @typedef {{expression: string, robot: string, t: number, tree: Node, folded: Set<Node>}} Question
