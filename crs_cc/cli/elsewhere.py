@@ -16,7 +16,7 @@ from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.net.distant_fleet import DistantFleet
-from crs_cc.net.host_link import HostGoneError, HostLink
+from crs_cc.net.host_link import HOST_LOST, HostGoneError, HostLink
 from crs_cc.requests import FAILED
 
 if TYPE_CHECKING:
@@ -193,14 +193,14 @@ class Elsewhere:
         """Return a connection to another host in place of a lost one, see `host_link`."""
         names, seat = shown_names(link.names), self._seats[link.names]
         self._roster.lose(seat)
-        lost = f"crs: {names}: the host is lost ({reason})"
+        lost = f"crs: {names}: {HOST_LOST} ({reason})"
         if self._own is not None and seat.host is not None:
             say(f"{lost}; its programs continue here")
             return self._restarted(self._own, link)
         if not self._waits:
             say(f"{lost}; its programs and robots stop")
             self._stopped += link.names
-            raise HostGoneError(f"the host is lost: {reason}")
+            raise HostGoneError(f"{HOST_LOST}: {reason}")
         say(f"{lost}; the run waits for another one")
 
         def is_ended() -> bool:

@@ -146,7 +146,9 @@ class _Rerun:
             for name, value in ours.items()
             if theirs.get(name) != value
         ]
-        if differ:
+        if lost := self._lost_host(timesteps):
+            hint = lost
+        elif differ:
             hint = f"recorded with {', '.join(differ)}"
         else:
             same = ", ".join(f"{name} {value}" for name, value in ours.items())
@@ -154,6 +156,21 @@ class _Rerun:
         at_s = timesteps * self._recording.description.timestep_s
         text = f"the run differs from its recording at {at_s:.2f} s: {what}"
         return ReplayMismatch.at(Location(str(self._recording.path)), text, hint)
+
+    def _lost_host(self, timesteps: int) -> str:
+        """Return what has become of a host up to some timestep that was not waited for."""
+        from crs_cc.net.host_link import HOST_LOST
+        from crs_cc.recording import topics
+
+        until_ns = round(timesteps * self._recording.description.timestep_s * 1e9)
+        for time_ns, event in self._recording.data(topics.EVENT.topic, until_ns=until_ns):
+            if event["kind"] == "failed" and f": {HOST_LOST}: " in event["text"]:
+                robot = self._recording.roster_at(time_ns).robots[event["robot"]]
+                return (
+                    f"{robot} lost its host at {time_ns / 1e9:.2f} s, and was stopped: such a loss"
+                    " is not an input of the run, which cannot be repeated"
+                )
+        return ""
 
 
 def _crs() -> dict[str, str]:

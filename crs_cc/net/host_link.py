@@ -42,6 +42,9 @@ _GRANT, _RAN, _FAILED = Kind.GRANT, Kind.RAN, Kind.FAILED
 
 _NOT_VALID: Final = "it says what is not valid: "
 
+HOST_LOST: Final = "the host is lost"
+"""How the error of a program begins that is not continued."""
+
 Replace: TypeAlias = Callable[["HostLink", str], Channel]
 """Returns a connection to a host in place of one that is lost for a reason; raises HostGoneError if
 its programs are not to go on."""

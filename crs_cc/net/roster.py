@@ -274,7 +274,8 @@ def _require_program(seat: Seat, hello: Hello) -> None:
         assert seat.program is not None
         names, program = " and ".join(seat.names), seat.program.name
         ours = f"the program of {names} is {program} ({_short(seat.digest)})"
-        raise RefusedError(f"{ours}; the host has another one ({_short(hello.program)})")
+        theirs = f"the host has another one, or other arguments ({_short(hello.program)})"
+        raise RefusedError(f"{ours}; {theirs}")
 
 
 def _short(digest: str) -> str:

@@ -146,7 +146,7 @@ def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path)
             partial(join, folder, each, at, "roam.c", is_real=True) for each in ("left", "right")
         )
         others = [left(), right()]
-        environment.wait_for("the run begins")
+        environment.wait_for("the run starts")
         for number, signal_ in enumerate((signal.SIGKILL, signal.SIGSTOP)):
             time.sleep(0.3)
             count = environment.text.count("is lost")
@@ -171,10 +171,11 @@ def test_robots_whose_host_is_lost_stand_still_where_the_run_goes_on_without_it(
     folder: Path,
 ) -> None:
     options = "--max-time", "5", "--speed", "2", "--on-loss", "stop", "--csv", "tables"
+    options += "--record", "stop.mcap"
     with served(folder, *options) as environment:
         at = environment.address
         hosts = [join(folder, name, at, "roam.c") for name in ("left", "right")]
-        environment.wait_for("the run begins")
+        environment.wait_for("the run starts")
         time.sleep(0.5)
         hosts[1].kill()
         environment.wait_for("right: the host is lost .* its programs and robots stop")
@@ -188,6 +189,15 @@ def test_robots_whose_host_is_lost_stand_still_where_the_run_goes_on_without_it(
         name: len({tuple(each) for each in rows if each[0] == name}) for name in ("left", "right")
     }
     assert moved["right"] == 1 < moved["left"]
+    done = subprocess.run(
+        crs("replay", "stop.mcap", "--verify"),
+        check=False,
+        cwd=folder,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 125
+    assert re.search(r"right lost its host at .*, which cannot be repeated", done.stderr)
 
 
 def test_robots_whose_hosts_come_later_join_then_as_by_the_recorded_inputs(folder: Path) -> None:
@@ -234,7 +244,7 @@ def test_the_environment_restarts_the_programs_of_a_lost_host_itself(folder: Pat
     with served(folder, *options) as environment:
         at = environment.address
         hosts = [join(folder, name, at, "roam.c") for name in ("left", "right")]
-        environment.wait_for("the run begins")
+        environment.wait_for("the run starts")
         hosts[1].kill()
         environment.wait_for("right: the host is lost .* its programs continue here")
         late = join(folder, "right", at, "roam.c")
@@ -379,7 +389,7 @@ def test_an_address_without_a_port_is_named(folder: Path) -> None:
 def test_hosts_say_that_the_run_has_ended_before_their_programs(folder: Path) -> None:
     with served(folder, "--max-time", "1") as environment:
         at = environment.address
-        assert f"crs join ROBOT {at} PROGRAM.c" in environment.wait_for(r"join by: .*\n")[0]
+        assert f"crs join ROBOT {at} PROGRAM.c" in environment.wait_for(r"to join: .*\n")[0]
         hosts = [join(folder, "left", at, "roam.c"), join(folder, "right", at, "roam.c")]
         said = [text for _, text in outputs(hosts)]
         environment.finish()
