@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.debug.commands.command import Completes
+from crs_cc.debug.commands.command import Command, Completes
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.settings import SETTINGS
 from crs_cc.debug.commands.stack import functions
@@ -27,6 +27,7 @@ _LAST_EXPRESSION: Final = re.compile(r"(?:\b(?:struct|union|enum)\s+)?(?:[\w$.]|
 _MEMBER: Final = re.compile(r"(?P<base>.+)(?P<operator>\.|->)\w*")
 _TAG: Final = re.compile(r"(?P<kind>struct|union|enum)\s+\w*")
 _LAST_PART: Final = re.compile(r"\S*$")
+_KEYWORD: Final = re.compile(r"(?<![\w.-])-?[a-z][a-z-]+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +56,7 @@ def complete(context: CommandContext, text: str) -> Completion:
         command, rest = find(text)
     except DebugError:
         return Completion(len(text), ())
-    if not command.completes or (not rest and not text.endswith(" ")):
+    if not rest and not text.endswith(" "):
         return Completion(len(text), ())
     pattern = _LAST_EXPRESSION if command.completes == "expression" else _LAST_PART
     found = pattern.search(text)
@@ -63,9 +64,20 @@ def complete(context: CommandContext, text: str) -> Completion:
     settings = set(_settings(rest)) if command.name in {"set", "show"} else set()
     words = settings  # after the first word of one nothing else is meant
     if not settings or " " not in rest:
-        words = settings | set(_ARGUMENTS[command.completes](context, found[0]))
+        words = settings | _keywords(command, found[0])
+        if command.completes:
+            words |= set(_ARGUMENTS[command.completes](context, found[0]))
     fitting = sorted(each for each in words if each.startswith(found[0]))
     return Completion(found.start(), tuple(fitting))
+
+
+def _keywords(command: Command, word: str) -> set[str]:
+    """Return the words that a command's arguments may have, such as `once`; none for no word.
+
+    >>> sorted(_keywords(find("goto")[0], "st"))
+    ['end', 'output', 'start', 'stmt', 'tick']
+    """
+    return set(_KEYWORD.findall(command.syntax)) if word else set()
 
 
 def _settings(beginning: str) -> Iterator[str]:
@@ -111,6 +123,8 @@ def _expressions(context: CommandContext, word: str) -> Iterator[str]:
         yield from (f"${name}" for name in context.debugger.view.convenience_values if name)
         yield from (f"${name}(" for name in FUNCTIONS)
         return
+    if word and context.debugger.view.vendor_state():
+        yield "State"
     yield from _macros(context, word)
     with contextlib.suppress(DebugError):
         yield from (each.name for each in context.debugger.view.variables())

@@ -16,6 +16,9 @@ from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.user_session import UserSession
 from crs_cc.debug.repl.terminal import Terminal
 
+_UNENDED: Final = ("/", ":", "(")
+"""After these a completed word goes on."""
+
 _DELIMITERS: Final = " \t\n!@#$%^&*()=+[{]}|;'\",<>?"
 
 
@@ -146,6 +149,8 @@ def completer(shell: Shell, line: Callable[[], str]) -> Callable[[str, int], str
             completion = complete(shell.context, text)
             skipped = len(text) - len(word) - completion.start  # readline splits words elsewhere
             found[:] = [each[max(0, skipped) :] for each in completion.words]
+            if len(found) == 1 and not found[0].endswith(_UNENDED):
+                found[0] += " "
         return found[number] if number < len(found) else None
 
     return give

@@ -185,6 +185,10 @@ class ReplayConsole:
             return bytes(self._content[self._ends[since] : self._ends[self._at]])
         return b"".join(piece for writer, _, piece in self.pieces(since) if writer == robot)
 
+    def lines_before(self, piece: int) -> int:
+        """Return how many lines have ended before a piece of output, see `at`."""
+        return self._content.count(b"\n", 0, self._ends[piece])
+
     def pieces(self, since: int = 0) -> Iterator[tuple[int, int, bytes]]:
         """Return robot, stream and bytes of each piece of output up to here."""
         for at in range(since, self._at):

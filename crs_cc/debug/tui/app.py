@@ -363,6 +363,11 @@ class DebugApp(App[int]):
         what = {"stack": "frame", "robots": "robot"}[message.pane.id or ""]
         self.action_press(f"{what} {message.number}")
 
+    def on_output_log_chosen(self, message: OutputLog.Chosen) -> None:
+        """Go to the statement that printed a line."""
+        if message.number:
+            self.action_press(f"goto output {message.number}")
+
     def on_variables_pane_unfolded(self, message: VariablesPane.Unfolded) -> None:
         """Expand or collapse a value."""
         (self._unfolded.add if message.is_open else self._unfolded.discard)(message.key)

@@ -18,7 +18,8 @@ Letters work outside the command line: Escape leaves it, ":" returns to it. \
 Tab moves between panes, the arrow keys within a pane; Enter expands or selects.
 
 Click in the gutter of the source to set a breakpoint. Drag the time line to go to a time; its \
-arrow keys move by timesteps, with Shift by events.
+arrow keys move by timesteps, with Shift by events. Click a line of output to go to the statement \
+that printed it.
 
 "/text" on the command line finds the next source line with this text, "/" repeats the search; \
 "list" scrolls the source. Ctrl-R searches the command history.

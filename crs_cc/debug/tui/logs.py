@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.style import Style
 from rich.text import Text
 from textual import events
+from textual.message import Message
 from textual.widgets import RichLog
 
 from crs_cc.debug.commands.shell import PROMPT
@@ -101,7 +102,14 @@ def wrapped(line: Text, width: int) -> list[Text]:
 
 
 class OutputLog(RichLog):
-    """The output of the programs up to the current position."""
+    """The output of the programs up to the current position; a click goes to its origin."""
+
+    class Chosen(Message):
+        """The user clicks a line."""
+
+        def __init__(self, number: int) -> None:
+            super().__init__()
+            self.number = number
 
     def __init__(self, **arguments: str) -> None:
         super().__init__(
@@ -120,6 +128,16 @@ class OutputLog(RichLog):
             known = 0
         self.add(lines[known:])
         self._lines = lines
+
+    def on_click(self, event: events.Click) -> None:
+        """Post the line that is clicked, unless text is selected."""
+        place = event.get_content_offset(self)
+        if place is None or self.screen.get_selected_text():
+            return
+        row = place.y + self.scroll_offset.y
+        if row < len(self.lines):
+            number = self._lines[len(self._lines) - len(self.lines) + row].number
+            self.post_message(self.Chosen(number))
 
     def add(self, lines: tuple[OutputLine, ...]) -> None:
         """Append new output."""

@@ -79,11 +79,19 @@ class ListEntry:
 
 @dataclass(frozen=True, slots=True)
 class OutputLine:
-    """A line of output: robot, if there are several, text, and whether from `stderr`."""
+    """A line of output.
+
+    Attributes:
+        who: the robot, if there are several.
+        text: its text.
+        is_error: whether it is from `stderr`.
+        number: its number in the output of all robots, from 1; 0 while a command runs.
+    """
 
     who: str
     text: str
     is_error: bool = False
+    number: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True, slots=True)

@@ -157,22 +157,31 @@ def _pose(session: Session, robot: int) -> str:
 def _output(debugger: Debugger) -> Iterator[OutputLine]:
     console = debugger.run.console
     since = max(0, console.at // _BLOCK - 1) * _BLOCK
-    return written(debugger.names, console.pieces(since))
+    return written(debugger.names, console.pieces(since), console.lines_before(since) + 1)
 
 
-def written(names: tuple[str, ...], pieces: Iterable[Piece]) -> Iterator[OutputLine]:
-    """Return output as lines; a line ends, too, where another program writes."""
-    writer, begun = (-1, -1), ""
+def written(
+    names: tuple[str, ...], pieces: Iterable[Piece], first: int = 0
+) -> Iterator[OutputLine]:
+    """Return output as lines; a line ends, too, where another program writes.
+
+    Args:
+        names: the names of the robots.
+        pieces: the output.
+        first: the number of the first line; 0 if it is not known.
+    """
+    writer, begun, number = (-1, -1), "", first
     for robot, stream, piece in pieces:
         if (robot, stream) != writer and begun:
-            yield OutputLine(_who(names, writer[0]), begun, writer[1] == _STDERR)
+            yield OutputLine(_who(names, writer[0]), begun, writer[1] == _STDERR, number)
             begun = ""
         writer = robot, stream
         *lines, begun = (begun + piece.decode("utf-8", "replace")).split("\n")
         for line in lines:
-            yield OutputLine(_who(names, robot), line, stream == _STDERR)
+            yield OutputLine(_who(names, robot), line, stream == _STDERR, number)
+            number += bool(first)
     if begun:
-        yield OutputLine(_who(names, writer[0]), begun, writer[1] == _STDERR)
+        yield OutputLine(_who(names, writer[0]), begun, writer[1] == _STDERR, number)
 
 
 def _who(names: tuple[str, ...], robot: int) -> str:

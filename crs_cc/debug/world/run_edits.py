@@ -143,7 +143,8 @@ def _admit(session: Session, names: Words) -> str:
 def _delay(session: Session, _programs: Sequence[Executable], words: Words) -> str:
     if not words:
         raise ValueError("expected: delay ROBOT [ROBOT ...]")
-    _require_between_timesteps(session)
+    if session.timesteps or session.state.rounds or session.state.halted is not None:
+        raise ValueError("robots can be delayed only at the start of a run: 'goto start'")
     session.state.delay_robots(_numbers(session, words))
     return f"not in the world until 'join': {', '.join(words)}"
 

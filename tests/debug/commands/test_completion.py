@@ -7,7 +7,7 @@ import pytest
 from crs_cc.debug.commands.completion import Completion, complete
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.repl.keyboard import completer
-from tests.debug.debuggers import debugger_at
+from tests.debug.debuggers import debugger_at, debugger_of
 
 PROGRAM = Path(__file__).parents[1] / "programs" / "shapes.c"
 
@@ -71,10 +71,37 @@ def test_numbers_and_files_are_completed(
     assert complete(shell.context, "source ").words == ("one.dbg", "scripts/")
 
 
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("enable on", ("once",)),
+        ("enable breakpoints co", ("count",)),
+        ("show val", ("values",)),
+        ("goto st", ("start", "stmt")),
+        ("frame ap", ("apply",)),
+        ("skip fi", ("file",)),
+        ("break main ro", ("robot",)),
+        ("run -k", ("-keep",)),
+        ("enable ", ()),
+        ("step o", ()),
+    ],
+)
+def test_words_of_arguments_are_completed_once_begun(
+    shell: Shell, line: str, words: tuple[str, ...]
+) -> None:
+    assert complete(shell.context, line).words == words
+
+
+def test_the_robots_state_is_completed(tmp_path: Path) -> None:
+    source = '#include "Nclient.h"\nint main(void)\n{\n    gs();\n    return State[17];\n}\n'
+    made = Shell(debugger_of(source, folder=tmp_path))
+    assert complete(made.context, "print Sta").words == ("State",)
+
+
 def test_readline_gets_the_rest_of_its_word(shell: Shell) -> None:
     line = "print shapes.c:3 + lar"
     give = completer(shell, lambda: line)
-    assert [give("lar", 0), give("lar", 1)] == ["largest", None]
+    assert [give("lar", 0), give("lar", 1)] == ["largest ", None]
     line = "break shapes.c:fa"
-    assert give("shapes.c:fa", 0) == "shapes.c:factorial"
-    assert give("fa", 0) == "factorial"
+    assert give("shapes.c:fa", 0) == "shapes.c:factorial "
+    assert give("fa", 0) == "factorial "

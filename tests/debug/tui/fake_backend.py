@@ -130,7 +130,10 @@ class FakeWork:
                 ),
             ),
             world_map=Text("\n".join(["#" * width] * height)),
-            output=(OutputLine("", "0 0"), *[OutputLine("", "1 1")] * self.count),
+            output=(
+                OutputLine("", "0 0", number=7),
+                *[OutputLine("", "1 1", number=7 + each) for each in range(1, self.count + 1)],
+            ),
             events=(
                 WorldEvent(3.25, "stop", 0, "breakpoint 1"),
                 WorldEvent(7.0, "collision", 0, "scout touched wall 3"),

@@ -121,6 +121,22 @@ def test_a_click_in_the_gutter_toggles_a_breakpoint() -> None:
     assert sorted(backend.breakpoints) == [8, 10]
 
 
+def test_a_click_on_a_line_of_output_goes_to_the_statement_that_printed_it() -> None:
+    backend = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        await pilot.press("f11")
+        await settle(pilot)
+        app.action_pick("output")
+        await pilot.click("#output", offset=(2, 2))
+        await settle(pilot)
+        await pilot.click("#output", offset=(2, 6))  # below all lines
+        await settle(pilot)
+
+    drive(backend, session, LARGE)
+    assert backend.lines == ["step", "goto output 8"]
+
+
 def test_values_expand_and_changes_are_highlighted() -> None:
     backend = FakeWork()
 

@@ -128,6 +128,7 @@ def test_input_is_prompted_for_and_output_cannot_move_the_cursor(
     assert done.snapshot.source.line == 16
     written = [(each.text, each.is_error) for each in done.snapshot.output]
     assert written == [("9\x1b[2J", False), ("hm", True)]
+    assert [each.number for each in done.snapshot.output] == [1, 2]
     done = press(controller, "continue")
     assert "out of bounds" in done.snapshot.state
     assert done.snapshot.events[-1].kind == "error"
@@ -184,6 +185,10 @@ def test_several_robots_have_their_own_output_and_places(program: DebugProgram) 
     assert len(done.snapshot.world_map.plain.split("\n")) == 10
     done = press(controller, "continue")
     assert {each.who for each in done.snapshot.output} == set(names)
+    printed = [each for each in done.snapshot.output if "[2J" in each.text]
+    press(controller, f"goto output {printed[1].number}")
+    assert controller.shell.debugger.names[controller.shell.debugger.view.robot] == printed[1].who
+    press(controller, "continue")
     done = press(controller, "robot 1")
     assert [each.is_current for each in done.snapshot.robots] == [False, True]
 
