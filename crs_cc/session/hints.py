@@ -81,7 +81,7 @@ class Hints:
             self._note_moves(robots, at_s)
         elif code == _SPEED:
             self._note_speeds(robots, messages)
-        if code not in _SETTINGS:
+        if code not in _SETTINGS and (code == _MOVE or any_of(self._moves)):
             self._moves[robots] = code == _MOVE
 
     @property
@@ -141,7 +141,7 @@ class Hints:
 
     def _note_speeds(self, robots: IndexArray, messages: Records) -> None:
         asked, drives = messages["i"][:, :3], self._environment.drives
-        if not any_of(np.abs(asked) > drives.most_units[robots]):
+        if not any_of(np.abs(asked) > drives.most_units.take(robots, axis=0)):
             return
         unit, limit = drives.unit[robots], drives.speed_limit[robots]
         above = np.abs(asked * unit) > limit * (1.0 + _ROUNDING)

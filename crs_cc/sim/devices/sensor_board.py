@@ -23,18 +23,17 @@ from crs_cc.sim.devices.laser.model import laser_state
 from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import (
     COMPASS,
-    CONF_X,
     IR_0,
     MOTOR_STATUS,
     SONAR_0,
     VEL_RIGHT,
+    Told,
     correct_speeds,
 )
 from crs_cc.sim.devices.vendor_state import LASER as LASER_MODE
 from crs_cc.sim.kernels.tables import REPLY
 from crs_cc.sim.model import registry
 from crs_cc.sim.state import mask
-from crs_cc.sim.state.last_measurement import CONFIGURATION
 from crs_cc.sim.state.rows import ALL, Rows, simplest, take
 
 if TYPE_CHECKING:
@@ -63,7 +62,6 @@ LASER_COUNT: Final = _PLACES["laser_count"]
 BATTERIES: Final = slice(_PLACES["computer_battery"], _PLACES["motor_battery"] + 1)
 BOARD_MS: Final = _PLACES["board_ms"]
 """Places in messages, the same in all replies with `State`."""
-_CONFIGURATION: Final = slice(CONF_X, CONF_X + CONFIGURATION)
 _STATE_BYTES: Final = REPLY["state"].itemsize
 
 
@@ -144,7 +142,7 @@ class SensorBoard:
         replied: tuple[IndexArray, FloatArray],
         code: int,
         *,
-        told: Int32Array,
+        told: Told,
     ) -> None:
         """Measure for requests of one kind, if the board is simple and these have been executed.
 
@@ -154,23 +152,23 @@ class SensorBoard:
             rays: casts rays.
             replied: the robots, k of them, and the time of each reply.
             code: the kind of requests; all robots have what it is about.
-            told: the replies' `State`, (k, 45).
+            told: what a kernel has told of the robots.
         """
         rows, at_s = replied
-        told = told[:, _CONFIGURATION]
+        about = REQUESTS[code].sensors
         for row, measure, group in self._simple:
-            which = constants.numbers[row.name][rows] >= 0
-            if REQUESTS[code].sensors == ALL_SENSORS:
-                which &= selects(state, rows, group)
-            elif REQUESTS[code].sensors != _KINDS[row.name]:
+            if about not in (ALL_SENSORS, _KINDS[row.name]):
                 continue
+            which = constants.numbers[row.name].take(rows) >= 0
+            if about == ALL_SENSORS:
+                which &= selects(state, rows, group)
             if row.number is not None:
                 which &= state.timers.on_request(rows, row.number)
             if all_of(which):
                 measure(state, constants, rays, rows, at_s, told=told)
             elif which.any():
                 some = rows[which]
-                measure(state, constants, rays, some, at_s[which], told=told[which])
+                measure(state, constants, rays, some, at_s[which], told=told.of(which))
 
     def write(
         self,
@@ -269,7 +267,7 @@ def tell(state: EnvState, constants: RobotConstants, rows: IndexArray, states: I
 
 def _having(numbers: IndexArray, rows: IndexArray) -> tuple[Rows, IndexArray]:
     """Return which of some robots have a device, and the numbers of these devices."""
-    mine = numbers[rows]
+    mine = numbers.take(rows)
     has = mine >= 0
     if all_of(has):
         return ALL, mine
@@ -278,4 +276,5 @@ def _having(numbers: IndexArray, rows: IndexArray) -> tuple[Rows, IndexArray]:
 
 def selects(state: EnvState, rows: IndexArray, group: slice) -> BoolArray:
     """Return of which robots the programs' masks have any bit of a group, (k,)."""
-    return np.asarray((state.mask[rows, group].view(np.int8) > 0).any(axis=1))
+    mask = np.ascontiguousarray(state.mask.take(rows, axis=0)[:, group]).view(np.int8) > 0
+    return mask[:, 0] if all_of(mask) else np.asarray(mask.any(axis=1))

@@ -65,11 +65,12 @@ class SerialLine:
             the times, in the broadcast shape of the three arguments.
         """
         robot = np.asarray(robots)
-        place = self._first[robot] + np.minimum(np.asarray(codes).astype(np.uint32), _CODES)
-        bits, sends_data = self._bits[place], self._sends_data[place]
+        codes = np.minimum(np.asarray(codes).astype(np.uint32), _CODES)
+        place = self._first.take(robot) + codes
+        bits, sends_data = self._bits.take(place), self._sends_data.take(place)
         if any_of(np.asarray(sends_data)):
             bits = bits + np.where(sends_data, np.clip(sizes, 0, DATA_SIZE) * _BITS_PER_BYTE, 0)
-        return np.asarray(self._network_s[place] + bits / state.baud[robot])
+        return np.asarray(self._network_s.take(place) + bits / state.baud.take(robot))
 
 
 def set_speed(state: EnvState, rows: IndexArray, baud: Int32Array) -> None:

@@ -11,11 +11,11 @@ have is 0. `sensor_board` fills it in.
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, NamedTuple, Self
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray, Int32Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -36,10 +36,32 @@ VEL_LEFT: Final = 39  # [0.1 in/s]; of a synchro drive the steering [0.1 deg/s]
 VEL_TURRET: Final = 40  # [0.1 deg/s]
 MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, even if stalled
 
+_CONFIGURATION: Final = slice(CONF_X, CONF_X + CONFIGURATION)
 _SPEEDS: Final = slice(VEL_RIGHT - CONF_X, MOTOR_STATUS - CONF_X)  # of a report
 
 LASER: Final = 42  # mode
 COMPASS: Final = 43  # [0.1 deg], 0 to 3599
+
+
+class Told(NamedTuple):
+    """What a kernel has just told of robots, so that it need not be computed again.
+
+    Attributes:
+        configuration: their positions and speeds, see `configuration`, (k, 7).
+        mounts: x, y [m] and direction [rad] of their mounts, see `mount_poses`, (k, 3).
+    """
+
+    configuration: Int32Array
+    mounts: FloatArray
+
+    @classmethod
+    def by(cls, states: Int32Array, mounts: FloatArray) -> Self:
+        """Return it from `State` of each robot, (k, 45)."""
+        return cls(states[:, _CONFIGURATION], mounts)
+
+    def of(self, which: BoolArray) -> Self:
+        """Return what was told of some of them, (k,)."""
+        return type(self)(self.configuration[which], self.mounts[which])
 
 
 def report(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:

@@ -14,6 +14,7 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Records
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.sensor_board import tell
+from crs_cc.sim.devices.vendor_state import Told
 from crs_cc.sim.kernels.tables import ADVANCED, SENSOR_DUE
 from crs_cc.sim.state.rows import simplest
 
@@ -44,15 +45,16 @@ def serve_simply(
     some = simplest(rows, len(state.connected))
     service = data.end_s, constants.last_instant_s(cycle), command, cycle
     asked = clock_s, state.presence.joined_s[some], messages["i"]
-    found, at_s, replies = state.rows.serve(some, service, asked, constants.kinds)
+    found, at_s, mounts, replies = state.rows.serve(some, service, asked, constants.kinds)
     if found == SENSOR_DUE:
         now_s = np.minimum(np.maximum(clock_s, state.drive.clock_s[some]), data.end_s)
         data.devices.advance(state, constants, data.rays, rows, now_s)
-        found, at_s, replies = state.rows.serve(some, service, asked, constants.kinds)
+        found, at_s, mounts, replies = state.rows.serve(some, service, asked, constants.kinds)
     if found != ADVANCED:
         return None
     board = data.devices.sensor_board
-    board.measure_simply(state, constants, data.rays, (rows, at_s), code, told=replies["state"])
+    told = Told.by(replies["state"], mounts)
+    board.measure_simply(state, constants, data.rays, (rows, at_s), code, told=told)
     tell(state, constants, rows, replies["state"])
     board.write(state, constants, (rows, at_s), replies, messages)
     messages["result"] = 1

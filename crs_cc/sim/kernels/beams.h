@@ -91,10 +91,9 @@ static void prepare(int count, int measured, int wants_objects)
     int i;
 
     for (i = 0; i < count; i++) {
-        double heading = robots[i].facing.x;
+        struct point *facing = &robots[i].facing;
 
-        robots[i].facing.x = cos(heading);
-        robots[i].facing.y = sin(heading);
+        __crs_sin_cos(facing->x, &facing->y, &facing->x);
     }
     for (i = 0; i < measured; i++)
         distances[i] = INFINITY;

@@ -86,9 +86,10 @@ struct service {
 
 /* Answer requests that need nothing but the rows of robots, see requests.c: advance robots to the times
    of theirs, which are brought into the cycle, and run `vm` with the integers of messages. If any of
-   them cannot, none is advanced: then return why. `joined` is overwritten. */
+   them cannot, none is advanced: then return why. `joined` is overwritten, and the integers by where mounts
+   are: x, y and direction of each robot's. */
 int __crs_serve(int count, const long long *rows, const struct service *service, double *clocks,
-                double *joined, const int *values, const struct tables *tables, struct reply *out);
+                double *joined, int *values, const struct tables *tables, struct reply *out);
 
 /* What the clock of a sensor board shows [ms], see `devices/clock`. */
 double __crs_board_ms(double time, double tick);

@@ -248,7 +248,7 @@ class Kernels:
         clock_s: FloatArray,
         joined_s: FloatArray,
         values: Int32Array,
-    ) -> tuple[int, FloatArray, Records]:
+    ) -> tuple[int, FloatArray, FloatArray, Records]:
         """Answer requests that need nothing but the rows of robots, see `requests.c`.
 
         Args:
@@ -260,15 +260,18 @@ class Kernels:
             values: the integers of the messages, (k, 8).
 
         Returns:
-            `ADVANCED`, or what comes before; the times of the replies, (k,), and what they tell, of
-            dtype `REPLY`.
+            `ADVANCED`, or what comes before; the times of the replies, (k,); x, y [m] and direction
+            [rad] of the robots' mounts, (k, 3); and what replies tell, of dtype `REPLY`.
         """
         count = len(clock_s)
         numbers = clock_s.tobytes() + joined_s.tobytes() + values.tobytes()
         self._select(SERVE, count, rows, _FOUR.pack(*service) + numbers)
         found = self.result
         first = 4 + (0 if rows is None else count)
-        return found, self.arena[first : first + count].copy(), self._told(count)
+        times_s = self.arena[first : first + count].copy()
+        first += 2 * count
+        mounts = self.arena[first : first + 3 * count].reshape(-1, 3).copy()
+        return found, times_s, mounts, self._told(count)
 
     def fire(
         self, rows: IndexArray | None, to_s: FloatArray, numbers: bytes, sizes: tuple[int, int, int]

@@ -28,8 +28,24 @@ static void run(long long row, const struct service *service, const int *values,
     robot->command_cycle = (long long)service->cycle;
 }
 
+/* Tell where mounts are, as `devices/mount.py`: what has slipped counts as being where it was. */
+static void tell_mounts(int count, const long long *rows, const struct tables *tables, double *out)
+{
+    int i;
+
+    for (i = 0; i < count; i++, out += 3) {
+        long long row = rows ? rows[i] : i;
+        const struct robot *robot = &tables->robots[row];
+        const struct body *body = &tables->bodies[row];
+
+        out[0] = body->x + (robot->slipping ? 0 : robot->moved[0]);
+        out[1] = body->y + (robot->slipping ? 0 : robot->moved[1]);
+        out[2] = __crs_mount(robot, &tables->kinds[(int)robot->kind]);
+    }
+}
+
 int __crs_serve(int count, const long long *rows, const struct service *service, double *clocks,
-                double *joined, const int *values, const struct tables *tables, struct reply *out)
+                double *joined, int *values, const struct tables *tables, struct reply *out)
 {
     int i, found, sets_speeds = service->command != 0;
 
@@ -53,5 +69,6 @@ int __crs_serve(int count, const long long *rows, const struct service *service,
         joined[i] = clocks[i] - joined[i];
     }
     __crs_replies(count, rows, joined, tables, out);
+    tell_mounts(count, rows, tables, (double *)values);
     return ADVANCED;
 }

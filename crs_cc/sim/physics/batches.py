@@ -48,6 +48,7 @@ class Batches:
         self._motion = np.zeros((names + 1, 6))
         self.force_n = np.zeros((names + 1, 2))
         self._forces_n = self.force_n.copy()
+        self._filled = 0  # rows of these that may not be 0
         self._write_motion.set_float_buf(self._motion)
         self._write_force.set_float_buf(self._forces_n)
 
@@ -73,8 +74,9 @@ class Batches:
         motion[:, 3:5], motion[:, 5] = bodies.velocity_mps, bodies.spin_radps
         rigid.load(motion[len(bodies.slipping) :])
         self._motion[: len(motion)] = motion[self._order]
-        self._motion[len(motion) :] = 0.0
-        self._forces_n[len(motion) :] = self.force_n[:] = 0.0
+        most, self._filled = max(len(motion), self._filled), len(motion)
+        self._motion[len(motion) : most] = 0.0
+        self._forces_n[len(motion) : most] = self.force_n[:most] = 0.0
         batch.set_space_bodies(space.inner, _MOTION, self._write_motion)
 
     def push(self, space: Space) -> None:

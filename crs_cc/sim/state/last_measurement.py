@@ -49,7 +49,7 @@ class LastMeasurement:
             at_s: the time of the new measurement, (k,).
             interval_s: minimum interval of measurements, (n,).
         """
-        return np.asarray((rows >= 0) & is_due(self.at_s[rows], at_s, interval_s[rows]))
+        return np.asarray((rows >= 0) & is_due(self.at_s.take(rows), at_s, interval_s.take(rows)))
 
     def note(
         self, rows: IndexArray, at_s: FloatArray | float, configuration: npt.NDArray[np.integer]

@@ -70,7 +70,7 @@ _SONARS: Final = (
     ("devices.sonar", ["sent_s", "heard_m", "fired_s", "sent_from", "fired_from"]),
 )
 _BATTERY: Final = (("devices.motor_battery", ["moved_j", "speed_mps"]),)
-_NO_REPLIES: Final = np.zeros(0), np.zeros(0, REPLY)
+_NO_REPLIES: Final = np.zeros(0), np.zeros((0, 3)), np.zeros(0, REPLY)
 _TABLES: Final = (
     (_ROBOT, ROBOT_SIZE),
     (_BODY, BODY_SIZE),
@@ -219,7 +219,7 @@ class RobotRows:
         service: tuple[float, float, int, int],
         asked: tuple[FloatArray, FloatArray, Int32Array],
         kinds: RobotKinds,
-    ) -> tuple[int, FloatArray, Records]:
+    ) -> tuple[int, FloatArray, FloatArray, Records]:
         """Answer requests that need nothing but these rows, see `Kernels.serve`.
 
         Args:

@@ -47,7 +47,8 @@ class TimerState:
 
     def on_request(self, rows: IndexArray, sensor: int) -> BoolArray:
         """Return which robots have no timer for a sensor."""
-        return np.asarray(self.period_s[rows, sensor] == 0.0)
+        places = rows * self.period_s.shape[1] + sensor
+        return np.asarray(self.period_s.take(places) == 0.0)
 
     def begin(self, rows: IndexArray, now_s: float) -> None:
         """Start the timers of robots that join the world."""

@@ -11,8 +11,10 @@ from crs_cc.requests import NUM_STATE
 from crs_cc.sim.devices import vendor_state
 from crs_cc.sim.devices.battery.state import motors_of
 from crs_cc.sim.devices.bumper.state import bumper_state
+from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.devices.sonar.state import sonar_state
+from crs_cc.sim.kernels import tables
 from crs_cc.sim.kernels.program import Kernels
 from crs_cc.sim.kernels.tables import ADVANCED, HELD_UP, REPLY
 from crs_cc.sim.state import robot_rows
@@ -178,6 +180,28 @@ def test_replies_are_those_of_numpy(monkeypatch: pytest.MonkeyPatch, *, checked:
         for name in ("state", "charge", "board_ms"):
             assert np.array_equal(found[name], told[name]), name
     assert np.array_equal(state.rows.charges(ALL, for_s, constants.kinds), wanted["charge"])
+
+
+@pytest.mark.parametrize("rows", [ALL, np.arange(1, ROBOTS, 3)])
+def test_mounts_of_replies_are_where_numpy_has_them(rows: np.ndarray | slice) -> None:
+    state, constants = tired(6)
+    state.connected[:] = True
+    mine = np.arange(ROBOTS)[rows]
+    asked = (
+        state.drive.clock_s[mine],
+        state.presence.joined_s[mine],
+        np.zeros((len(mine), 8), "<i4"),
+    )
+    found, _, mounts, _ = state.rows.serve(rows, (END_S, -1.0, 0, 0), asked, constants.kinds)
+    assert found == ADVANCED
+    assert state.bodies.slipping[mine].any()
+    assert state.drive.moved_m[state.bodies.slipping].any()
+    assert np.array_equal(mounts, mount_poses(state, constants, mine))
+
+
+def test_replies_of_as_many_robots_as_possible_have_room() -> None:
+    kernels = Kernels(holds_world=True)
+    assert tables.ROBOTS * REPLY.itemsize <= kernels.arena[kernels.room // 3 :].nbytes
 
 
 def test_batteries_that_last_another_cycle_are_known() -> None:

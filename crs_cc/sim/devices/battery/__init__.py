@@ -125,10 +125,10 @@ class Batteries:
             at_s: the time of each, (k,).
             charge: the state of charge of both then, (k, 2).
         """
-        kinds = self._kind[rows]
+        kinds = self._kind.take(rows)
         if not constants.degradations.concern(state, "battery"):
             if self._voltages.full_bytes is not None:
-                return np.asarray(self._voltages.full_bytes[kinds])
+                return np.asarray(self._voltages.full_bytes.take(kinds, axis=0))
             return self._voltages.bytes(kinds, charge)
         volts = self._voltages.volts(kinds, charge)
         volts = constants.degradations.alter(state, "battery", rows, volts, at_s)

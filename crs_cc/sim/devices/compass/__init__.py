@@ -39,7 +39,7 @@ from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.timers import read_on_request
-from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.devices.vendor_state import Told, configuration
 from crs_cc.sim.kernels import exact
 from crs_cc.sim.kernels.tables import COMPASS
 from crs_cc.sim.model.attribute import Choice, attribute, period, rate
@@ -161,7 +161,7 @@ class Compasses:
         rows: IndexArray,
         at_s: FloatArray,
         *,
-        told: Int32Array | None = None,
+        told: Told | None = None,
     ) -> None:
         """Measure with the compasses that are on and may measure again.
 
@@ -170,7 +170,7 @@ class Compasses:
             constants: the robots' constants.
             rows: the robots, k of them.
             at_s: the time for each, (k,).
-            told: their configurations, (k, 7), if they are known.
+            told: what a kernel has told of them, if it just has.
         """
         compass = compasses(state)
         mine = constants.numbers[self._row.name][rows]
@@ -178,7 +178,9 @@ class Compasses:
         if not due.any():
             return
         rows, mine = rows[due], mine[due]
-        angle_rad = mount_poses(state, constants, rows)[:, 2]
+        known = None if told is None else told.of(due)
+        poses = mount_poses(state, constants, rows) if known is None else known.mounts
+        angle_rad = poses[:, 2].copy()
         deviation_rad = np.where(compass.calibrated[mine], 0.0, self._deviation_rad[mine])
         angle_rad += self._offset_rad[mine] + deviation_rad * exact.sin(angle_rad)
         if self.is_noisy:
@@ -191,8 +193,8 @@ class Compasses:
         tenths = np.rint(rad_to_tenths_deg(angle_rad[reported])).astype(np.int32)
         compass.reading[mine[reported]] = tenths % _FULL_TURN
         compass.count[mine] += 1
-        told = configuration(state, constants, rows) if told is None else told[due]
-        compass.measured.note(mine, at_s[due], told)
+        known = Told(configuration(state, constants, rows), poses) if known is None else known
+        compass.measured.note(mine, at_s[due], known.configuration)
 
     def draw(self, robots: IndexArray, numbers: Int64Array) -> FloatArray:
         """Return the deviate of one measurement of each of some robots' compasses, (k, 1)."""

@@ -32,6 +32,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, any_of
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels.program import pairs
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state import motion_profile
 from crs_cc.sim.state.bodies import Pull
@@ -122,7 +123,7 @@ def apply_contacts(state: EnvState, constants: RobotConstants, went_m: FloatArra
     mine = held_up | hindered[rows]
     rows, limp, held_up = rows[mine], limp[mine], held_up[mine]
     facing_rad = (state.heading_rad[rows] + state.drive.facing_rad[rows]) / 2
-    ahead = np.column_stack([exact.cos(facing_rad), exact.sin(facing_rad)])
+    ahead = pairs(exact.turn(facing_rad))
     longer = np.ones(len(rows))
     if constants.inclines is not None:
         before_m = state.bodies.position_m[rows] - went_m[rows]

@@ -47,7 +47,7 @@ from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor_order import orders
 from crs_cc.sim.devices.timers import read_on_request
-from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.devices.vendor_state import Told, configuration
 from crs_cc.sim.files.device_elements import read_attributes
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.kernels import exact
@@ -201,7 +201,7 @@ class InfraredRing:
         rows: IndexArray,
         at_s: FloatArray,
         *,
-        told: Int32Array | None = None,
+        told: Told | None = None,
     ) -> None:
         """Measure with the rings that may measure again.
 
@@ -211,17 +211,17 @@ class InfraredRing:
             rays: casts rays.
             rows: the robots, k of them.
             at_s: the time for each, (k,).
-            told: their configurations, (k, 7), if they are known.
+            told: what a kernel has told of them, if it just has.
         """
         ring = rings(state)
-        mine = constants.numbers[self._row.name][rows]
+        mine = constants.numbers[self._row.name].take(rows)
         due = ring.measured.are_due(mine, at_s, self._interval_s)
         if not any_of(due):
             return
         if not all_of(due):
             rows, mine, at_s = rows[due], mine[due], at_s[due]
-            told = None if told is None else told[due]
-        poses = mount_poses(state, constants, rows)
+            told = None if told is None else told.of(due)
+        poses = mount_poses(state, constants, rows) if told is None else told.mounts
         distance_m, step_m = self._see(state, constants, rays, rows, poses)
         if self.is_noisy:
             distance_m += self._noise.rows(rows, ring.count[mine]) * self._noise_m[mine]
@@ -230,8 +230,8 @@ class InfraredRing:
             distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
         level = _steps(distance_m, step_m)
         np.minimum(np.maximum(level, 0.0, out=level), FARTHEST, out=level)
-        share, on = ring.share[mine, None], ring.on.take(mine, axis=0)
-        if share.any():
+        share, on = ring.share.take(mine)[:, None], ring.on.take(mine, axis=0)
+        if np.count_nonzero(share):
             level = share * ring.level.take(mine, axis=0) + (1.0 - share) * level
         else:
             level += 0.0  # as the sum would be: there is no -0
@@ -239,8 +239,8 @@ class InfraredRing:
             level = np.where(on, level, FARTHEST)
         ring.level[mine] = level
         ring.count[mine] += 1
-        told = configuration(state, constants, rows) if told is None else told
-        ring.measured.note(mine, at_s, told)
+        told = Told(configuration(state, constants, rows), poses) if told is None else told
+        ring.measured.note(mine, at_s, told.configuration)
 
     def get_ir(self, context: RequestContext) -> BoolArray:
         """Answer GET_IR: measure, for `State`; refuse robots without infrared sensors."""
@@ -318,11 +318,11 @@ class InfraredRing:
             the distances, and the distance of such a surface that changes the reading by 1, both
             of shape (k, 16).
         """
-        mine = constants.numbers[self._row.name][rows]
+        mine = constants.numbers[self._row.name].take(rows)
         own = rays.surfaces.infrared
         if own is None and len(self.fans) == 1:
             distance_m = rays.distances_m(state, self.fans[0], poses, own=rows)
-            return distance_m, self._shining_m[mine]
+            return distance_m, self._shining_m.take(mine, axis=0)
         distance_m = np.empty((len(rows), MAX_INFRARED))
         shine = np.tile(self._reflectance[mine], MAX_INFRARED)
         for kind, some in range_scan.alike(self._kind[mine]):
