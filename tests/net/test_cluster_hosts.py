@@ -121,7 +121,7 @@ def test_a_run_on_a_cluster_that_loses_a_worker_is_that_of_one_process(dask: Das
     assert result.state_hash == expected.state_hash == session.state_hash()
     assert [each.exit_status for each in result.robots] == [None, 7]
     assert session.robots["a"].stdout == local.robots["a"].stdout != ""
-    with pytest.raises(ValueError, match="goes forward only"):
+    with pytest.raises(ValueError, match="can only go forward"):
         session.restore(local.snapshot())
 
 

@@ -124,7 +124,7 @@ def test_what_is_no_snapshot_is_refused(
         (whole[:-5], "damaged"),
         (_HEAD.pack(magic, 9, checksum, size) + whole[_HEAD.size :], "its version is 9"),
         (_HEAD.pack(magic, version, checksum, 2**63) + whole[_HEAD.size :], "too large"),
-        (_HEAD.pack(magic, version, bombed, 1000) + bomb, "another size"),
+        (_HEAD.pack(magic, version, bombed, 1000) + bomb, "its size differs"),
     ):
         path.write_bytes(content)
         with pytest.raises(RecordingError, match=reason):

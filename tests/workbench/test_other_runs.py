@@ -258,7 +258,7 @@ def test_what_is_no_recording_is_refused(runs: Path, stack: ExitStack) -> None:
         sent(screen, "../far.mcap", b"x")
     with pytest.raises(ValueError, match="is not the name of a recording"):
         sent(screen, "far.txt", b"x")
-    with pytest.raises(ValueError, match="not base 64"):
+    with pytest.raises(ValueError, match="not valid base64"):
         asked(screen, "bring", name="far.mcap", offset=0, data="?")
     with pytest.raises(ValueError, match="does not follow"):
         asked(screen, "bring", name="far.mcap", offset=7, data="AAAA")

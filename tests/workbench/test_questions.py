@@ -131,9 +131,9 @@ def test_instants_are_found_up_to_what_is_known(page: Page) -> None:
 @pytest.mark.parametrize(
     ("place", "wrong"),
     [
-        ("1.2.3", "is not a place"),
-        ("999999.0.-1.0", "has not been there"),
-        ("1.0.7.1", "has not been there"),
+        ("1.2.3", "is not a position"),
+        ("999999.0.-1.0", "has not reached"),
+        ("1.0.7.1", "has not reached"),
     ],
 )
 def test_a_place_that_the_run_has_not_been_at_is_refused(

@@ -84,7 +84,7 @@ def test_conditions_use_them(debugger: Debugger) -> None:
         ("$_regex(name)", "2 arguments, not 1"),
         ('$_regex(name, "(")', "invalid regular expression"),
         ("$_regex(name", "missing"),
-        ('$_regex(1, "x")', "not a text"),
+        ('$_regex(1, "x")', "not a string"),
         ("$_as_string(1)", "enumeration"),
         ('$_caller_is("main", -1)', "number of frames"),
         ('$_gdb_setting("nothing")', "unknown setting"),
