@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.recorded_run import RecordedRun
 from crs_cc.debug.timeline.run_event import StopRequest
 from crs_cc.debug.watch import MemoryAccess, WatchedObject
+from crs_cc.ir.types import CType
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 
 
@@ -18,12 +19,14 @@ class MemoryObject:
 
     Attributes:
         frame: the activation whose variable it is; None if it is static.
+        type: its type, if it is known.
     """
 
     robot: int
     address: int
     size: int
     frame: StackFrame | None = None
+    type: CType | None = field(default=None, compare=False)
 
     def is_at(self, other: MemoryObject) -> bool:
         """Return whether it is the same memory as another object."""

@@ -171,7 +171,7 @@ class Why:
             return None
         stopped = self._run.stopped(robot)
         owner = owner_of(stopped, value.address)
-        wanted = MemoryObject(robot, value.address, value.type.size, owner)
+        wanted = MemoryObject(robot, value.address, value.type.size, owner, value.type)
         head = f"{name} = {value.text}"
         if self._left <= 0 or depth >= MAX_DEPTH:
             return Cause(head, "...", robot=robot)
@@ -336,7 +336,8 @@ class Why:
         part = None
         if function in _COPIES:
             span = wanted.address, wanted.size
-            part = bytes_copied(self._view.evaluator(robot), arguments(text), span, place.frame)
+            evaluator, passed = self._view.evaluator(robot), arguments(text)
+            part = bytes_copied(evaluator, passed, span, place.frame, wanted.type)
         if part is not None:
             return self._operands(place, [part], depth + 1)
         names = [each.lstrip("& ") for each in arguments(text)]

@@ -11,7 +11,18 @@ from crs_cc.debug.data.member_names import behind, member_name
 from crs_cc.debug.data.statement_text import assignment, calls, operands, value_of
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.ir.types import CHAR, INT, LLONG, SHORT, ArrayType, PointerType, RecordType
+from crs_cc.ir.types import (
+    CHAR,
+    INT,
+    LLONG,
+    SHORT,
+    ArrayType,
+    CType,
+    FloatType,
+    IntegerType,
+    PointerType,
+    RecordType,
+)
 
 if TYPE_CHECKING:
     from crs_cc.debug.data.evaluate import Evaluator
@@ -77,7 +88,11 @@ def address_of(evaluator: Evaluator, pointer: str, frame: StackFrame | None) -> 
 
 
 def bytes_behind(
-    evaluator: Evaluator, pointer: str, span: Span, frame: StackFrame | None
+    evaluator: Evaluator,
+    pointer: str,
+    span: Span,
+    frame: StackFrame | None,
+    shown_as: CType | None = None,
 ) -> str | None:
     """Return an expression for the bytes at a pointer: an object if there is one.
 
@@ -86,6 +101,7 @@ def bytes_behind(
         pointer: the pointer, or an array.
         span: the first byte, from the pointer on, and how many.
         frame: the frame in whose scope it is.
+        shown_as: the type with which bytes that are no object are shown, if it is arithmetic.
     """
     begin, (offset, size) = address_of(evaluator, pointer, frame), span
     if begin is None:
@@ -106,6 +122,9 @@ def bytes_behind(
             found = evaluator.place(name, frame)
             if (found.address, found.size) == (address, size):
                 return name
+    if isinstance(shown_as, IntegerType | FloatType) and shown_as.size == size:
+        place = f"({pointer} + {offset})" if offset else pointer
+        return f"*({shown_as} *) {place if offset or _NAME.fullmatch(pointer) else f'({place})'}"
     last = f"..{offset + size - 1}" if size > 1 else ""
     is_bytes = isinstance(ctype, ArrayType) and ctype.element.size == 1
     base = pointer if is_bytes and _NAME.fullmatch(pointer) else f"((char *)({pointer}))"
@@ -182,7 +201,11 @@ def _overlaps(
 
 
 def bytes_copied(
-    evaluator: Evaluator, passed: Sequence[str], span: Span, frame: StackFrame | None
+    evaluator: Evaluator,
+    passed: Sequence[str],
+    span: Span,
+    frame: StackFrame | None,
+    shown_as: CType | None = None,
 ) -> str | None:
     """Return what `memcpy` has copied to some bytes, as an expression; None if it is not known.
 
@@ -191,8 +214,9 @@ def bytes_copied(
         passed: the arguments of the call.
         span: the bytes: their address, and how many.
         frame: the frame of the caller.
+        shown_as: the type with which bytes that are no object are shown, if it is arithmetic.
     """
     to = address_of(evaluator, passed[0], frame) if len(passed) > 1 else None
     if to is None or span[0] < to:
         return None
-    return bytes_behind(evaluator, passed[1], (span[0] - to, span[1]), frame)
+    return bytes_behind(evaluator, passed[1], (span[0] - to, span[1]), frame, shown_as)
