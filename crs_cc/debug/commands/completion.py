@@ -30,6 +30,10 @@ _LAST_PART: Final = re.compile(r"\S*$")
 _KEYWORD: Final = re.compile(r"(?<![\w.-])-?[a-z][a-z-]+")
 
 
+_UNENDED: Final = ("/", ":", "(")
+"""After these a completed word goes on."""
+
+
 @dataclass(frozen=True, slots=True)
 class Completion:
     """The completions of a line.
@@ -69,6 +73,15 @@ def complete(context: CommandContext, text: str) -> Completion:
             words |= set(_ARGUMENTS[command.completes](context, found[0]))
     fitting = sorted(each for each in words if each.startswith(found[0]))
     return Completion(found.start(), tuple(fitting))
+
+
+def ended(text: str) -> str:
+    """Return a line or a word with its only completion, ready for the next word.
+
+    >>> ended("continue"), ended("break wander.c:")
+    ('continue ', 'break wander.c:')
+    """
+    return text if text.endswith(_UNENDED) else f"{text} "
 
 
 def _keywords(command: Command, word: str) -> set[str]:

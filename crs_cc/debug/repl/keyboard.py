@@ -11,13 +11,10 @@ from types import FrameType
 from typing import Final
 
 from crs_cc.debug.commands.answer import Line
-from crs_cc.debug.commands.completion import complete
+from crs_cc.debug.commands.completion import complete, ended
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.user_session import UserSession
 from crs_cc.debug.repl.terminal import Terminal
-
-_UNENDED: Final = ("/", ":", "(")
-"""After these a completed word goes on."""
 
 _DELIMITERS: Final = " \t\n!@#$%^&*()=+[{]}|;'\",<>?"
 
@@ -149,8 +146,8 @@ def completer(shell: Shell, line: Callable[[], str]) -> Callable[[str, int], str
             completion = complete(shell.context, text)
             skipped = len(text) - len(word) - completion.start  # readline splits words elsewhere
             found[:] = [each[max(0, skipped) :] for each in completion.words]
-            if len(found) == 1 and not found[0].endswith(_UNENDED):
-                found[0] += " "
+            if len(found) == 1:
+                found[0] = ended(found[0])
         return found[number] if number < len(found) else None
 
     return give

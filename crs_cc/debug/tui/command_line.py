@@ -11,6 +11,8 @@ from textual.message import Message
 from textual.suggester import Suggester
 from textual.widgets import Input
 
+from crs_cc.debug.commands.completion import ended
+
 _HINT: Final = "a command; Enter repeats the last one, F1 shows help"
 
 Complete = Callable[[str], Sequence[str]]
@@ -91,7 +93,7 @@ class CommandLine(Input):
         found = self._complete(self.value)
         common = _common(found)
         if len(common) > len(self.value):
-            self.value = common + (" " if len(found) == 1 else "")
+            self.value = ended(common) if len(found) == 1 else common
             self.cursor_position = len(self.value)
 
     def action_finish(self) -> None:
@@ -103,14 +105,14 @@ class CommandLine(Input):
 
 
 class _Completions(Suggester):
-    """Suggests the first completion of a line."""
+    """Suggests the first completion of a line whose last word has begun."""
 
     def __init__(self, complete: Complete) -> None:
         super().__init__(use_cache=False, case_sensitive=True)
         self._complete = complete
 
     async def get_suggestion(self, value: str) -> str | None:
-        found = self._complete(value) if value else ()
+        found: Sequence[str] = () if value[-1:] in {"", " "} else self._complete(value)
         return found[0] if found else None
 
 

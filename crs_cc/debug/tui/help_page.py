@@ -22,7 +22,7 @@ arrow keys move by timesteps, with Shift by events. Click a line of output to go
 that printed it.
 
 "/text" on the command line finds the next source line with this text, "/" repeats the search; \
-"list" scrolls the source. Ctrl-R searches the command history.
+"list" scrolls the source. Type a part of an earlier command, then Ctrl-R, to recall it.
 
 "help" on the command line explains the commands. Escape closes this page.
 """

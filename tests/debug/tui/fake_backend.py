@@ -93,7 +93,7 @@ class FakeWork:
         return (OutputLine("", "2 2"),)
 
     def complete(self, line: str) -> Sequence[str]:
-        words = ["continue", "reverse-next", "reverse-step", "step"]
+        words = ["continue", "file:", "reverse-next", "reverse-step", "step"]
         return [each for each in words if each.startswith(line)]
 
     def snapshot(self, request: BackendRequest) -> ScreenData:

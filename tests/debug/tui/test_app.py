@@ -121,6 +121,25 @@ def test_a_click_in_the_gutter_toggles_a_breakpoint() -> None:
     assert sorted(backend.breakpoints) == [8, 10]
 
 
+def test_the_only_completion_is_ended_unless_it_goes_on() -> None:
+    backend = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        line = app.query_one(CommandLine)
+        for typed, completed in (
+            ("con", "continue "),
+            ("fi", "file:"),
+            ("reverse-n", "reverse-next "),
+        ):
+            line.value = typed
+            await pilot.press("end", "tab")
+            assert line.value == completed
+        await settle(pilot)
+        assert not line._suggestion  # none before the next word has begun
+
+    drive(backend, session)
+
+
 def test_a_click_on_a_line_of_output_goes_to_the_statement_that_printed_it() -> None:
     backend = FakeWork()
 
