@@ -1,7 +1,7 @@
 """Changes of a run at simulated times, from a file: `12.5s: move robot0 to 1 2 90`.
 
 The changes are those of the debugger (`debug.world.run_edits`). Each is made at the start of the
-first timestep that begins at its time or later, so the same file gives the same run to the bit.
+first timestep that begins at its time or later, so the same file gives the same run bit for bit.
 """
 
 from __future__ import annotations

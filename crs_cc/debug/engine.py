@@ -346,7 +346,7 @@ class Debugger:
         return stop
 
     def _note(self, stop: Stop) -> None:
-        """Record a stop in the event history, for time lines."""
+        """Record a stop in the event history, for timelines."""
         if stop.breakpoints or stop.reason == "error":
             kind = "error" if stop.reason == "error" else "stop"
             event = WorldEvent(stop.time_s, kind, stop.robot, stop.why)

@@ -32,7 +32,7 @@ from crs_cc.debug.world.events import WorldEvent, is_of
 from crs_cc.ir.instruction import plain_states
 
 _STOPS: Final = frozenset({"stop", "error"})
-"""Events of time lines that are not of the world."""
+"""Events of timelines that are not of the world."""
 _SLACK: Final = 1e-9  # of a timestep
 _PIECE: Final = 400
 """So many timesteps are replayed at once, about: for each it is decided whether the world must."""

@@ -1,8 +1,8 @@
 """The control panel: changes of the run, what is in force, and how both are written out.
 
 What the panel changes, it changes at the start of the timestep in which the run stands: so
-`crs run --inputs` can make the same changes again, to the bit. In runs that only go forward nothing
-is taken back.
+`crs run --inputs` can make the same changes again, bit for bit. In runs that only go forward,
+nothing is taken back.
 """
 
 from __future__ import annotations

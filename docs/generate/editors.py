@@ -96,7 +96,7 @@ def extension() -> dict[str, Any]:
     return {
         "name": "crs-debug",
         "displayName": "CRS robot programs",
-        "description": "Debug C robot programs and their simulated world, forward and in reverse",
+        "description": "Debug C robot programs and their simulated world, forward and backward",
         "publisher": "crs",
         "version": __version__,
         "engines": {"vscode": "^1.75.0"},

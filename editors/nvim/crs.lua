@@ -20,7 +20,7 @@ table.insert(dap.configurations.c, {
   stopOnEntry = true,
 })
 
--- Function keys run forward, with Shift in reverse.
+-- Function keys run forward, with Shift backward.
 vim.keymap.set("n", "<F5>", dap.continue)
 vim.keymap.set("n", "<S-F5>", dap.reverse_continue)
 vim.keymap.set("n", "<F10>", dap.step_over)

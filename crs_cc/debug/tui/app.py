@@ -91,7 +91,7 @@ class DebugApp(App[int]):
         self._unfolded = set(OPEN)
         self._map_size = (0, 0)
         self._file = ""  # to show instead of the current one
-        self._goto_s: float | None = None  # the target of the time line
+        self._goto_s: float | None = None  # the target of the timeline
         self._snapshot = ScreenData()
         self._leaving = False
         self._sought = ""  # in the source
@@ -383,7 +383,7 @@ class DebugApp(App[int]):
             self._request(BackendRequest())
 
     def on_time_line_press(self, message: TimeLine.Press) -> None:
-        """Execute a command of the time line's keys."""
+        """Execute a command of the timeline's keys."""
         self.action_press(message.command)
 
     def on_time_line_move(self, message: TimeLine.Move) -> None:

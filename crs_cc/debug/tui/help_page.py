@@ -17,7 +17,7 @@ _MORE = """
 Letters work outside the command line: Escape leaves it, ":" returns to it. \
 Tab moves between panes, the arrow keys within a pane; Enter expands or selects.
 
-Click in the gutter of the source to set a breakpoint. Drag the time line to go to a time; its \
+Click in the gutter of the source to set a breakpoint. Drag the timeline to go to a time; its \
 arrow keys move by timesteps, with Shift by events. Click a line of output to go to the statement \
 that printed it.
 

@@ -1,4 +1,4 @@
-"""The time line: progress and events of the run; dragged, or moved by keys.
+"""The timeline: progress and events of the run; dragged, or moved by keys.
 
 The bar extends from the start to the latest time that the run has reached. Its cursor is at the
 start of the current timestep, whichever robot is selected: the clocks of programs may be ahead.

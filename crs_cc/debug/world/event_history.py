@@ -1,4 +1,4 @@
-"""The events of a run and the paths of its robots, for time lines and maps.
+"""The events of a run and the paths of its robots, for timelines and maps.
 
 Every timestep that has ever been run is recorded, also those ahead of a run that has gone
 back: they repeat unless the user changes something.

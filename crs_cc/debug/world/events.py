@@ -1,4 +1,4 @@
-"""The events of a timestep, for catchpoints and time lines.
+"""The events of a timestep, for catchpoints and timelines.
 
 All of it follows from the timestep's `Step` and the world's constants, so it is the same whenever
 the timestep is replayed. Events are selected by kind, and subkinds

@@ -2,7 +2,7 @@
 
 numpy's and Python's own depend on the processor's vector instructions, on whether it has FMA, on
 strides and on the host's C library. These are those of crs_cc's C library (`runtime/lib/math`, at
-most 1 ulp off), compiled to WebAssembly, whose arithmetic is defined to the bit. What is rounded
+most 1 ulp off), compiled to WebAssembly, whose arithmetic is defined bit for bit. What is rounded
 correctly everywhere needs no replacement: sums, differences, products and quotients of real
 numbers, square roots, remainders, and products of a real and a complex number.
 

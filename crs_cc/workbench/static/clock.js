@@ -1,6 +1,6 @@
 /**
  * The displayed time: smooth between the times that the run sends, and free of the run while the user
- * drags the time line.
+ * drags the timeline.
  */
 import { isStill } from "crs/theme.js";
 

@@ -1,5 +1,5 @@
 /**
- * The wide panels: over the time line those that are looked at one at a time (the table of robots,
+ * The wide panels: over the timeline those that are looked at one at a time (the table of robots,
  * messages, where values came from), under it what shares its axis (the plot).
  */
 import { el } from "crs/dom.js";

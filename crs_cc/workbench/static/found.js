@@ -1,4 +1,4 @@
-/** Instants that a question has found: marks on the time line, through which one steps. */
+/** Instants that a question has found: marks on the timeline, through which one steps. */
 
 export class Found {
   /** @param {any} model @param {any} page */

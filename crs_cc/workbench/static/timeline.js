@@ -1,4 +1,4 @@
-/** The time line: play, pause, step, speed; the way to any instant; marks for what happened. */
+/** The timeline: play, pause, step, speed; the way to any instant; marks for what happened. */
 import { button, clockText, el, fill } from "crs/dom.js";
 import { gridStep } from "crs/units.js";
 
@@ -46,9 +46,9 @@ export class Timeline {
       el("option", { value: "any" }, "any event"), ...MARKS.map((each) => el("option", { value: each.name }, each.title.toLowerCase())));
     this.loopButton = button({ icon: "loop", title: "Repeat the last five seconds, or stop repeating; Shift and drag on the line repeats any span", key: "L", onclick: () => this.loop() });
     this.live = button({ text: "Back to now", title: "Go to the latest time of the run", key: "End", className: "chip", onclick: () => this.release() });
-    this.whole = button({ text: "Whole run", title: "Show the whole time line; the wheel zooms in", className: "chip", onclick: () => this.showPart(null) });
+    this.whole = button({ text: "Whole run", title: "Show the whole timeline; the wheel zooms in", className: "chip", onclick: () => this.showPart(null) });
     this.canvas = el("canvas");
-    this.track = el("div.track", { tabIndex: 0, role: "slider", "aria-label": "time line", "aria-valuemin": 0 }, this.canvas);
+    this.track = el("div.track", { tabIndex: 0, role: "slider", "aria-label": "timeline", "aria-valuemin": 0 }, this.canvas);
     fill(root,
       el("div.transport", {},
         this.clockButton, this.wanted,

@@ -25,7 +25,7 @@ export function offerNames(listing, model, page) {
     const plotted = OWN.includes(name) ? `(${name})` : name;
     const made = el("div.name-menu", { role: "toolbar", "aria-label": `questions about ${name}` }, value,
       act("why", "Where its value came from", () => page.why(name)),
-      act("plot", "Plot its history under the time line", () => page.plot(plotted)),
+      act("plot", "Plot its history under the timeline", () => page.plot(plotted)),
       line ? act("plot here", "Its values each time this line was reached", () => page.plot(`${name} at ${page.code.file}:${row.dataset.line}`)) : null,
       act("watch", "Show it at every stop", () => page.console(`display ${name}`)));
     made.style.left = `${Math.max(4, x)}px`;

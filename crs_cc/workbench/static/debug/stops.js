@@ -86,7 +86,7 @@ export class Stops {
     return el("div.stop-row", { role: "listitem" },
       el("input", { type: "checkbox", checked: point.enabled, "aria-label": `breakpoint ${point.number} is on`, onchange: () => this.page.console(`${point.enabled ? "disable" : "enable"} ${point.number}`) }),
       shown,
-      this.model.can("debug") ? button({ text: "hits", title: `Mark all hits of breakpoint ${point.number} in the run so far on the time line`, className: "small", onclick: () => this.find(point, title) }) : null,
+      this.model.can("debug") ? button({ text: "hits", title: `Mark all hits of breakpoint ${point.number} in the run so far on the timeline`, className: "small", onclick: () => this.find(point, title) }) : null,
       button({ text: "×", title: `Remove breakpoint ${point.number}`, className: "small", onclick: () => this.page.console(`delete ${point.number}`) }));
   }
 }

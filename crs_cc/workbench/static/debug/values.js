@@ -118,7 +118,7 @@ export class Values {
       row.last ? small("‹", "Back to its last write", "<", () => page.console(`last ${row.ask}`)) : null,
       row.last ? small("›", "Forward to its next write", ">", () => page.console(`next ${row.ask}`)) : null,
       small("why", "Where this value came from", "?", () => page.why(row.ask)),
-      small("plot", "Plot its history under the time line", "G", () => page.plot(line ? `${row.ask} at ${line}` : OWN.includes(row.ask) ? `(${row.ask})` : row.ask)));
+      small("plot", "Plot its history under the timeline", "G", () => page.plot(line ? `${row.ask} at ${line}` : OWN.includes(row.ask) ? `(${row.ask})` : row.ask)));
   }
 
   fold(key) {

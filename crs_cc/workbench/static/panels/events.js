@@ -22,13 +22,13 @@ export const events = {
     const isWanted = el("input", { type: "checkbox", onchange: () => (isStale = true) });
     const only = el("label.only-robot", { title: "Only events of the selected robot, and those without a robot" }, isWanted, name);
     filters.append(only);
-    const condition = entry({ placeholder: "when: speed > 0 && $world.distance(a, b) < 1", title: "A condition on the program and the world: the times at which it became true are marked on the time line", "aria-label": "condition to find in the run" });
+    const condition = entry({ placeholder: "when: speed > 0 && $world.distance(a, b) < 1", title: "A condition on the program and the world: the times at which it became true are marked on the timeline", "aria-label": "condition to find in the run" });
     const wrong = el("p.field-error", { role: "alert" });
     const find = async () => {
       const text = condition.value.trim();
       if (text) wrong.textContent = await page.found.ask("when", { condition: text }, text);
     };
-    const clear = button({ text: "Clear", title: "Remove the marks from the time line", onclick: () => page.found.clear() });
+    const clear = button({ text: "Clear", title: "Remove the marks from the timeline", onclick: () => page.found.clear() });
     const finder = el("form.finder", { onkeydown: (event) => event.stopPropagation(), onsubmit: (event) => {
       event.preventDefault();
       find();

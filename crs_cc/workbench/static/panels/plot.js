@@ -1,4 +1,4 @@
-/** Histories under the time line, which share its axis: expressions of the selected robot over time. */
+/** Histories under the timeline, which share its axis: expressions of the selected robot over time. */
 import { entry } from "crs/change.js";
 import { button, el, fill } from "crs/dom.js";
 import { isAtLine, OWN } from "crs/instruments.js";
@@ -15,7 +15,7 @@ const PATIENCE = 6000; // for which what is not known is read without being told
 export const plot = {
   id: "plot",
   title: "Plot",
-  summary: "Histories of variables and readings, under the time line",
+  summary: "Histories of variables and readings, under the timeline",
   key: "g",
   side: "under",
   needs: "change",
