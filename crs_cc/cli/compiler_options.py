@@ -104,12 +104,12 @@ _OPTIONS = (
     click.option(
         "-I", "--include", "include_paths", metavar="DIR", multiple=True,
         type=click.Path(path_type=Path), callback=_folders,
-        help="Add DIR to the search path of #include; may be repeated.",
+        help="Add DIR to the #include search path; may be repeated.",
     ),
     click.option(
         "--root", metavar="DIR", type=click.Path(path_type=Path, exists=True, file_okay=False),
-        help="The root folder of the project: C files may include files anywhere in it, as with "
-        "'../include/x.h'. Default: the current directory, for programs inside it.",
+        help="Project root: C files may include any file below it, for example '../include/x.h'. "
+        "For programs in or below the current directory, defaults to that directory.",
     ),
     click.option(
         "-D", "--define", "defines", metavar="NAME[=VALUE]", multiple=True,
@@ -123,19 +123,20 @@ _OPTIONS = (
         "-std", "standard", metavar="NAME", default="gnu17", show_default=True,
         type=click.Choice(list(STANDARDS)),
         help="The C standard: c89, gnu89, c99, gnu99, c11, gnu11, c17, gnu17, c23 or gnu23. It "
-        "selects predefined macros and keywords, and, without 'gnu', trigraphs.",
+        "determines predefined macros and keywords; the c* standards also enable trigraphs.",
     ),
     click.option(
         "-W", "warnings", metavar="[no-|error=]NAME", multiple=True, callback=_selection,
-        help="Select warnings as in gcc: -Wno-NAME disables one, -Wno-unused all whose names "
-        "start with unused-, -Wno-all (or -w) all; -Werror turns them into errors, -Werror=NAME "
-        "one. By default all are enabled. Options of gcc such as -O2, -g and -lm are ignored.",
+        help="Select warnings as in gcc: -Wno-NAME disables a warning, -Wno-unused those "
+        "named unused-*, and -Wno-all (or -w) all; -Werror makes all warnings errors, -Werror=NAME "
+        "only one. By default all are enabled. gcc options such as -O2, -g and -lm are ignored.",
     ),
     click.option(
         "--dialect", type=click.Choice(DIALECTS),
-        help="The API that the program calls: nomad, the vendor's, or report, that of the CRS "
-        "report, where a program may consist of the statements of its body. By default report for "
-        "a program with a function runcode that includes no Nomadic header and has no main.",
+        help="The API that the program uses: nomad (Nomadic's) or report (that of the CRS report, "
+        "see docs/glossary.md, where a program may be just the statements of a function body). "
+        "Default: report if the program defines runcode, has no main and includes no Nomadic "
+        "header; otherwise nomad.",
     ),
 )  # fmt: skip
 

@@ -26,7 +26,7 @@ Examples:
   crs debug --batch -x crash.dbg wander.c room.xml
   crs debug -ex "break turn if speed > 100" -ex continue wander.c room.xml
   crs debug run.mcap --at 12.5s                  a recorded run
-  crs debug --dap stdio                          serve an editor, see docs/editors.md
+  crs debug --dap stdio                          serve an editor (see crs docs editors)
 """
 
 _PORTS: Final = 65536
@@ -43,20 +43,21 @@ _OPTIONS: Final = (
     click.option(
         "-x", "scripts", multiple=True, metavar="FILE",
         type=click.Path(exists=True, dir_okay=False, path_type=Path),
-        help="Execute the commands in FILE first; may be repeated.",
+        help="Execute the commands in FILE at startup; may be repeated.",
     ),
     click.option(
         "-ex", "commands", multiple=True, metavar="COMMAND",
-        help="Execute COMMAND first, after those of -x; may be repeated.",
+        help="Execute COMMAND at startup, after any -x files; may be repeated.",
     ),
     click.option(
         "--batch", is_flag=True,
-        help="Exit after the commands of -x and -ex, with status 0 if all succeeded, else 1.",
+        help="Exit after executing the -x and -ex commands, with status 0 if all succeeded, "
+        "otherwise 1.",
     ),
     click.option(
         "--input", metavar="FILE",
         type=click.Path(exists=True, dir_okay=False, path_type=Path),
-        help="Type the lines of FILE at simulated times, as in crs run.",
+        help="Send the lines of FILE to the programs at simulated times, as in crs run.",
     ),
     click.option(
         "--stdin", metavar="FILE",
@@ -75,7 +76,7 @@ _OPTIONS: Final = (
     ),
     click.option(
         "--at", "at_s", metavar="TIME", callback=parse_time,
-        help="Go to TIME first, in a recording.",
+        help="Start at TIME (recordings only).",
     ),
     MAX_TIME,
     click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings."),
@@ -93,17 +94,18 @@ def _debug_options(command: Callable[..., Any]) -> Callable[..., Any]:
 @click.command(
     cls=WithProgramArguments,
     epilog=_EXAMPLES,
-    short_help="Step through C programs and their world, forward and in reverse.",
+    short_help="Step through C programs and their world, forward and backward.",
     options_metavar="[OPTIONS]",
 )
 @_debug_options
 def debug(**options: Any) -> int:
     """Compile a C control program and debug it in a simulated world.
 
-    The programs and the world run together, forward and in reverse: reverse-step,
-    reverse-continue, goto. A recording (crs run --record) is debugged with its own files and input:
-    crs debug run.mcap. Programs, worlds and most options are those of crs run. Commands are
-    named as in gdb; help lists them. In the full-screen interface, F1 shows the keys.
+    The programs and the world run together, forward or backward: see the commands reverse-step,
+    reverse-continue and goto. A recording (crs run --record) is debugged with its own files and
+    input: crs debug run.mcap. Programs, worlds and most options are given as for crs run. Commands
+    are named as in gdb; the help command lists them. In the full-screen interface, F1 shows the
+    keys.
     """
     from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
 

@@ -31,13 +31,13 @@ Examples:
   crs run wander.c room.xml --max-time 60        for a minute of simulated time
   crs run wander.c room.xml --plot path.svg      plot the robot's path
   crs view wander.c room.xml                     watch, control and debug in the browser
-  crs debug wander.c room.xml                    debug, forward and in reverse
+  crs debug wander.c room.xml                    debug, forward and backward
   crs replay run.mcap                            summarise a recorded run
-  crs check wander.c room.xml                    report errors, run nothing
-  crs grade submissions/ course.xml              grade many programs by a world's goals
-  crs sweep trial.toml --out runs                run an experiment over parameters and seeds
+  crs check wander.c room.xml                    report errors without running anything
+  crs grade submissions/ course.xml              grade many programs against a world's goals
+  crs sweep trial.toml --out runs                run all combinations of parameters and seeds
   crs serve room.xml                             serve a world to programs on other machines
-  crs join robot0 127.0.0.1:8000 wander.c        run a robot's program in such a world
+  crs join robot0 127.0.0.1:8000 wander.c        run a robot's program in a served world
   crs new world room                             write a commented template
   crs build room.xml                             draw a world in the browser
   crs world move room.xml crate --x 1m           edit a world from the command line
@@ -52,8 +52,9 @@ Exit status:
   1         a system error, such as a full disk
   2         invalid command line, or a device package that cannot be loaded
   70        internal error in crs
-  120       not a recording of crs, or a damaged one
-  121 122   invalid C source, invalid world file
+  120       not a crs recording, or a damaged recording
+  121       invalid C source
+  122       invalid world file
   123       the only robot's program was stopped by a runtime error
   125       a recorded run differs when it is repeated
   130       interrupted by Ctrl-C

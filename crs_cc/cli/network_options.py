@@ -79,13 +79,13 @@ def _forwards(
 _OPTIONS: Final = (
     click.option(
         "--connect", "ways", multiple=True, metavar="NAME[:PORT]=HOST:PORT", callback=_ways,
-        help="Let programs connect to NAME, forwarded to PORT of HOST in the real network; may "
-        "be repeated. See docs/sockets.md.",
+        help="Forward the programs' connections to NAME[:PORT] to HOST:PORT on the real network; "
+        "may be repeated. See docs/sockets.md.",
     ),
     click.option(
         "--forward", "forwards", multiple=True, metavar="PORT[:ROBOT]", callback=_forwards,
-        help="Forward connections to PORT of this machine to the same port of ROBOT, by default "
-        "the first; may be repeated. With this or --connect, --speed is 1 unless it is given.",
+        help="Forward connections to PORT on this machine to the same port on ROBOT, by default "
+        "the first robot; may be repeated. With this option or --connect, --speed defaults to 1.",
     ),
 )  # fmt: skip
 

@@ -96,7 +96,7 @@ def program_arguments() -> tuple[str, ...]:
 
 READS: Final = click.option(
     "--file", "named_files", multiple=True, metavar="[NAME=]FILE",
-    help="Let the programs read FILE, under its own path or as NAME; may be repeated.",
+    help="Make FILE readable by the programs, at its own path or as NAME; may be repeated.",
 )  # fmt: skip
 """The option of what programs can read."""
 
@@ -115,11 +115,12 @@ SEED: Final = click.option(
 _ROBOT_OPTIONS: Final = (
     click.option(
         "--robot", default="scout", show_default=True, metavar="NAME|FILE.xml",
-        help="Robot model, such as nomad200, for robots to which the world assigns none.",
+        help="Robot model, such as nomad200, for robots whose model the world does not specify.",
     ),
     click.option(
         "--setup", default="", metavar="NAME",
-        help="Setup to use from each robot's definition: ideal, or noisy with sensor errors.",
+        help="Setup, a named set of parameters, to use from each robot definition: ideal (no "
+        "errors) or noisy (sensor and odometry errors).",
     ),
     click.option(
         "--link", type=click.Choice(["serial", "ideal"]), default="serial", show_default=True,
@@ -128,7 +129,8 @@ _ROBOT_OPTIONS: Final = (
     click.option(
         "--client", type=click.Choice(["nclient", "ndirect"]), default="nclient",
         show_default=True,
-        help="Emulate the vendor's library for the simulator (nclient) or the robot (ndirect).",
+        help="Nomadic client library to emulate: the one for Nomadic's simulator (nclient) or for "
+        "the robot (ndirect).",
     ),
 )  # fmt: skip
 

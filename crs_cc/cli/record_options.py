@@ -37,11 +37,12 @@ _OPTIONS: Final = (
     click.option(
         "--record-sensors", type=click.Choice(["none", "read", "all"]), default="read",
         show_default=True,
-        help="Record no sensor readings, those that programs read, or all of every frame.",
+        help="Sensor readings to record: none, those that programs read, or all of them in every "
+        "frame.",
     ),
     click.option(
         "--foxglove", is_flag=True,
-        help="Also record scenes and logs in Foxglove's schemas.",
+        help="Also record scenes and logs, using the Foxglove schemas.",
     ),
     click.option(
         "--foxglove-robot", "foxglove_robots", multiple=True, metavar="NAME",

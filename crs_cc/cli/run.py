@@ -42,8 +42,8 @@ Examples:
     "--input",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Type the lines of FILE at simulated times: '2.5s: forward\\n' types forward and the "
-    "return key after 2.5 s. Every robot gets them as its standard input.",
+    help="Send the lines of FILE to each robot's standard input at simulated times: the line "
+    "'2.5s: forward\\n' sends 'forward' and a newline at 2.5 s.",
 )
 @click.option(
     "--inputs",
@@ -85,7 +85,7 @@ Examples:
 @click.option(
     "--summary/--no-summary",
     default=None,
-    help="Show the closing summary on stderr. Default: only on a terminal.",
+    help="Print a summary to stderr at the end of the run. Default: only on a terminal.",
 )
 @written_folder(
     "--csv", "Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.", to="tables"
@@ -95,7 +95,7 @@ Examples:
 @click.option(
     "--live",
     is_flag=True,
-    help="Draw a map on the terminal while the programs run; see also --speed.",
+    help="Draw a map in the terminal while the programs run; see also --speed.",
 )
 @click.option(
     "--view",
@@ -103,8 +103,8 @@ Examples:
     flag_value=0,
     type=click.IntRange(0, 65535),
     metavar="[PORT]",
-    help="Show the run in the browser as well, as crs view does: print an address on this machine, "
-    "on PORT or any free port. Pages may pause it and set its speed.",
+    help="Show the run in the browser as well, as crs view does: print a local URL, on PORT or "
+    "any free port. The page can pause the run and set its speed.",
 )
 @record_options
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")
@@ -117,10 +117,10 @@ def run(**options: Any) -> int:
     a world file there is one robot in an empty world. Arguments after -- are passed to the
     program's main.
 
-    The programs share stdin, stdout and stderr of crs; with several robots each line of output
-    starts with the robot's name. With one robot, the exit status is that of its program; with
-    several, it is 0 if all programs exited with 0, otherwise 1. A program still running at
-    --max-time counts as 0.
+    The programs share the stdin, stdout and stderr of crs; with several robots each line of
+    output starts with the robot's name. With one robot, the exit status is that of its program;
+    with several, it is 0 if all programs exited with 0, otherwise 1. A program still running at
+    --max-time counts as having exited with 0.
     """
     run_options = RunOptions(**options)
     if run_options.ways or run_options.forwards:

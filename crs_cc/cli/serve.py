@@ -175,7 +175,7 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
 @click.option(
     "--summary/--no-summary",
     default=None,
-    help="Show the closing summary on stderr. Default: only on a terminal.",
+    help="Print a summary to stderr at the end of the run. Default: only on a terminal.",
 )
 @click.option(
     "--unchecked", is_flag=True, help="Do not check memory accesses of programs on the cluster."
@@ -200,7 +200,7 @@ def serve(
     """Run a world whose robots' programs run on other machines, or in other processes.
 
     The run starts when crs join has provided a program for each robot. It is the same as that of
-    crs run, to the bit, for any number of hosts, at any speed, connecting in any order. Files that
+    crs run, bit for bit, for any number of hosts, at any speed, connecting in any order. Files that
     programs read and write are on this machine; their output appears where they run. The exit
     status is that of crs run.
 

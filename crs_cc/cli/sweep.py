@@ -41,13 +41,13 @@ class _RunByDefault(click.Group):
 @click.group(
     cls=_RunByDefault,
     epilog=_EXAMPLES,
-    short_help="Run an experiment over parameters and seeds.",
+    short_help="Run an experiment for all combinations of parameters and seeds.",
     no_args_is_help=True,
 )
 def sweep() -> None:
-    """Run an experiment over parameters and seeds, and report on its results.
+    """Run an experiment for all combinations of parameters and seeds, and report its results.
 
-    `crs sweep EXPERIMENT.toml` is `crs sweep run EXPERIMENT.toml`.
+    `crs sweep EXPERIMENT.toml` is short for `crs sweep run EXPERIMENT.toml`.
     """
 
 

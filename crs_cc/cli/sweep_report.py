@@ -24,7 +24,7 @@ _NEEDED: Final = ("scipy", "matplotlib")
 _CELL_M: Final = 0.1
 
 
-@click.command(short_help="Report on the results of a sweep.")
+@click.command(short_help="Report the results of an experiment.")
 @click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path),
                 metavar="DIR")  # fmt: skip
 @click.option(

@@ -59,7 +59,7 @@ class _View(WithProgramArguments):
     "--input",
     metavar="FILE",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    help="Type the lines of FILE at simulated times, as crs run --input does.",
+    help="Send the lines of FILE to the programs at simulated times, as crs run --input does.",
 )
 @click.option(
     "--stdin",
@@ -95,7 +95,7 @@ def view(
     """Compile a C control program and watch it in the browser.
 
     The page shows the world, the robots and the current lines of their programs. It plays, pauses
-    and rewinds the run, and steps through the programs forward and in reverse. It is served to this
+    and rewinds the run, and steps through the programs forward and backward. It is served to this
     machine only; anyone who has the printed address can control the run. Ctrl-C ends it. --record
     records the run as it is when it ends, with all changes. crs run --view shows a run that starts
     without waiting for the page.
