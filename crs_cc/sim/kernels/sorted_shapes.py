@@ -30,7 +30,7 @@ _MOST_CELLS: Final = 128  # along each side of a grid, see `survey.c`
 _HEAD: Final = struct.Struct("<8d")
 
 
-def grid_of(points_m: FloatArray, cell_m: float, most: int = _MOST_CELLS**2) -> Grid:
+def grid_of(points_m: FloatArray, cell_m: float, most: int = _MOST_CELLS * _MOST_CELLS) -> Grid:
     """Return a grid over points.
 
     Args:
