@@ -104,7 +104,8 @@ def test_beam_hits_the_first_pixel_above_it(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("size", "wrong"), [((1, 4), "2 to 128 pixels per side"), ((129, 4), "2 to 128 pixels a side")]
+    ("size", "wrong"),
+    [((1, 4), "2 to 128 pixels per side"), ((129, 4), "2 to 128 pixels per side")],
 )
 def test_image_of_invalid_size_is_rejected(tmp_path, size, wrong):
     path = write(tmp_path, np.zeros(size))
