@@ -28,7 +28,7 @@ def build(world: Path | None, program: Path | None, port: int, *, opens: bool) -
 
     The file is edited in place: comments, order and units are preserved. It is saved when it is
     valid. The button Try runs the world with the programs that it names, or with the one given
-    here. The page is served to this machine only; anyone who has the printed address can change the
+    here. The page is served to this machine only; anyone who has the printed URL can change the
     world.
     """
     from crs_cc.cli.start_build import serve_builder

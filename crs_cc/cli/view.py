@@ -94,11 +94,11 @@ def view(
 ) -> int:
     """Compile a C control program and watch it in the browser.
 
-    The page shows the world, the robots and the current lines of their programs. It plays, pauses
-    and rewinds the run, and steps through the programs forward and backward. It is served to this
-    machine only; anyone who has the printed address can control the run. Ctrl-C ends it. --record
-    records the run as it is when it ends, with all changes. crs run --view shows a run that starts
-    without waiting for the page.
+    The page shows the world, the robots and the source line that each program is executing. It
+    plays, pauses and rewinds the run, and steps through the programs forward and backward. It is
+    served to this machine only; anyone who has the printed URL can control the run. Press Ctrl-C to
+    end it. --record records the run in its final form, with all changes. crs run --view shows a run
+    that starts without waiting for the page.
     """
     from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
     from crs_cc.cli.start_view import view_programs

@@ -73,7 +73,7 @@ class RecordingFile:
 
     @property
     def is_large(self) -> bool:
-        """Whether so much has been gathered that it must not wait for the end of the second."""
+        """Whether the block exceeds a limit, and must be written before the second is over."""
         block = self.block
         return (
             block.readings.count > MAX_ROWS

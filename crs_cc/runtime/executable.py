@@ -37,8 +37,8 @@ and can overflow before, see `fleet`.
 _GUARD: Final = 32 * 2**20 + mmap.PAGESIZE
 """Guard before and after each memory [bytes]: wasmtime's, and a page.
 
-By that alone, all memories would lie a power of two apart, and the pages that each program needs
-first would compete for the same few places of the processor's table of pages (TLB).
+With wasmtime's alone, all memories would lie a power of two apart, and the pages that each program
+uses most would compete for the same few entries of the translation lookaside buffer (TLB).
 """
 
 

@@ -7,7 +7,9 @@ import io
 import json
 import time
 from collections.abc import Iterable
+from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,7 +22,7 @@ from crs_cc.recording.columns import Part
 from crs_cc.recording.frames import FrameDecoder, count_in, messages
 from crs_cc.recording.gathered import Shape
 from crs_cc.recording.mcap_reader import McapReader
-from crs_cc.recording.mcap_writer import McapWriter
+from crs_cc.recording.mcap_writer import MAX_CHUNK, McapWriter
 from crs_cc.recording.readings import STATE, ReadingDecoder, ReadingEncoder, Readings
 from crs_cc.recording.recording import Recording
 
@@ -188,6 +190,69 @@ def test_a_run_that_is_killed_loses_its_last_second_at_most(
                 times.extend(
                     each.log_time for *_, each in found.iter_messages(log_time_order=False)
                 )
+
+
+BURST = """\
+#include <stdio.h>
+#include <unistd.h>
+#include <Nclient.h>
+int main(void)
+{
+    int i, line;
+    connect_robot(1);
+    for (i = 0; i < 16; i++) {
+        get_sn();
+        printf("second %d\\n", i);
+        for (line = 0; line < (i == 5 ? 9000 : 0); line++)
+            printf("%06d %080d\\n", line, i);
+        fflush(stdout);
+        usleep(250000);
+    }
+    return 0;
+}
+"""
+
+
+def test_much_output_is_written_before_the_second_is_over_and_none_is_lost_or_doubled(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The burst comes in the middle of a second, after seconds that were saved as they were."""
+    source, path, kept = tmp_path / "go.c", tmp_path / "run.mcap", list[bytes]()
+    source.write_text(BURST)
+    for name in ("save", "cut"):
+        written = getattr(McapWriter, name)
+
+        def noted(writer: McapWriter, *values: Any, _write: Any = written, **more: Any) -> None:
+            _write(writer, *values, **more)
+            kept.append(path.read_bytes())
+
+        monkeypatch.setattr(McapWriter, name, noted)
+    assert main(["run", str(source), "--record", str(path), "--quiet"]) == 0
+    whole, read = told(path)
+    assert whole.count("\n") == 9018  # two by connect_robot
+    sizes, counts = [0], [0]
+    for content in kept:
+        path.write_bytes(content)  # as it is when the run is killed
+        output, readings = told(path)
+        assert whole.startswith(output)
+        assert readings == pytest.approx(read[: len(readings)], abs=1e-6)  # kept in microseconds
+        sizes.append(len(output))
+        counts.append(len(readings))
+    assert len(read) == 17  # one by connect_robot
+    assert max(after - before for before, after in pairwise(counts)) <= 5  # in a second
+    assert sizes == sorted(sizes)
+    assert (
+        max(after - before for before, after in pairwise(sizes)) < 1.5 * MAX_CHUNK
+    )  # a message more
+
+
+def told(path: Path) -> tuple[str, list[float]]:
+    """Return what a recording has of the output, and the times of its readings [s]."""
+    recording = Recording(path)
+    pieces = [data["text"] for _, data in recording.data(topics.OUTPUT.topic)]
+    times_s = [time_s for each in recording.readings() for time_s in each.clock_s.tolist()]
+    recording.close()
+    return "".join(pieces), times_s
 
 
 def said(number: int) -> list[Part]:

@@ -44,7 +44,7 @@ COMPASS: Final = 43  # [0.1 deg], 0 to 3599
 
 
 class Told(NamedTuple):
-    """What a kernel has just told of robots, so that it need not be computed again.
+    """Results of the kernel that answered a request, for sensors that measure for its reply.
 
     Attributes:
         configuration: their positions and speeds, see `configuration`, (k, 7).
@@ -56,11 +56,11 @@ class Told(NamedTuple):
 
     @classmethod
     def by(cls, states: Int32Array, mounts: FloatArray) -> Self:
-        """Return it from `State` of each robot, (k, 45)."""
+        """Return the results from `State` of each robot, (k, 45), and its mount, (k, 3)."""
         return cls(states[:, _CONFIGURATION], mounts)
 
     def of(self, which: BoolArray) -> Self:
-        """Return what was told of some of them, (k,)."""
+        """Return the results of some of the robots; `which` is a mask, (k,)."""
         return type(self)(self.configuration[which], self.mounts[which])
 
 
