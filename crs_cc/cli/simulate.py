@@ -295,6 +295,8 @@ class Runner:
         if self._elsewhere is not None:
             most = min(most, self._elsewhere.timesteps_left() or most)
         if self._view is not None:  # which does what pages ask for, and waits
+            if self._recorder is not None:
+                self._recorder.save()
             most = min(most, self._view.timesteps())
             if self._clients is not None:
                 self._clients.set_speed(self._view.speed)
@@ -367,9 +369,11 @@ class Runner:
 
     @contextmanager
     def _waiting_for_input(self) -> Iterator[None]:
-        """Show the output so far, and let Ctrl-C end the run."""
+        """Show and save the output so far, and let Ctrl-C end the run."""
         self._progress.clear()
         self._output.flush()
+        if self._recorder is not None:
+            self._recorder.save()
         # Clients outside let a timestep end after Ctrl-C.
         with self._interrupt.waiting() if self._clients is None else nullcontext():
             yield

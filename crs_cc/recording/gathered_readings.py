@@ -87,6 +87,7 @@ class GatheredReadings:
 
 def _begin_ns(rows: Readings) -> int:
     """Return a time not after any reading [ns]; raise ValueError if one is not valid."""
-    if not ((rows.clock_s >= 0.0) & (rows.clock_s < ENDLESS_S)).all():
-        raise ValueError("the time of a reading is not valid")
+    is_valid = (rows.clock_s >= 0.0) & (rows.clock_s < ENDLESS_S)
+    if not is_valid.all() or rows.robots.min() < 0:
+        raise ValueError("a reading is not valid")
     return int(rows.clock_s.min() * NS)

@@ -67,6 +67,56 @@ def test_a_run_that_is_killed_is_recovered(
     assert "the same run" in capfd.readouterr().out
 
 
+ASKING = """\
+#include <Nclient.h>
+#include <stdio.h>
+
+int main(void)
+{
+    char line[9];
+    int n;
+    connect_robot(1);
+    vm(50, 50, 0);
+    for (n = 0; n < 9; n++) {
+        gs();
+        ws(1, 1, 1, 1);
+        printf("%d\\n", n);
+    }
+    printf("ready\\n");
+    fflush(stdout);
+    return !fgets(line, sizeof line, stdin);
+}
+"""
+
+
+def test_a_run_is_saved_before_it_waits_for_input(tmp_path: Path) -> None:
+    """Its seconds pass faster than they are saved else."""
+    program, path = tmp_path / "ask.c", tmp_path / "run.mcap"
+    program.write_text(ASKING)
+    command = [sys.executable, "-m", "crs_cc", "run", str(program), "--record", str(path)]
+    run = subprocess.Popen([*command, "--quiet"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    assert run.stdout is not None
+    try:
+        while run.stdout.readline() != b"ready\n":
+            assert run.poll() is None
+        end_s = time.monotonic() + 60.0
+        while not (said := _said(path)) or said[-1] != "ready\n":
+            assert time.monotonic() < end_s, said
+            time.sleep(0.01)
+    finally:
+        run.send_signal(signal.SIGKILL)
+        run.communicate()
+    assert said[-3:] == ["7\n", "8\n", "ready\n"]
+
+
+def _said(path: Path) -> list[str]:
+    """Return what programs have printed, according to a recording that is being written."""
+    recording = Recording(path)
+    said = [entry["text"] for _, entry in recording.data(topics.OUTPUT.topic)]
+    recording.close()
+    return said
+
+
 def test_where_a_chunk_ends_does_not_depend_on_what_was_saved() -> None:
     """What is printed is encoded when the chunk is; its size must not change when it is saved."""
     block = Block(0.0, Shape(1, 0, has_turret=False))

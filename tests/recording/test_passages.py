@@ -116,6 +116,7 @@ def test_a_robot_that_is_added_while_nothing_moves_is_recorded(
 ) -> None:
     """What is saved has no frames then; who is there is written in its place, not behind it."""
     monkeypatch.setattr("crs_cc.recording.recording_file.BLOCK_S", 3.0)
+    monkeypatch.setattr("crs_cc.recording.recording_file.SAVE_EVERY_S", 0.0)
     (tmp_path / "wait.c").write_text("#include <unistd.h>\nint main(void) { sleep(9); return 0; }")
     (tmp_path / "room.xml").write_text(WORLD)
     world = load_world(tmp_path / "room.xml")
