@@ -40,7 +40,7 @@ wander.c:12:14: error: out of bounds: reads 4 bytes right after the end of a hea
     allocated at wander.c:30:9 in main
     in   sum(count=5, ...)
     from turn()
-    ...  1,204 more calls of fib
+    ...  1,204 more calls to fib
     from main() at wander.c:31:5"""
 
 

@@ -258,7 +258,7 @@ def _array_size(low: Lowering, expression: tree.Intrinsic) -> Operand:
     most = Constant("i64", LARGEST_OBJECT)
     before = low.binary(location, "i64.sub", length, Constant("i64", 1))
     none = low.binary(location, "i64.lt_s", before, Constant("i64", 0))
-    _stop_if(low, none, "array length not positive", location)
+    _stop_if(low, none, "non-positive array length", location)
     # A length above the limit cannot be multiplied: the product might overflow.
     huge = low.binary(location, "i64.gt_s", length, most)
     _stop_if(low, huge, "no memory for local array", location)

@@ -155,7 +155,7 @@ def _computed_goto(low: Lowering, statement: tree.ComputedGoto) -> None:
         low.chooser = number, block
         cases = [(n, _label_block(low, name)) for name, (n, _) in statement.numbers.items()]
         block.terminator = Switch(location, number, cases, wrong)
-        wrong.terminator = Stop(location, "goto to no label")
+        wrong.terminator = Stop(location, "invalid goto target")
         low.function.blocks += [block, wrong]
     number, block = low.chooser
     low.move(number, operand, location)

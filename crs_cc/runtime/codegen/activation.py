@@ -216,7 +216,7 @@ class Activation:
         node.code.append(("local.tee", LABEL))
         node.exit, node.targets = "branch", [again, first]
         writer.code = damaged.code
-        writer.fail(Site("damaged stack", self.function.location), [("local.get", LABEL)])
+        writer.fail(Site("corrupted stack", self.function.location), [("local.get", LABEL)])
         writer.code = again.code
         spill_slots.load(writer, self.frame, self.registers.saved, debug=self.build.debug)
         add_dispatchers(again, start, landings, LABEL, damaged)

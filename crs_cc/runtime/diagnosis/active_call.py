@@ -25,7 +25,7 @@ class ActiveCall:
 
     def __str__(self) -> str:
         if self.count > 1:
-            return f"{self.count:,} more calls" + (f" of {self.function}" if self.function else "")
+            return f"{self.count:,} more calls" + (f" to {self.function}" if self.function else "")
         arguments = ", ".join(
             f"{name}={value}" if value else name for name, value in self.arguments
         )

@@ -214,7 +214,7 @@ def _index(failure: Failure, array: ArrayType, address: int) -> Explanation:
 def _constant(case: Case) -> Explanation:
     found = case.failure.object
     is_const = found is not None and found.variable is not None
-    text = f"{case.access} of {object_name(found)}" + (", which is const" if is_const else "")
+    text = f"{case.access} to {object_name(found)}" + (", which is const" if is_const else "")
     return Explanation(text, object_notes(found))
 
 
@@ -235,9 +235,9 @@ def _returned(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
     if found is None:
         return Explanation(f"{case.access} of a local variable of a function that has returned")
-    owner = f"'{plain_name(found.function)}', which has returned"
+    local = f"a local variable of '{plain_name(found.function)}', which has returned"
     notes = object_notes(found, failure.value)
-    return Explanation(f"{case.access} of {object_name(found)} of {owner}", notes)
+    return Explanation(f"{case.access} of {object_name(found)}, {local}", notes)
 
 
 def _origin(case: Case) -> tuple[str, ...]:
@@ -271,8 +271,9 @@ def _uninitialised(case: Case) -> Explanation:
         if case.callee is None and case.expression:
             return Explanation(f"'{case.expression}' has no value yet", (f"it is {where}", *notes))
         return Explanation(f"{case.access} from {where}, which has no value yet", notes)
-    what = f"'{case.expression}'" if case.expression else "what is used here"
-    return Explanation(f"{what} has no value yet", notes)
+    if not case.expression:
+        return Explanation("the value used here is uninitialised", notes)
+    return Explanation(f"'{case.expression}' has no value yet", notes)
 
 
 # The heap
@@ -288,12 +289,12 @@ def _invalid_free(case: Case) -> Explanation:
         text = f"{who} is passed a pointer to byte {offset} of {object_name(found)}"
         return Explanation(f"{text}, not to its start", object_notes(found))
     text = f"{who} is passed a pointer to {object_name(found)}, which malloc never returned"
-    return Explanation(text, object_notes(found, failure.value if offset else None))
+    return Explanation(text, object_notes(found, failure.value if offset else None, "it points"))
 
 
 def _overlap(case: Case) -> Explanation:
     who = case.callee.function if case.callee else "a copy"
-    text = f"{who} copies within {object_name(case.failure.object)}, to where it reads"
+    text = f"the source and destination of {who} overlap in {object_name(case.failure.object)}"
     return Explanation(text, object_notes(case.failure.object))
 
 
@@ -303,13 +304,13 @@ def _unrelated(case: Case) -> Explanation:
     if one == two:
         two = "another"
     text = f"one points to {one}, the other to {two}"
-    hint = "hint: to compare addresses as such, convert them to 'uintptr_t'"
+    hint = "hint: to subtract addresses of different objects, convert them to 'uintptr_t'"
     return Explanation(text, (*object_notes(first), *object_notes(second), hint))
 
 
 def _double_free(case: Case) -> Explanation:
     failure = case.failure
-    text = f"{object_name(failure.object)} was freed already"
+    text = f"{object_name(failure.object)} has already been freed"
     return Explanation(text, object_notes(failure.object, failure.value))
 
 
@@ -328,8 +329,8 @@ def _missing_argument(case: Case) -> Explanation:
 
 def _mismatched_argument(case: Case) -> Explanation:
     failure = case.failure
-    wanted = spell(failure.ctype) if failure.ctype is not None else "another type"
-    number, passed = 0, "of another type"
+    wanted = spell(failure.ctype) if failure.ctype is not None else "a different type"
+    number, passed = 0, "of a different type"
     if failure.stopped is not None:
         found = variable_argument(failure.stopped, failure.value)
         number, passed = (found[0], spell(found[1])) if found else (number, passed)
@@ -361,8 +362,8 @@ def _mismatched(case: Case) -> Explanation:
             name = plain_name(each.name)
             who = f"'{case.called}' points to '{name}', which" if case.called else f"'{name}'"
             note = f"it is {spell(each.ctype, name)}, defined at {each.location}"
-            return Explanation(f"{who} has another type", (note,), shows_values=False)
-    return Explanation("the function called has another type than the pointer")
+            return Explanation(f"{who} has a different type", (note,), shows_values=False)
+    return Explanation("the pointer's type is not that of the function called")
 
 
 def _bad_function(case: Case) -> Explanation:
@@ -407,7 +408,7 @@ def _assertion(case: Case) -> Explanation:
 def _shift(case: Case) -> Explanation:
     value = case.failure.value
     value -= (value >> 31) << 32
-    return Explanation(f"by {count(value, 'bit')}")
+    return Explanation(f"the shift count is {value:,}")
 
 
 def _says(text: str, *, shows_callee: bool = True) -> Callable[[Case], Explanation]:
@@ -419,7 +420,7 @@ EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
     "pointer outside memory": _outside,
     "wild pointer": _wild,
     "out of bounds": _out_of_bounds,
-    "constant memory": _constant,
+    "write to constant memory": _constant,
     "use after free": _freed,
     "use after scope": _scope,
     "use after return": _returned,
@@ -433,11 +434,11 @@ EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
     "no value returned": _no_value,
     "mismatched call": _mismatched,
     "shift out of range": _shift,
-    "signed overflow": _says("the result does not fit its type"),
-    "division overflow": _says("the quotient does not fit its type"),
+    "signed overflow": _says("the result does not fit in its type"),
+    "division overflow": _says("the quotient does not fit in its type"),
     "bad function pointer": _bad_function,
     "stack overflow": _stack,
-    "damaged stack": _says("the program has overwritten its call stack"),
+    "corrupted stack": _says("the program has overwritten its call stack"),
     "abort called": _says("", shows_callee=False),
     "unhandled signal": _says("", shows_callee=False),
     "assertion failed": _assertion,

@@ -31,8 +31,10 @@ def object_name(found: Object | None) -> str:
     return f"'{found.name}'" if found.name else "an unnamed object"
 
 
-def object_notes(found: Object | None, address: int | None = None) -> tuple[str, ...]:
-    """Describe an object, the part of it at an address, and its origin."""
+def object_notes(
+    found: Object | None, address: int | None = None, what: str = "the access is"
+) -> tuple[str, ...]:
+    """Describe an object, what is done to which part of it at an address, and its origin."""
     if found is None:
         return ()
     notes = []
@@ -40,11 +42,12 @@ def object_notes(found: Object | None, address: int | None = None) -> tuple[str,
         ctype, name = found.variable.ctype, found.name
         offset = 0 if address is None else address - found.address
         part = place_name(name, ctype, offset) if offset else name
-        this = f"; this is {part}" if part != name else ""
+        this = f"; {what} to {part}" if part != name else ""
         size = count(found.size, "byte")
         notes.append(f"'{name}' is {spell(ctype)}, {size}, declared at {found.location}{this}")
     elif found.kind == "string" and found.location is not None:
-        notes.append(f"the string has {count(found.size, 'byte')} and is at {found.location}")
+        size = count(found.size, "byte")
+        notes.append(f"the string literal is {size} long and appears at {found.location}")
     if found.allocated:
         notes.append(f"allocated {_sites(found.allocated)}")
     if found.freed:
@@ -58,4 +61,4 @@ def _sites(sites: tuple[CallSite, ...]) -> str:
     if not mine:
         return "inside the library"
     calls = [f"{site.location} in {plain_name(site.function)}" for site in mine]
-    return "at " + ", from ".join(calls[:SHOWN_SITES])
+    return "at " + ", called from ".join(calls[:SHOWN_SITES])

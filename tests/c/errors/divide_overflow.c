@@ -1,4 +1,4 @@
-/* INT_MIN / -1 does not fit. */
+/* INT_MIN / -1 does not fit in an int. */
 #include <limits.h>
 #include <stdio.h>
 

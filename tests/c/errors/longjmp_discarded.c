@@ -1,4 +1,4 @@
-/* The function that called setjmp has been left by another longjmp. */
+/* The function that called setjmp was exited by another longjmp. */
 #include <setjmp.h>
 
 static jmp_buf outer, inner;

@@ -1,4 +1,4 @@
-/* Example: a member of a struct at a null pointer; the address is small, but not null. */
+/* Example: access to a struct member through a null pointer; the address is small, but not null. */
 #include <stdio.h>
 
 struct node {

@@ -3,7 +3,7 @@
 
 static int sum(int n)
 {
-    int values[n]; // error: array length not positive
+    int values[n]; // error: non-positive array length
     memset(values, 0, sizeof values);
     return values[0];
 }

@@ -1,5 +1,5 @@
 /* A jmp_buf filled with nonsense behind a true beginning. */
-// ends: damaged stack
+// ends: corrupted stack
 #include <setjmp.h>
 
 int main(void)

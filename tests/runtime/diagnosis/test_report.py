@@ -101,13 +101,13 @@ def test_a_long_chain_of_calls_is_cut(tmp_path: Path) -> None:
     assert error.text == "division by zero"
     assert error.values == (("k", "0"), ("n", "0"))
     assert stack(error) == [
-        "down(n=0)", "down(n=1)", "down(n=2)", "47 more calls of down", "down(n=50)", "main()",
+        "down(n=0)", "down(n=1)", "down(n=2)", "47 more calls to down", "down(n=50)", "main()",
     ]  # fmt: skip
 
 
 def test_a_chain_of_two_functions_is_cut(tmp_path: Path) -> None:
     error = report_of(tmp_path, "even(50)")
-    assert "47 more calls of odd and even" in stack(error)
+    assert "47 more calls to odd and even" in stack(error)
 
 
 def test_the_library_between_the_users_functions_is_one_call(tmp_path: Path) -> None:
@@ -128,7 +128,7 @@ def test_a_name_refers_to_the_innermost_variable(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("users_settings")
-def test_endless_recursion_shows_its_cycle(tmp_path: Path) -> None:
+def test_infinite_recursion_shows_its_cycle(tmp_path: Path) -> None:
     error = report_of(tmp_path, "down(-1)")
     assert error.kind == "stack overflow"
     assert stack(error)[-2:] == ["down(n=-1)", "main()"]

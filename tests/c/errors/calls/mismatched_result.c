@@ -1,4 +1,4 @@
-/* The result has another type than the pointer says. */
+/* The result has a different type from the one that the pointer's type says. */
 static double half(int n) { return n / 2.0; }
 
 int main(void)

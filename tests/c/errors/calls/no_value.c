@@ -1,4 +1,4 @@
-/* A function forgets to return in one case. */
+/* One path through a function lacks a return. */
 static int sign(int n)
 {
     if (n > 0)

@@ -1,4 +1,4 @@
-/* Example: the format expects two numbers, the call passes one. */
+/* Example: the format expects two numbers, but the call passes one. */
 #include <stdio.h>
 
 int main(void)

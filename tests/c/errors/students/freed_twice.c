@@ -1,4 +1,4 @@
-/* Example: a list frees its nodes, and so does its user. */
+/* Example: a function frees all nodes of a list, and its caller then frees one of them again. */
 #include <stdlib.h>
 
 struct item {

@@ -1,4 +1,4 @@
-/* Example: an array of a function that has returned. */
+/* Example: an array that is local to a function that has returned. */
 #include <stdio.h>
 
 static char *name_of(int state)

@@ -4,7 +4,7 @@ static char room[16] = "................";
 static char *message = PLANT("................", room);
 int main(void)
 {
-    sprintf(message, "%d", 42); // error: constant memory
+    sprintf(message, "%d", 42); // error: write to constant memory
     puts(message);
     return 0;
 }

@@ -4,7 +4,7 @@
 static void upper(char *s)
 {
     for (; *s; s++)
-        *s = toupper(*s); // error: constant memory
+        *s = toupper(*s); // error: write to constant memory
 }
 int main(void)
 {

@@ -12,7 +12,7 @@ static void cut(char *name)
     char *blank = strchr(name, ' ');
 
     if (blank)
-        *blank = '\0'; // error: constant memory
+        *blank = '\0'; // error: write to constant memory
 }
 
 int main(void)

@@ -1,4 +1,4 @@
-/* Example: endless recursion. */
+/* Example: infinite recursion. */
 #include <stdio.h>
 
 static int deeper(int n) // error: stack overflow
