@@ -42,6 +42,7 @@ COLUMNS: Final = 3
 TURN: Final = round(2.0 * np.pi * PER_UNIT)
 """A full turn, as headings are written."""
 
+_EXACT: Final = 2**53  # whole numbers below are exact as float64
 _BITS: Final = 20  # of the sine and cosine of an angle between frames
 
 
@@ -85,8 +86,23 @@ def nearest_turn(heading: Int64Array) -> Int64Array:
     >>> nearest_turn(np.array([31415, 31416, 62832 - 5]))
     array([ 31415, -31416,     -5])
     """
-    found: Int64Array = (heading + TURN // 2) % TURN - TURN // 2
-    return found
+    return heading - TURN * quotient(heading + TURN // 2, TURN)
+
+
+def quotient(numbers: Int64Array, by: Int64Array | int) -> Int64Array:
+    """Return whole quotients, rounded down, like `//` and much faster for small numbers.
+
+    A quotient of whole numbers below 2^53 that is none itself is farther from the next one than it
+    is rounded.
+
+    >>> quotient(np.array([7, -7, 2**60 - 1]), 2).tolist()
+    [3, -4, 576460752303423487]
+    """
+    largest = max(-int(numbers.min(initial=0)), int(numbers.max(initial=0)))
+    if largest < _EXACT:
+        return np.floor(numbers / by).astype(np.int64)
+    whole: Int64Array = numbers // by
+    return whole
 
 
 def turned(x: Int64Array, y: Int64Array, angle: Int64Array) -> tuple[Int64Array, Int64Array]:

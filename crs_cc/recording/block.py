@@ -100,6 +100,8 @@ class Block:
 
         Nothing must be added to the block as long as it is used.
         """
+        self.frames.settle()
+        self.readings.settle()
         tails: list[Part] = []
         saved = self._saved_bytes
         for number, column in enumerate(self._content):

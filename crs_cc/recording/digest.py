@@ -22,11 +22,13 @@ def digest(session: Session) -> str:
     """Return the hash of a run between two timesteps."""
     state, world = session.state, session.environment.last_state
     odometry, bodies = world.odometry, world.bodies
-    arrays = (
-        *(state.clock_s, state.fuel, state.alive, state.due_s, state.ended_s, state.called_s),
-        *(bodies.position_m, bodies.angle_rad, bodies.velocity_mps, world.heading_rad),
-        *(odometry.x_m, odometry.y_m, odometry.heading_rad),
-        *(world.collisions, world.commands, world.distance_m),
-    )
-    content = b"".join([b"%d" % session.timesteps, *(array.tobytes() for array in arrays)])
-    return f"{zlib.crc32(content) & DIGEST_BITS:0{DIGITS}x}"
+    parts = [  # each written out: a loop takes half as long again, 60 times a minute
+        b"%d" % state.timesteps,
+        state.clock_s.tobytes(), state.fuel.tobytes(), state.alive.tobytes(),
+        state.due_s.tobytes(), state.ended_s.tobytes(), state.called_s.tobytes(),
+        bodies.position_m.tobytes(), bodies.angle_rad.tobytes(), bodies.velocity_mps.tobytes(),
+        world.heading_rad.tobytes(),
+        odometry.x_m.tobytes(), odometry.y_m.tobytes(), odometry.heading_rad.tobytes(),
+        world.collisions.tobytes(), world.commands.tobytes(), world.distance_m.tobytes(),
+    ]  # fmt: skip
+    return f"{zlib.crc32(b''.join(parts)) & DIGEST_BITS:0{DIGITS}x}"

@@ -24,6 +24,9 @@ _TIME: Final = struct.Struct("<d")
 _HEAD: Final = struct.Struct("<qqqd")
 
 
+_When = tuple[int, int, int]
+
+
 class Shape(NamedTuple):
     """The robots and objects in a frame.
 
@@ -61,8 +64,8 @@ class GatheredFrames:
 
     Attributes:
         single: those that were copied from states.
-        heads: a row for each passage.
-        passed: a row for each frame of a passage.
+        heads: a row for each passage that is settled.
+        passed: a row for each frame of such a passage.
     """
 
     def __init__(self, shape: Shape) -> None:
@@ -72,10 +75,12 @@ class GatheredFrames:
         self.single = Columns(self._single.itemsize)
         self.heads = Columns(self._head.itemsize)
         self.passed = Columns(max(1, shape.robots * FRAME * 8))
+        self._unsettled: list[tuple[_When, float, bytes, bytes]] = []  # that are not settled
+        self._in_passages = 0  # frames
 
     def __len__(self) -> int:
         """Return the number of frames."""
-        return len(self.single) + len(self.passed)
+        return len(self.single) + len(self.passed) + self._in_passages
 
     def add(self, time_s: float, state: EnvState) -> None:
         """Copy a frame from a state."""
@@ -92,9 +97,7 @@ class GatheredFrames:
         column += odometry.heading_rad.tobytes()
         column += state.presence.present.tobytes()
 
-    def add_passage(
-        self, when: tuple[int, int, int], timestep_s: float, poses: bytes, state: EnvState
-    ) -> None:
+    def add_passage(self, when: _When, timestep_s: float, poses: bytes, state: EnvState) -> None:
         """Copy frames of a passage.
 
         Args:
@@ -104,15 +107,25 @@ class GatheredFrames:
             poses: where the robots are and believe to be in each frame, `FRAME` each.
             state: one of the passage.
         """
-        parts = [_HEAD.pack(*when, timestep_s)]
+        others = state.presence.present.tobytes()
         if self._shape.objects:
             bodies, robots = state.bodies, self._shape.robots
-            parts += [bodies.position_m[robots:].tobytes(), bodies.angle_rad[robots:].tobytes()]
-        self.heads.append(b"".join([*parts, state.presence.present.tobytes()]))
-        self.passed.append(poses)
+            position, angle = bodies.position_m[robots:], bodies.angle_rad[robots:]
+            others = position.tobytes() + angle.tobytes() + others
+        self._unsettled.append((when, timestep_s, others, poses))
+        self._in_passages += when[2]
+
+    def settle(self) -> None:
+        """Move the passages to `heads` and `passed`."""
+        if self._unsettled:
+            heads = [_HEAD.pack(*when, each_s) + rest for when, each_s, rest, _ in self._unsettled]
+            self.heads.append(b"".join(heads))
+            self.passed.append(b"".join([poses for *_, poses in self._unsettled]))
+            self._unsettled, self._in_passages = [], 0
 
     def frames(self) -> Frames:
         """Return all frames; raise ValueError if they are not valid."""
+        self.settle()
         if not len(self.heads):
             return self._singles()
         if not len(self.single):

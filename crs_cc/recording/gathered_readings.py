@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.recording.columns import Columns
+from crs_cc.recording.columns import Columns, Part
 from crs_cc.recording.mcap_records import ENDLESS_S, NS
 from crs_cc.recording.readings import STATE, Readings
 from crs_cc.sim.kernels import calm
 
 if TYPE_CHECKING:
+    from crs_cc.core.arrays import Records
     from crs_cc.sim.engine.step import Served
 
 ANSWER: Final = np.dtype(
@@ -21,6 +22,7 @@ ANSWER: Final = np.dtype(
 """What is kept of an answer in a passage of timesteps: the first fields of it."""
 
 _CODE: Final = 4  # bytes
+_VECTOR: Final = 4 * STATE
 
 
 class GatheredReadings:
@@ -29,14 +31,15 @@ class GatheredReadings:
     Attributes:
         count: how many.
         single: code, robot, clock [s] and vector of the answers of single timesteps.
-        passed: those of passages of timesteps.
+        passed: those of passages of timesteps, once they are settled.
     """
 
     def __init__(self) -> None:
         """Create one without readings."""
         self.count = 0
-        self.single = Columns(_CODE, 8, 8, 4 * STATE)
+        self.single = Columns(_CODE, 8, 8, _VECTOR)
         self.passed = Columns(ANSWER.itemsize)
+        self._logged: list[tuple[int, bytes]] = []  # of passages after those; singles before each
 
     def add(self, answers: Iterable[Served]) -> None:
         """Add answers, of which those without vectors are left out."""
@@ -52,37 +55,62 @@ class GatheredReadings:
 
     def add_passage(self, answers: bytes) -> None:
         """Add the answers in a passage: records of calm time, which begin with `ANSWER`."""
-        rows = np.frombuffer(answers, np.uint8).reshape(-1, calm.ANSWER.itemsize)
-        self.count += len(rows)
+        self.count += len(answers) // calm.ANSWER.itemsize
+        self._logged.append((len(self.single), answers))
+
+    def settle(self) -> None:
+        """Move the answers in passages to `passed`."""
+        logged = b"".join([answers for _, answers in self._logged])
+        rows = np.frombuffer(logged, np.uint8).reshape(-1, calm.ANSWER.itemsize)
         self.passed.append(rows[:, : ANSWER.itemsize].tobytes())
+        self._logged.clear()
 
     def rows(self) -> tuple[int, Readings]:
         """Return the answers, at least one, and a time not after any of them [ns].
 
+        Their order does not depend on what was settled when.
+
         Raises:
             ValueError: they are not valid.
         """
-        passed = np.frombuffer(self.passed.content()[0], ANSWER)
-        if not len(self.single):
-            rows = Readings(
-                passed["code"].astype(np.int64),
-                passed["robot"].astype(np.intp),
-                passed["clock_s"],
-                passed["state"],
-            )
+        if self._logged and not len(self.passed):
+            rows = self._in_order()
+            if (rows.clock_s[1:] > rows.clock_s[:-1]).all():  # as of one robot
+                return _begin_ns(rows), rows
+        self.settle()
+        rows = self._singles()
+        if not len(self.passed):
             return _begin_ns(rows), rows
-        codes, robots, clocks, states = self.single.content()
-        vectors = np.frombuffer(states, "<i4").reshape(-1, STATE)
-        rows = Readings(
-            np.concatenate([np.frombuffer(codes, "<i4"), passed["code"]], dtype=np.int64),
-            np.concatenate([np.frombuffer(robots, np.intp), passed["robot"]], dtype=np.intp),
-            np.concatenate([np.frombuffer(clocks, "<f8"), passed["clock_s"]]),
-            np.concatenate([vectors, passed["state"]]),
+        passed = _readings(np.frombuffer(self.passed.content()[0], ANSWER))
+        rows = Readings(*(np.concatenate(columns) for columns in zip(rows, passed, strict=True)))
+        return _begin_ns(rows), rows.of(np.argsort(rows.clock_s, kind="stable"))
+
+    def _singles(self) -> Readings:
+        codes, robots, clocks, vectors = self.single.content()
+        return Readings(
+            np.frombuffer(codes, "<i4"),
+            np.frombuffer(robots, np.intp),
+            np.frombuffer(clocks, "<f8"),
+            np.frombuffer(vectors, "<i4").reshape(-1, STATE),
         )
-        begin_ns = _begin_ns(rows)
-        if len(passed):
-            rows = rows.of(np.argsort(rows.clock_s, kind="stable"))
-        return begin_ns, rows
+
+    def _in_order(self) -> Readings:
+        """Return all answers as they were added, none of which is settled."""
+        single = self._singles()
+        records = np.zeros(len(single.robots), calm.ANSWER)
+        records["code"], records["robot"] = single.codes, single.robots
+        records["clock_s"], records["state"] = single.clock_s, single.states
+        content, done, parts = memoryview(records.tobytes()), 0, list[Part]()
+        for count, answers in self._logged:
+            end = count * calm.ANSWER.itemsize
+            parts += (content[done:end], answers)
+            done = end
+        return _readings(np.frombuffer(b"".join([*parts, content[done:]]), calm.ANSWER))
+
+
+def _readings(records: Records) -> Readings:
+    robots, clock_s = records["robot"].astype(np.intp), records["clock_s"].copy()
+    return Readings(records["code"], robots, clock_s, records["state"])
 
 
 def _begin_ns(rows: Readings) -> int:

@@ -44,6 +44,18 @@ from crs_cc.recording.mcap_records import (
 PROFILE: Final = "crs"
 LEVEL: Final = 1  # of zstd: level 3 is 2 % smaller and takes twice the time
 SMALL_LEVEL: Final = 9  # for seconds of which many are one chunk: 12 % smaller
+_SMALL: Final = zstandard.ZstdCompressionParameters(
+    strategy=zstandard.STRATEGY_LAZY2,
+    window_log=18,
+    hash_log=15,
+    chain_log=15,
+    search_log=4,
+    min_match=5,
+    target_length=16,
+    write_content_size=True,
+)
+"""Of chunks at `SMALL_LEVEL`: as small as at zstd's level 9, in three quarters of the time."""
+
 MAX_CHUNK: Final = 256 * 1024
 """A chunk is cut when it is larger [bytes]."""
 
@@ -87,10 +99,6 @@ class McapWriter:
         self._at = 0
         self._saved_to = 0  # the end of what is saved, from `_at` on; 0 for nothing
         self._saved = 0  # how many of the pending messages are saved
-        self._compressors = {
-            level: zstandard.ZstdCompressor(level=level, write_content_size=True)
-            for level in (LEVEL, SMALL_LEVEL)
-        }
         self._pending: list[_Pending] = []
         self._numbers: dict[str, int] = {}
         self._schemas: dict[str, bytes] = {}  # by name
@@ -119,7 +127,7 @@ class McapWriter:
         """Write a file, compressed if that is shorter."""
         media_type = "application/octet-stream"
         level = SMALL_LEVEL if len(content) <= MAX_CHUNK else LEVEL
-        packed = self._compressors[level].compress(content)
+        packed = zstandard.ZstdCompressor(level=level).compress(content)
         if len(packed) + len(ZSTD_NAME) < len(content):
             name, media_type, content = name + ZSTD_NAME, ZSTD, packed
         times = bytes(16)
@@ -260,7 +268,7 @@ class McapWriter:
         """Return messages as a chunk with its indexes, for a place in the file."""
         parts, index = self._content(messages, self._counts)
         self._is_described.update(channel.schema for _, _, channel, _ in messages)
-        content, packed = b"".join(parts), _compressed(parts, self._compressors[level])
+        content, packed = b"".join(parts), _compressed(parts, _compressor(level))
         chunk = _chunk(content, "zstd", packed, messages)
         offsets, rows, end = dict[int, int](), list[bytes](), at + len(chunk)
         for number, places in index.items():
@@ -326,6 +334,12 @@ class McapWriter:
     def _write(self, data: bytes) -> None:
         self._file.write(data)
         self._at += len(data)
+
+
+def _compressor(level: int) -> zstandard.ZstdCompressor:
+    if level == SMALL_LEVEL:
+        return zstandard.ZstdCompressor(compression_params=_SMALL)
+    return zstandard.ZstdCompressor(level=level, write_content_size=True)
 
 
 def _compressed(parts: Sequence[bytes], compressor: zstandard.ZstdCompressor) -> bytes:

@@ -22,8 +22,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -56,8 +55,7 @@ _NS_PER_US: Final = 1000
 _PLANES: Final = 4  # bytes of a number
 
 
-@dataclass(frozen=True, slots=True)
-class Readings:
+class Readings(NamedTuple):
     """Answers to requests that reply `State`; (k,) each.
 
     Attributes:
@@ -66,7 +64,7 @@ class Readings:
         states: the vectors (k, 45).
     """
 
-    codes: Int64Array
+    codes: npt.NDArray[np.signedinteger[Any]]
     robots: IndexArray
     clock_s: FloatArray
     states: Int32Array
@@ -134,37 +132,78 @@ class ReadingEncoder:
             rows = rows.of(np.argsort(rows.robots, kind="stable"))
         robots, states = rows.robots, rows.states
         first = _firsts(robots)
-        changes = np.empty_like(states)
-        np.subtract(states[1:], states[:-1], out=changes[1:])
-        changes[first] = states[first] - self._memory.last(robots[first])
+        changes = _Changes(states, first, self._memory.last(robots[first]))
         ends = np.append(first[1:], len(robots)) - 1
         self._memory.keep(robots[ends], states[ends])
         after_us = np.rint((rows.clock_s - time_ns / NS) * _US).astype(np.int64)
         missed, frames_ns = b"", ALONE
         if course is not None:
             frames_ns = course.begin_ns
-            off = states[:, PLACE] - course.at(robots, _at_us(time_ns, after_us))
-            missed = b"".join(map(sparse, off.T))
-            changes[:, PLACE] = 0
-        place = np.flatnonzero(changes != 0)
-        row, element = np.divmod(place, STATE)
+            off = states[:, PLACE].T - course.at(robots, _at_us(time_ns, after_us))
+            missed = b"".join(map(sparse, off))
+            changes.leave_out(PLACE)
+        row, element = changes.places()
         count = np.bincount(element, minlength=STATE)
-        often = np.flatnonzero(count * OFTEN > len(states))
-        is_seldom = (count * OFTEN <= len(states))[element]
+        is_often = count * OFTEN > len(states)
+        often = np.flatnonzero(is_often).tolist()
+        is_seldom = ~is_often[element]
         row, element = row[is_seldom], element[is_seldom]
-        bits = sum(1 << column for column in often.tolist())
+        bits = sum(1 << column for column in often)
         parts = (
             HEAD.pack(VERSION, number, len(states), len(row), bits, frames_ns),
             rows.codes.astype("<u2").tobytes(),
             packed(_steps(robots)),
             packed(_steps(after_us)),
-            *(packed(changes[:, column]) for column in often),
+            *(packed(changes.of(column)) for column in often),
             element.astype(np.uint8).tobytes(),
             packed(_steps(row)),
-            packed(changes.ravel()[place[is_seldom]]),
+            packed(changes.at(row, element)),
             missed,
         )
         return b"".join(parts)
+
+
+class _Changes:
+    """What differs in vectors from those before of the same robots."""
+
+    def __init__(self, states: Int32Array, first: IndexArray, last: Int32Array) -> None:
+        """Compare vectors.
+
+        Args:
+            states: the vectors, by robots (k, 45).
+            first: the first row of each robot.
+            last: each robot's vector before that.
+        """
+        self._states, self._first, self._last = states, first, last
+        self._differs = np.empty(states.shape, np.bool_)
+        np.not_equal(states[1:], states[:-1], out=self._differs[1:])
+        self._differs[first] = states[first] != last
+
+    def leave_out(self, columns: slice) -> None:
+        """Take elements for unchanged."""
+        self._differs[:, columns] = False
+
+    def places(self) -> tuple[IndexArray, IndexArray]:
+        """Return where there are changes: rows and elements."""
+        row, element = np.divmod(np.flatnonzero(self._differs), STATE)
+        return row, element
+
+    def of(self, column: int) -> Int32Array:
+        """Return the changes of an element in all rows."""
+        values = self._states[:, column]
+        changes = np.empty_like(values)
+        np.subtract(values[1:], values[:-1], out=changes[1:])
+        changes[self._first] = values[self._first] - self._last[:, column]
+        return changes
+
+    def at(self, row: IndexArray, element: IndexArray) -> Int32Array:
+        """Return the changes at places."""
+        changes: Int32Array = self._states[row, element] - self._states[row - 1, element]
+        place = np.searchsorted(self._first, row).clip(max=len(self._first) - 1)
+        is_first = self._first[place] == row
+        some, column = place[is_first], element[is_first]
+        changes[is_first] = self._states[row[is_first], column] - self._last[some, column]
+        return changes
 
 
 class ReadingDecoder:
@@ -221,7 +260,7 @@ class ReadingDecoder:
                 raise ValueError("the frames of readings are missing")
             found_us = _at_us(time_ns, after_us)
             expected = course_of(frames_ns).at(robots, found_us)
-            place = expected + np.stack(off, axis=1, dtype=np.int32, casting="same_kind")
+            place = expected + np.stack(off, dtype=np.int32, casting="same_kind")
         states = self._summed(robots, changes, place)
         clock_s = time_ns / NS + after_us / _US
         return Readings(codes, robots, clock_s, states).of(np.argsort(clock_s, kind="stable"))
@@ -242,7 +281,7 @@ class ReadingDecoder:
         before[1:] = sums[first[1:] - 1]
         states = sums - np.repeat(before, lengths, axis=0)
         if place is not None:
-            states[:, PLACE] = place
+            states[:, PLACE] = place.T
         ends = first + lengths - 1
         self._memory.keep(robots[ends], states[ends])
         return states
@@ -275,11 +314,10 @@ def packed(values: npt.NDArray[Any]) -> bytes:
     >>> packed(np.array([1, -2, 3])).hex()
     '01020306'
     """
-    planes = folded(values.astype(np.int32)).view(np.uint8).reshape(-1, 4).T
-    count = _PLANES
-    while count > 1 and not planes[count - 1].any():
-        count -= 1
-    return bytes([count]) + planes[:count].tobytes()
+    u = folded(values.astype(np.int32))
+    count = max(1, -(-int(u.max(initial=0)).bit_length() // 8))
+    planes = ((u >> 8 * plane).astype(np.uint8).tobytes() for plane in range(count))
+    return bytes([count]) + b"".join(planes)
 
 
 def sparse(values: npt.NDArray[Any]) -> bytes:

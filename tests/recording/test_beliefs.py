@@ -142,7 +142,7 @@ def test_readings_of_what_odometry_says_take_a_bit_each() -> None:
     expected, rows = course(), 800
     robots, times_us = np.zeros(rows, np.intp) + 2, np.arange(rows) * 2000
     states = np.zeros((rows, STATE), np.int32)
-    states[:, PLACE] = expected.at(robots, times_us)
+    states[:, PLACE] = expected.at(robots, times_us).T
     meant = Readings(np.ones(rows, np.int64), robots, times_us / 1e6, states)
     alone, told = (ReadingEncoder().encode(meant, 0, each) for each in (None, expected))
     assert len(alone) - len(told) > 2 * rows

@@ -117,6 +117,16 @@ def _said(path: Path) -> list[str]:
     return said
 
 
+def test_saved_readings_of_impossible_robots_are_refused() -> None:
+    block = Block(0.0, Shape(1, 0, has_turret=False))
+    block.readings.single.append(
+        (12).to_bytes(4, "little"), (-5).to_bytes(8, "little", signed=True), bytes(8), bytes(4 * 45)
+    )
+    saved = b"".join(block.unsaved().parts())
+    with pytest.raises(ValueError, match="a reading is not valid"):
+        list(saved_messages(saved))
+
+
 def test_where_a_chunk_ends_does_not_depend_on_what_was_saved() -> None:
     """What is printed is encoded when the chunk is; its size must not change when it is saved."""
     block = Block(0.0, Shape(1, 0, has_turret=False))

@@ -170,3 +170,32 @@ def test_passages_are_recorded_as_single_timesteps(every_s: float, tmp_path: Pat
     assert len(list(recording.frames())) > 20
     assert sum(len(each.robots) for each in recording.readings()) > 80
     recording.close()
+
+
+@pytest.mark.parametrize("robots", [1, 2])
+def test_readings_have_the_same_order_however_often_they_were_saved(
+    robots: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "drive.c").write_text(PROGRAM)
+    (tmp_path / "room.xml").write_text(WORLD)
+    world = load_world(tmp_path / "room.xml")
+    world = dataclasses.replace(world, robots=world.robots[:robots])
+    executable = build_executable([tmp_path / "drive.c"], Diagnostics())
+    made = []
+    for save_every_s in (0.0, 3600.0):
+        monkeypatch.setattr("crs_cc.recording.recording_file.SAVE_EVERY_S", save_every_s)
+        path = tmp_path / f"{save_every_s}.mcap"
+        recorder = Recorder(path, RecorderOptions(), RunDescription().metadata(), {})
+        programs = [executable] * robots
+        session = Session(world, programs, output=recorder.write, observer=recorder)
+        recorder.begin(session)
+        while session.advance(round(recorder.seconds_left() / world.timestep_s), calmly=True):
+            recorder.sample()
+        recorder.finish(session.result())
+        made.append(path.read_bytes())
+    assert made[0] == made[1]
+    recording = Recording(tmp_path / "0.0.mcap")
+    for robot in range(robots):
+        times_s = [each.clock_s[each.robots == robot] for each in recording.readings()]
+        assert (np.diff(np.concatenate(times_s)) > 0.0).all()
+    recording.close()
