@@ -18,7 +18,7 @@ ones, see `frames`, so each computer reads the same.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Final
 
 import numpy as np
@@ -30,6 +30,7 @@ from crs_cc.recording.frames import (
     NOWHERE,
     PER_UNIT,
     Numbers,
+    Times,
     frame_in,
     group_in,
     is_group,
@@ -47,7 +48,7 @@ _BITS: Final = 20  # of the sine and cosine of an angle between frames
 
 
 def messages(
-    times_ns: Sequence[int], believed: FloatArray, true: FloatArray
+    times_ns: Times, believed: FloatArray, true: FloatArray
 ) -> list[tuple[int, bytes]]:
     """Return messages, each with its time, as `frames.messages` does.
 
@@ -56,9 +57,14 @@ def messages(
         believed: x, y [m], heading [rad] of each robot, (frames, 3, robots).
         true: where everything is in the same frames, robots first, (frames, columns, rows).
     """
-    whole, now = whole_numbers(believed), whole_numbers(true[:, :COLUMNS, : believed.shape[2]])
-    steps = whole.copy()
-    steps[1:] -= expected(whole[:-1], now[:-1], now[1:])
+    return messages_of(times_ns, whole_numbers(believed), whole_numbers(true))
+
+
+def messages_of(times_ns: Times, believed: Numbers, true: Numbers) -> list[tuple[int, bytes]]:
+    """Return the same of frames whose numbers are whole already."""
+    now = true[:, :COLUMNS, : believed.shape[2]]
+    steps = believed.copy()
+    steps[1:] -= expected(believed[:-1], now[:-1], now[1:])
     return written(times_ns, steps, (KEY, *[DIFFERENCE] * len(steps)))
 
 

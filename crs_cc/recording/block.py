@@ -6,10 +6,11 @@ A block is written as one chunk. What a second brings can be saved before, as it
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
+from crs_cc.core.arrays import Int64Array
 from crs_cc.recording import beliefs, frames, topics
 from crs_cc.recording.columns import Columns, Part
 from crs_cc.recording.content import as_fields
@@ -141,10 +142,10 @@ class Block:
         """
         course = None
         if len(self.frames):
-            found = self.frames.frames()
-            yield from _frame_messages(found, self._first_believed)
+            found = _Whole.of(self.frames.frames(), self._first_believed)
+            yield from found.messages()
             if self.readings.count:
-                course = _course(found, self._first_believed)
+                course = found.course()
                 self.is_whole = course is not None
         yield from _reading_messages(encoder, self.readings, course)
         self._encode_output()
@@ -194,25 +195,44 @@ def saved_messages(data: bytes) -> Iterator[Encoded]:
         yield message
 
 
-def _frame_messages(found: Frames, first_believed: int) -> Iterator[Encoded]:
-    """Yield the messages of frames, and of what robots believe in some of them."""
-    for time_ns, data in frames.messages(found.times_ns.tolist(), found.poses):
-        yield topics.FRAME, time_ns, data
-    some = found.of(slice(first_believed, None, ODOMETRY_FRAMES))
-    if len(some.times_ns):
-        last = np.searchsorted(found.times_ns, some.times_ns, side="right") - 1  # of that time
-        true = found.poses[last]
-        for time_ns, data in beliefs.messages(some.times_ns.tolist(), some.believed, true):
-            yield topics.ODOMETRY, time_ns, data
+class _Whole(NamedTuple):
+    """Frames as they are written, see `frames.whole_numbers`.
 
+    Attributes:
+        times_ns: when, (k,).
+        true: where everything is, robots first, (k, columns, rows).
+        some_ns: the times of those with which it is written what robots believe, (m,).
+        believed: that, (m, 3, robots).
+    """
 
-def _course(found: Frames, first_believed: int) -> Course | None:
-    """Return what frames say of odometry at any time, None if they do not."""
-    some = found.of(slice(first_believed, None, ODOMETRY_FRAMES))
-    if not (frames.are_grouped(found.poses) and some.believed.size):
-        return None
-    true, believed = frames.whole_numbers(found.poses), frames.whole_numbers(some.believed)
-    return Course(found.times_ns, true, some.times_ns, believed)
+    times_ns: Int64Array
+    true: frames.Numbers
+    some_ns: Int64Array
+    believed: frames.Numbers
+
+    @classmethod
+    def of(cls, found: Frames, first_believed: int) -> _Whole:
+        """Return frames; each fifth from one on has what robots believe."""
+        some = slice(first_believed, None, ODOMETRY_FRAMES)
+        believed = frames.whole_numbers(found.believed[some])
+        return cls(
+            found.times_ns, frames.whole_numbers(found.poses), found.times_ns[some], believed
+        )
+
+    def messages(self) -> Iterator[Encoded]:
+        """Yield the messages of the frames, and of what the robots believe in some of them."""
+        for time_ns, data in frames.messages_of(self.times_ns, self.true):
+            yield topics.FRAME, time_ns, data
+        if len(self.some_ns):
+            last = np.searchsorted(self.times_ns, self.some_ns, side="right") - 1  # of that time
+            for time_ns, data in beliefs.messages_of(self.some_ns, self.believed, self.true[last]):
+                yield topics.ODOMETRY, time_ns, data
+
+    def course(self) -> Course | None:
+        """Return what the frames say of odometry at any time, None if they do not."""
+        if not (frames.are_grouped(self.true) and self.believed.size):
+            return None
+        return Course(self.times_ns, self.true, self.some_ns, self.believed)
 
 
 def _reading_messages(

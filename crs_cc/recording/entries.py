@@ -28,6 +28,7 @@ SPAN_NS: Final = 120 * NS
 
 _US: Final = 1000  # nanoseconds
 _COMPACT: Final = json.JSONEncoder(separators=(",", ":"))
+_quoted: Final = json.encoder.encode_basestring_ascii  # what `encode` calls in the end
 _Entry = tuple[int, bytes]  # its time [us] and its JSON
 
 
@@ -56,7 +57,7 @@ class Entries:
     ) -> None:
         """Add an entry for a robot's output to a stream, faster than `add`."""
         time_us, (robot, number) = round(time_ns / _US), stream
-        strings = ",".join(f'"{name}":{_COMPACT.encode(text)}' for name, text in fields.items())
+        strings = ",".join([f'"{name}":{_quoted(text)}' for name, text in fields.items()])
         content = f'{{"time_us":{time_us},"robot":{robot},"stream":{number},{strings}}}'
         self.put(channel, time_us, content.encode())
 

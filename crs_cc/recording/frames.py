@@ -55,6 +55,7 @@ _LARGEST: Final = 2.0**31 - 1
 _BYTES: Final = 4
 
 Numbers = npt.NDArray[np.uint32]
+Times = Sequence[int] | Int64Array
 
 
 def encode(block: FloatArray) -> list[bytes]:
@@ -63,22 +64,25 @@ def encode(block: FloatArray) -> list[bytes]:
     Args:
         block: numbers [m, rad], NaN for what is not in the world, shape (frames, columns, rows).
     """
-    return _alone(_steps(block), (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(block)))
+    return _alone(_steps(whole_numbers(block)), (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(block)))
 
 
-def messages(times_ns: Sequence[int], block: FloatArray) -> list[tuple[int, bytes]]:
+def messages(times_ns: Times, block: FloatArray) -> list[tuple[int, bytes]]:
     """Return the messages with some frames, each with its time: a group, or many if they are large.
 
     Args:
         times_ns: the frames' times.
         block: see `encode`.
     """
-    return written(times_ns, _steps(block), (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(block)))
+    return messages_of(times_ns, whole_numbers(block))
 
 
-def written(
-    times_ns: Sequence[int], steps: Numbers, kinds: Sequence[int]
-) -> list[tuple[int, bytes]]:
+def messages_of(times_ns: Times, whole: Numbers) -> list[tuple[int, bytes]]:
+    """Return the same of frames whose numbers are whole already."""
+    return written(times_ns, _steps(whole), (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(whole)))
+
+
+def written(times_ns: Times, steps: Numbers, kinds: Sequence[int]) -> list[tuple[int, bytes]]:
     """Return such messages of frames of which the differences are known.
 
     Args:
@@ -87,14 +91,12 @@ def written(
         kinds: what the differences are to, where each frame is a message, for each of them.
     """
     if not are_grouped(steps):
-        return list(zip(times_ns, _alone(steps, kinds), strict=True))
+        return list(zip(map(int, times_ns), _alone(steps, kinds), strict=True))
     frames, columns, rows = steps.shape
     head = HEAD.pack(GROUP, columns, VERSION, rows) + _COUNT.pack(frames)
-    after_ns = np.array(times_ns, "<u8")
-    after_ns[1:] -= after_ns[:-1].copy()
-    after_ns[0] = 0
+    after_ns = np.diff(times_ns, prepend=times_ns[0]).astype("<u8")
     content = _planes(steps).transpose(3, 1, 0, 2).tobytes()
-    return [(times_ns[0], head + after_ns.tobytes() + content)]
+    return [(int(times_ns[0]), head + after_ns.tobytes() + content)]
 
 
 def are_grouped(block: npt.NDArray[Any]) -> bool:
@@ -110,12 +112,12 @@ def _alone(steps: Numbers, kinds: Sequence[int]) -> list[bytes]:
     return [head + each.tobytes() for head, each in zip(heads, content, strict=True)]
 
 
-def _steps(block: FloatArray) -> Numbers:
+def _steps(whole: Numbers) -> Numbers:
     """Return what frames say, the first a key frame, the others as the differences to it."""
-    whole = whole_numbers(block)
-    whole[1:] -= whole[:-1].copy()
-    whole[2:] -= whole[1:-1].copy()
-    return whole
+    steps = whole.copy()
+    steps[1:] -= whole[:-1]
+    steps[2:] -= steps[1:-1].copy()
+    return steps
 
 
 def _planes(steps: Numbers) -> npt.NDArray[np.uint8]:

@@ -384,9 +384,8 @@ class Recorder:
         self._limit()
 
     def _nowns(self, robot: int) -> int:
-        session = self._session
-        clock_s = float(session.state.clock_s[robot])
-        return ns(clock_s if math.isfinite(clock_s) else session.time_s)
+        clock_s: float = self._state.clock_s.item(robot)
+        return ns(clock_s if math.isfinite(clock_s) else self._session.time_s)
 
 
 def _result_values(result: RunResult) -> dict[str, str]:
