@@ -47,9 +47,7 @@ _EXACT: Final = 2**53  # whole numbers below are exact as float64
 _BITS: Final = 20  # of the sine and cosine of an angle between frames
 
 
-def messages(
-    times_ns: Times, believed: FloatArray, true: FloatArray
-) -> list[tuple[int, bytes]]:
+def messages(times_ns: Times, believed: FloatArray, true: FloatArray) -> list[tuple[int, bytes]]:
     """Return messages, each with its time, as `frames.messages` does.
 
     Args:

@@ -65,7 +65,7 @@ class RecordingFile:
         self._can_save = stat.S_ISREG(os.fstat(self._file.fileno()).st_mode)
         self._encoder = ReadingEncoder()
         self._has_unsaved = False  # seconds
-        self._save_at_s = monotonic() + SAVE_EVERY_S
+        self._save_at_s = 0.0  # of real time
 
     def add(self, channel: Channel, time_ns: int, data: bytes) -> None:
         """Add a message that is not gathered in the block."""
@@ -78,6 +78,7 @@ class RecordingFile:
     def begin_block(self, now_s: float, shape: Shape) -> None:
         """Begin an empty block at a time [s], after those that are complete."""
         self.block = Block(now_s, shape, self.block.frames_after)
+        self._save_at_s = monotonic() + SAVE_EVERY_S
 
     @property
     def is_large(self) -> bool:
