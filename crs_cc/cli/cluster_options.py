@@ -10,14 +10,14 @@ import click
 _OPTIONS: Final = (
     click.option(
         "--hosts", default="", metavar="ADDRESS",
-        help="Run the programs, named before the world or in it, on the Dask cluster with this "
-        "scheduler, such as dask://hall:8786 (extra 'cluster'). Lost hosts are restarted. See "
-        "docs/cluster.md.",
+        help="Run the programs on the Dask cluster with this scheduler, such as dask://hall:8786 "
+        "(requires the 'cluster' extra). Give the programs before the world file, or name them "
+        "in it. Lost hosts are restarted. See docs/cluster.md.",
     ),
     click.option(
         "--per-host", type=click.IntRange(1, 100_000), metavar="N",
-        help="Assign N robots to each host on the cluster. Default: one host per thread of its "
-        "workers.",
+        help="Assign N robots to each host on the cluster. Default: as many hosts as the cluster "
+        "has worker threads.",
     ),
 )  # fmt: skip
 

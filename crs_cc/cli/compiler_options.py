@@ -127,16 +127,17 @@ _OPTIONS = (
     ),
     click.option(
         "-W", "warnings", metavar="[no-|error=]NAME", multiple=True, callback=_selection,
-        help="Select warnings as in gcc: -Wno-NAME disables a warning, -Wno-unused those "
-        "named unused-*, and -Wno-all (or -w) all; -Werror makes all warnings errors, -Werror=NAME "
-        "only one. By default all are enabled. gcc options such as -O2, -g and -lm are ignored.",
+        help="Select warnings as in gcc: -Wno-NAME disables a warning, -Wno-unused those named "
+        "unused-*, and -Wno-all (or -w) all; -Werror turns all warnings into errors, "
+        "-Werror=NAME only that one. By default, all are enabled. gcc options such as -O2, -g "
+        "and -lm are ignored.",
     ),
     click.option(
         "--dialect", type=click.Choice(DIALECTS),
-        help="The API that the program uses: nomad (Nomadic's) or report (that of the CRS report, "
-        "see docs/glossary.md, where a program may be just the statements of a function body). "
-        "Default: report if the program defines runcode, has no main and includes no Nomadic "
-        "header; otherwise nomad.",
+        help="The API that the program uses: nomad (Nomadic's) or report (that of the CRS "
+        "report, with which a program may be just the statements of a function body; see "
+        "docs/glossary.md). Default: report if the program defines runcode, has no main and "
+        "includes no Nomadic header; otherwise nomad.",
     ),
 )  # fmt: skip
 

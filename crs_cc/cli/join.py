@@ -33,7 +33,7 @@ Examples:
 @click.option(
     "--token",
     metavar="TOKEN",
-    help="The token for robots that crs serve prints. Default: the environment variable "
+    help="The robot token that crs serve prints. Default: the environment variable "
     f"{TOKEN_VARIABLE}, or the token of your own run on this machine.",
 )
 @click.option(
@@ -58,7 +58,7 @@ Examples:
     default=10.0,
     show_default=True,
     metavar="S",
-    help="Keep trying to connect for S seconds, also after the connection is lost.",
+    help="Keep trying to connect for S seconds, initially and after the connection is lost.",
 )
 @click.option(
     "--threads",
@@ -78,8 +78,8 @@ def join(
     """Compile a C control program and run it for a robot in a world served by crs serve.
 
     The program runs, prints and reads standard input here. If the connection is lost, or another
-    host takes the place of this one, the program continues where it was. The exit status is that of
-    the program; with several robots, it is 0 if all exited with 0, otherwise 1.
+    host takes the place of this one, the program continues where it left off. The exit status is
+    that of the program; with several robots, it is 0 if all exited with 0, otherwise 1.
     """
     if any(map(is_net_address, words[:2])):
         at = next(index for index, word in enumerate(words) if is_net_address(word))

@@ -47,7 +47,7 @@ Examples:
 
 \b
 Exit status:
-  0 to 255  one robot: exit status of its program, 0 if still running at --max-time
+  0 to 255  one robot: the exit status of its program, or 0 if it is still running at --max-time
   0 or 1    several robots: 0 if all programs exited with 0, otherwise 1
   1         a system error, such as a full disk
   2         invalid command line, or a device package that cannot be loaded

@@ -79,13 +79,14 @@ def _forwards(
 _OPTIONS: Final = (
     click.option(
         "--connect", "ways", multiple=True, metavar="NAME[:PORT]=HOST:PORT", callback=_ways,
-        help="Forward the programs' connections to NAME[:PORT] to HOST:PORT on the real network; "
-        "may be repeated. See docs/sockets.md.",
+        help="When a program connects to NAME[:PORT], forward the connection to HOST:PORT on the "
+        "real network; may be repeated. See docs/sockets.md.",
     ),
     click.option(
         "--forward", "forwards", multiple=True, metavar="PORT[:ROBOT]", callback=_forwards,
-        help="Forward connections to PORT on this machine to the same port on ROBOT, by default "
-        "the first robot; may be repeated. With this option or --connect, --speed defaults to 1.",
+        help="Accept connections on PORT of this machine and forward them to the same port of "
+        "ROBOT (default: the first robot); may be repeated. With this option or --connect, "
+        "--speed defaults to 1.",
     ),
 )  # fmt: skip
 

@@ -119,7 +119,7 @@ _ROBOT_OPTIONS: Final = (
     ),
     click.option(
         "--setup", default="", metavar="NAME",
-        help="Setup, a named set of parameters, to use from each robot definition: ideal (no "
+        help="Named set of parameters (setup) to use from each robot definition: ideal (no "
         "errors) or noisy (sensor and odometry errors).",
     ),
     click.option(

@@ -42,21 +42,21 @@ Examples:
     "--input",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Send the lines of FILE to each robot's standard input at simulated times: the line "
-    "'2.5s: forward\\n' sends 'forward' and a newline at 2.5 s.",
+    help="Send each line of FILE to each robot's standard input at the simulated time given in "
+    "the line: '2.5s: forward\\n' sends 'forward' and a newline at 2.5 s.",
 )
 @click.option(
     "--inputs",
     "changes",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Change the run at simulated times, with debugger commands: '12.5s: degrade robot0 "
-    "sonar.3 dead'. crs view writes such files.",
+    help="Change the run at given simulated times, with the debugger commands in FILE: '12.5s: "
+    "degrade robot0 sonar.3 dead'. crs view writes such files.",
 )
 @written_file(
     "--plot",
-    "Plot the world from above with each robot's path: FILE.svg, or an animation as FILE.gif or "
-    "FILE.apng.",
+    "Plot the world from above with each robot's path: FILE.svg, or FILE.gif or FILE.apng for an "
+    "animation.",
 )
 @click.option(
     "--plot-sensors",
@@ -66,8 +66,8 @@ Examples:
 @click.option(
     "--trace",
     type=click.Choice(["requests", "messages"]),
-    help="Write a trace to stderr: the request queue, one line per robot and timestep, or the "
-    "messages between robots.",
+    help="Write a trace to stderr: of the request queue, with one line per robot and timestep "
+    "(requests), or of the messages between robots (messages).",
 )
 @click.option(
     "--json",
@@ -103,8 +103,8 @@ Examples:
     flag_value=0,
     type=click.IntRange(0, 65535),
     metavar="[PORT]",
-    help="Show the run in the browser as well, as crs view does: print a local URL, on PORT or "
-    "any free port. The page can pause the run and set its speed.",
+    help="Also show the run in the browser, as crs view does: print a local URL, on PORT or any "
+    "free port. The page can pause the run and set its speed.",
 )
 @record_options
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")
@@ -114,12 +114,12 @@ def run(**options: Any) -> int:
 
     Several C files form one program. In a world with several robots, each robot runs the program
     named for it in the world file or, if there is none, the one given on the command line. Without
-    a world file there is one robot in an empty world. Arguments after -- are passed to the
+    a world file, there is one robot in an empty world. Arguments after -- are passed to the
     program's main.
 
-    The programs share the stdin, stdout and stderr of crs; with several robots each line of
-    output starts with the robot's name. With one robot, the exit status is that of its program;
-    with several, it is 0 if all programs exited with 0, otherwise 1. A program still running at
+    The programs share the stdin, stdout and stderr of crs; with several robots, each line of output
+    starts with the robot's name. With one robot, the exit status is that of its program; with
+    several, it is 0 if all programs exited with 0, otherwise 1. A program still running at
     --max-time counts as having exited with 0.
     """
     run_options = RunOptions(**options)

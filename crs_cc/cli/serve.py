@@ -98,7 +98,7 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     "--tokens",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Tokens that permit access: each line has a role (robot, view or control) and a token. "
+    help="File of access tokens: each line has a role (robot, view or control) and a token. "
     "Default: new tokens, which are printed.",
 )
 @click.option(
@@ -116,12 +116,13 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     "--tls-key",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="The key of the certificate (PEM).",
+    help="The private key for the certificate (PEM).",
 )
 @click.option(
     "--insecure",
     is_flag=True,
-    help="Accept other machines without TLS: tokens and programs can be intercepted.",
+    help="Accept connections from other machines without TLS: tokens and programs can be "
+    "intercepted.",
 )
 @click.option(
     "--only-tcp",
@@ -134,16 +135,16 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     type=click.Choice(["all", "now"]),
     default="all",
     show_default=True,
-    help="Start the run when all robots have programs, or now, as soon as one robot has; the "
-    "others join when their hosts connect, with the same program.",
+    help="Start the run when all robots have programs (all) or as soon as one robot has a "
+    "program (now); the others then join when their hosts connect, with the same program.",
 )
 @click.option(
     "--on-loss",
     type=click.Choice(["wait", "stop", "restart"]),
     default="wait",
     show_default=True,
-    help="When a host is lost: wait for another one, which continues its programs; stop its "
-    "programs and hold its robots; or continue its programs in this process.",
+    help="When a host is lost: wait for another host, which continues the programs (wait); stop "
+    "its programs and hold its robots (stop); or continue its programs in this process (restart).",
 )
 @click.option(
     "--resume",
@@ -178,12 +179,12 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     help="Print a summary to stderr at the end of the run. Default: only on a terminal.",
 )
 @click.option(
-    "--unchecked", is_flag=True, help="Do not check memory accesses of programs on the cluster."
+    "--unchecked", is_flag=True, help="Do not check memory accesses by programs on the cluster."
 )
 @click.option(
     "--trap-overflow",
     is_flag=True,
-    help="Stop programs on the cluster on signed integer overflow.",
+    help="Stop a program that runs on the cluster if signed integer arithmetic overflows.",
 )
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")
 @compiler_options
@@ -199,16 +200,17 @@ def serve(
 ) -> int:
     """Run a world whose robots' programs run on other machines, or in other processes.
 
-    The run starts when crs join has provided a program for each robot. It is the same as that of
-    crs run, bit for bit, for any number of hosts, at any speed, connecting in any order. Files that
-    programs read and write are on this machine; their output appears where they run. The exit
-    status is that of crs run.
+    The run starts when crs join has provided a program for each robot. It is bit-for-bit identical
+    to one made with crs run, regardless of the number of hosts, their speed, and the order in which
+    they connect. Files that programs read and write are on this machine; the programs' output
+    appears where they run. The exit status is the same as for crs run.
 
-    With --hosts, programs run on a Dask cluster, and lost hosts are restarted. The programs are
-    named before the world, or in it; their standard input and output are those of this command.
+    With --hosts, programs run on a Dask cluster, and lost hosts are restarted. Give the programs
+    before the world file on the command line, or name them in the world file; their standard input
+    and output are those of this command.
 
-    With --nserver, --serial or --tcp-robot, all robots are controlled by programs that are linked
-    with the vendor's client libraries, in real time unless --speed is given.
+    With --nserver, --serial or --tcp-robot, all robots are controlled by programs linked with the
+    vendor's client libraries, in real time unless --speed is given.
     """
     if outputs is not None:
         make_folder(outputs)

@@ -47,18 +47,18 @@ def _robot_ports(
 _OPTIONS: Final = (
     click.option(
         "--nserver", type=click.IntRange(0, 65535), metavar="PORT",
-        help="Serve programs that are linked with the vendor's Nclient, as the vendor's Nserver "
-        "does on port 7019: each gets the robot whose number it names, or the next free one.",
+        help="Serve programs linked with the vendor's Nclient, as the vendor's Nserver does on "
+        "port 7019: each program gets the robot whose number it names, or the next free one.",
     ),
     click.option(
         "--serial", "terminals", multiple=True, metavar="ROBOT",
-        help="Create a pseudo terminal and print its name: the serial line of ROBOT for a program "
-        "that is linked with the vendor's Ndirect; may be repeated.",
+        help="Create a pseudoterminal that serves as the serial line of ROBOT for a program "
+        "linked with the vendor's Ndirect, and print its name; may be repeated.",
     ),
     click.option(
         "--tcp-robot", "tcp_robots", multiple=True, metavar="[ROBOT=]PORT", callback=_robot_ports,
-        help="The same over TCP, which Ndirect uses if its device is a host name; it connects to "
-        "port 65001. ROBOT defaults to the first one.",
+        help="Like --serial, but over TCP, which Ndirect uses if its device is a host name; "
+        "Ndirect connects to port 65001. ROBOT defaults to the first robot.",
     ),
 )  # fmt: skip
 

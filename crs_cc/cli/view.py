@@ -59,7 +59,8 @@ class _View(WithProgramArguments):
     "--input",
     metavar="FILE",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    help="Send the lines of FILE to the programs at simulated times, as crs run --input does.",
+    help="Send each line of FILE to the programs at the simulated time given in the line, as in "
+    "crs run.",
 )
 @click.option(
     "--stdin",
