@@ -133,7 +133,7 @@ class AttachedRun:
         return self._changes
 
     def panel(self) -> dict[str, Any] | None:
-        """Return what has been changed, what is degraded, and which links are shut."""
+        """Return what has been changed, what is degraded, and which links are blocked."""
         return panel(self._session.environment, self._changes)
 
     def branches(self) -> KnownBranches:

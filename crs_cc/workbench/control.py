@@ -67,7 +67,7 @@ def switch(screen: Context, name: str) -> None:
 
 
 def panel(environment: Environment, changes: Sequence[Change]) -> dict[str, Any]:
-    """Return what has been changed, what is degraded, and which links are shut."""
+    """Return what has been changed, what is degraded, and which links are blocked."""
     first = max(0, len(changes) - _MAX_CHANGES)
     return {
         "changes": [

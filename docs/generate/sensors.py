@@ -33,7 +33,8 @@ def attributes(element: str) -> str:
 def degradation(name: str) -> str:
     """Return what degradations of a sensor act on."""
     device = degradables()[name]
-    return f"Degradation `{name}`: {device.title}; if a value is dropped: {device.nothing}."
+    what = device.title if " and " in device.title else f"the {device.title}"
+    return f"The degradation `{name}` applies to {what}; if a value is dropped, {device.nothing}."
 
 
 def registered_rows() -> str:

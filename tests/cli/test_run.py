@@ -405,7 +405,7 @@ def test_the_message_trace_shows_the_life_of_each_message(
     assert main(["run", "call.c", "pair.xml", "--trace", "messages", "--quiet"]) == 0
     rows = [line.split(":") for line in NAME_ONLY.sub("", capfd.readouterr().err).splitlines()]
     told = [(row[0].split()[1], row[1], row[-1].strip()) for row in rows]
-    assert told[0] == ("left", " radio message 0 of left to all, type 4, 2 bytes", "sent")
+    assert told[0] == ("left", " radio message 0 from left to all, type 4, 2 bytes", "sent")
     assert {row[2] for row in told} <= {"sent", "delivered", "path blocked"}
 
 

@@ -200,17 +200,17 @@ def messages_are_listed_shut_and_sent(page: Any, debugger: Debugger) -> None:
     wait(page, f"Math.abs(crs.model.state.t - {time_s}) < 0.06")
     page.evaluate("crs.timeline.seek(crs.model.state.end)")
     wait(page, "crs.model.state.t >= crs.model.state.end - 1e-6")
-    click(page, "Shut links", ".side-box")
+    click(page, "Block links", ".side-box")
     shut = page.locator(".link-forms").first
     shut.locator("select").nth(1).select_option("bob")
-    click(page, "Shut", ".link-forms")
+    click(page, "Block", ".link-forms")
     page.wait_for_selector(".outages .in-force:has-text('from bob')")
     click(page, "Send", ".side-box .segmented")
     page.locator(".link-forms >> nth=1").locator("select").nth(0).select_option("bob")
     page.locator(".link-forms >> nth=1").locator("input").nth(1).fill("who hears?")
     click(page, "Send", ".link-forms >> nth=1")
     page.evaluate("crs.model.ask('step', { timesteps: 4 })")
-    page.wait_for_selector(".message:has-text('bob → ada'):has-text('who hears?'):has-text('shut')")
+    page.wait_for_selector(".message:has-text('bob → ada'):has-text('hears?'):has-text('outage')")
     rows = page.evaluate("crs.model.channel.ask('traffic', { since: 0 })")["rows"]
     events = debugger.run.event_history.world_events()
     told = [each for each in events if each.kind.startswith("message-")]

@@ -73,7 +73,8 @@ BRANCHES: Final = Group(
     "Checkpoints, and alternative histories.",
     (
         Command(
-            "checkpoint", "[NAME]", "Save the current position to return to.", _checkpoint,
+            "checkpoint", "[NAME]", "Save the current position, so that you can return to it.",
+            _checkpoint,
         ),
         Command(
             "restart", "N", "Return to a checkpoint.", _restart, completes="checkpoint",
@@ -85,7 +86,8 @@ BRANCHES: Final = Group(
             text="Later changes (to variables, to the world) belong to the new branch.",
         ),
         Command(
-            "switch", "NAME", "Switch to another branch, where it was left.", _switch,
+            "switch", "NAME", "Switch to another branch, at the position where you left it.",
+            _switch,
             completes="branch",
         ),
         Command(

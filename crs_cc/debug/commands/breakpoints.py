@@ -271,12 +271,12 @@ def _of_robot(context: CommandContext, one: Breakpoint) -> str:
 
 
 _PLACES: Final = (
-    "LOCATION is a line (12, +2 from here), a line of a file (turn.c:12), a function of the"
-    " program (turn), or one of the robot (ws, get_sn): then it stops when the robot is called."
-    " A line without code means the next line with code. Default is the current line; if"
-    " CONDITION uses the world and no local variable, the start of any timestep at which it"
-    " becomes true. With several robots it stops any of them unless one is named. CONDITION is a"
-    " C expression."
+    "LOCATION is a line (12, +2 from here), a line of a file (turn.c:12), a function of the "
+    "program (turn), or a robot function (ws, get_sn), in which case it stops when that function "
+    "is called. If the line has no code, the next line that has code is used. The default is the "
+    "current line or, if CONDITION uses world values and no local variables, the start of any "
+    "timestep at which it becomes true. With several robots, it applies to all of them unless one "
+    "is named. CONDITION is a C expression."
 )
 
 
@@ -298,7 +298,7 @@ BREAKPOINTS: Final = Group(
         Command(
             "tbreak", "[LOCATION] [robot NAME] [if CONDITION]",
             "Set a breakpoint that is deleted when hit.",
-            partial(_break, temporary=True), ("tb",), text='LOCATION is that of "break".',
+            partial(_break, temporary=True), ("tb",), text='LOCATION is as for "break".',
             completes="place",
         ),
         Command(
@@ -308,10 +308,10 @@ BREAKPOINTS: Final = Group(
         Command(
             "watch", "[-location] EXPRESSION [if CONDITION]",
             "Stop when the value of an expression changes.", partial(_watch, kind="change"),
-            text="Stops after the statement that changed it (in reverse: before it). EXPRESSION is"
-            " evaluated anew each time: a[i] is another element after i has changed. With -location"
-            " (-l), the object that EXPRESSION names now is watched. A local"
-            " variable is watched until its function returns.",
+            text="Stops after the statement that changed it (in reverse: before it). EXPRESSION "
+            "is re-evaluated each time: after i has changed, a[i] is a different element. With "
+            "-location (-l), the object that EXPRESSION names now is watched. A local variable "
+            "is watched until its function returns.",
             completes="expression",
         ),
         Command(
@@ -330,25 +330,25 @@ BREAKPOINTS: Final = Group(
         ),
         Command(
             "catch", "EVENT [robot NAME]", "Stop when an event happens to a program or a robot.",
-            _catch, text=f"EVENT is exit (a program ended) or {_kinds()}.", completes="catch",
+            _catch, text=f"EVENT is exit (a program ended), {_kinds()}.", completes="catch",
         ),
         Command(
             "tcatch", "EVENT [robot NAME]", "Set a catchpoint that is deleted when hit.",
-            partial(_catch, temporary=True), text='EVENT is that of "catch".', completes="catch",
+            partial(_catch, temporary=True), text='EVENT is as for "catch".', completes="catch",
         ),
         Command(
             "dprintf", 'LOCATION,"FORMAT",EXPRESSION...',
             "Print a formatted message without stopping.", _dprintf,
-            text="FORMAT and values are those of printf.",
+            text="FORMAT and the values are as for printf.",
             completes="place",
         ),
         Command(
             "log", 'LOCATION TEXT|"FORMAT",EXPRESSION... at LOCATION [FROM..TO]',
             "Print TEXT without stopping.", _log,
-            text="Expressions in braces are replaced by their values: log 12 speed is {speed}."
-            " {%5.1f speed} formats one as printf does. The second form prints what dprintf"
-            " would have printed in the recorded run, FROM..TO in seconds, among the events"
-            " of the world.",
+            text="Expressions in braces are replaced by their values: log 12 speed is {speed}. "
+            "{%5.1f speed} formats a value as printf does. The second form prints what dprintf "
+            "would have printed in the recorded run, or in the part FROM..TO of it (in seconds), "
+            "interleaved with the events of the world.",
             completes="place",
         ),
         Command(
@@ -357,7 +357,7 @@ BREAKPOINTS: Final = Group(
         ),
         Command(
             "clear", "[LOCATION]", "Delete the breakpoints at a line or a function.", _clear,
-            text='LOCATION is that of "break".', completes="place",
+            text='LOCATION is as for "break".', completes="place",
         ),
         DISABLE,
         ENABLE,
@@ -371,8 +371,8 @@ BREAKPOINTS: Final = Group(
         ),
         Command(
             "commands", "[N...]", "Set commands to execute when a breakpoint is hit.", _commands,
-            text='Commands follow, one per line, ended by a line "end". If the first is "silent",'
-            " the stop is not reported. Default is the newest breakpoint.",
+            text='The commands follow, one per line, terminated by a line that says "end". If the'
+            ' first is "silent", the stop is not reported. The default is the newest breakpoint.',
             completes="breakpoint",
         ),
         Command(

@@ -236,14 +236,14 @@ DATA: Final = Group(
             "print", "[-OPTION... --] [/FMT] [EXPRESSION]", "Print the value of a C expression.",
             _print,
             ("p", "inspect"),
-            text="It can use all operators, casts, macros and the program's functions. Extensions:"
-            " a[2..5] and *p@4 are slices, turn::count and 'map.c'::size are variables of"
-            " other functions and files, $3 is a printed value, $ the last one, $$ the one before,"
-            " $$4 the fourth before the last; $_ is the address that x examined last and $__ its"
-            " contents, $_exitcode the exit status of the program; $name = 7 sets"
-            f" a convenience variable. Without EXPRESSION, print $. {_FORMATS} Options, -pretty"
-            " and -elements N, are the settings of print for this value, and end with --."
-            f" {_CHANGES}",
+            text="It can use all operators, casts, macros and the program's functions. "
+            "Extensions: a[2..5] and *p@4 are slices, turn::count and 'map.c'::size are "
+            "variables of other functions and files, $3 is a printed value, $ the last one, $$ "
+            "the one before, $$4 the fourth before the last; $_ is the address that x examined "
+            "last and $__ its contents, $_exitcode the exit status of the program; $name = 7 "
+            f"sets a convenience variable. Without EXPRESSION, print $. {_FORMATS} The options "
+            "-pretty and -elements N override the print settings for this value; -- ends the "
+            f"options. {_CHANGES}",
             completes="expression",
         ),
         Command(
@@ -288,8 +288,8 @@ DATA: Final = Group(
         Command(
             "x", "[/NFU] [ADDRESS]", "Examine memory.", _examine,
             text="N units in format F, of size U: b one byte, h two, w four, g eight. "
-            + _FORMATS + " ?? is uninitialised, -- belongs to no object. Without ADDRESS,"
-" continue after the last.",
+            + _FORMATS + " ?? marks uninitialised memory, -- memory that belongs to no object."
+            " Without ADDRESS, continue after the last address examined.",
             repeats="on", completes="expression",
         ),
         Command(

@@ -54,6 +54,7 @@ DISABLE: Final = Command(
 ENABLE: Final = Command(
     "enable", "[display|once|count COUNT|delete] [N...]", "Enable breakpoints or displays.",
     partial(_enable, on=True), ("en",), completes="breakpoint",
-    text=f"{NUMBERS} With once, a breakpoint is disabled when it has stopped the run; with count,"
-    " when it has COUNT times; with delete, it is deleted then.",
+    text=f"{NUMBERS} With once, a breakpoint is disabled after it has stopped the run; with "
+    "count, after it has done so COUNT times; with delete, it is deleted after it has stopped "
+    "the run.",
 )  # fmt: skip

@@ -42,9 +42,9 @@ LACKING: Final = (
     ),
     (
         "cd, pwd, directory, path, info sharedlibrary",
-        "file names are those of the command line; all sources are known",
+        "file names are given on the command line; all sources are known",
     ),
-    ("edit, make", "edit and build in your editor, see docs/editors.md"),
+    ("edit, make", "edit and build in your editor; see docs/editors.md"),
     (
         "set args, show args, run ARGS",
         "give arguments on the command line: `crs debug wander.c -- 500`",
@@ -62,11 +62,11 @@ LACKING: Final = (
     ("bookmark, goto-bookmark, info bookmarks", "see `checkpoint`, `restart` and `note`"),
     (
         "trace, tstart, tstop, tstatus, actions, collect, ftrace, strace",
-        "`log` and `history` answer without tracepoints",
+        "`log` and `history` give this information without tracepoints",
     ),
     (
         "dump, append, restore",
-        "scripts of others must not write files; `x` shows memory, `set` changes it",
+        "scripts by others must not be able to write files; `x` shows memory, `set` changes it",
     ),
     ("find, explore", "`x` and `print` show memory and its objects"),
     (
@@ -78,7 +78,7 @@ LACKING: Final = (
     ("return", "set the variable on which the result depends, or go back"),
     (
         "define, document, alias, if, while, python, py, guile, pipe",
-        "scripts contain commands of the debugger only, see `source`",
+        "scripts can contain only debugger commands; see `source`",
     ),
 )
 """Commands that gdb has and we do not, and what to do or to know."""

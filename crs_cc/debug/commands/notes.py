@@ -71,7 +71,7 @@ def _check(path: Path) -> None:
 
 NOTES: Final[tuple[Command, ...]] = (
     Command(
-        "note", "TEXT", "Keep a note on the current position.", _note,
+        "note", "TEXT", "Attach a note to the current position.", _note,
         text='"save run" keeps it in the recording.',
     ),
     Command(
@@ -79,8 +79,9 @@ NOTES: Final[tuple[Command, ...]] = (
     ),
     Command(
         "save run", "FILE.mcap", "Save the run up to here as a recording.", _save_run,
-        text="It has the changes, the input, notes and breakpoints; crs debug FILE.mcap opens it."
-        " Only recordings are overwritten. To save to run.mcap, \"save run.mcap\" suffices.",
+        text="The recording contains the changes, input, notes and breakpoints; crs debug "
+        "FILE.mcap opens it. Only recordings are overwritten. \"save run.mcap\" is enough to "
+        "save to run.mcap.",
         completes="file",
     ),
 )  # fmt: skip

@@ -168,30 +168,32 @@ def _head(number: int, one: Instant) -> str:
 
 
 _RANGE_TEXT: Final = (
-    "FROM..TO, in seconds, is the part of the recorded run; default is all of it. Each row has a"
+    "FROM..TO, in seconds, selects a part of the recorded run; the default is all of it. Each row "
+    "has a"
     ' number: "goto @3" goes to the third.'
 )
 
 PAST: Final = Group(
-    "past",
-    "Query the recorded run without moving it.",
+    "queries",
+    "Query the recorded run without changing the current position.",
     (
         Command(
             "when", "[CONDITION [FROM..TO]]",
             "Show the time, or list when a condition became true.", _when,
-            text=f"CONDITION is that of a watchpoint. {_RANGE_TEXT}", completes="expression",
+            text=f"CONDITION is as for \"watch\". {_RANGE_TEXT}", completes="expression",
         ),
         Command(
             "history", "[/csv] EXPRESSION [FROM..TO]",
-            "List the values that an expression has had, and draw them.", _history,
-            text=f"EXPRESSION is that of a watchpoint. {_RANGE_TEXT} With /csv, show"
-            " all of them as comma-separated values.",
+            "List and plot the values that an expression has had.", _history,
+            text=f"EXPRESSION is as for \"watch\". {_RANGE_TEXT} With /csv, print all the values "
+            "in CSV format.",
             completes="expression",
         ),
         Command(
             "events", "[EVENT] [FROM..TO]",
             "List the events of the world: collisions, messages, ...", _events,
-            text=f"EVENT is that of catch; default is all of them but ticks. {_RANGE_TEXT}",
+            text="EVENT is as for \"catch\"; the default is all events except ticks. "
+            f"{_RANGE_TEXT}",
             completes="catch",
         ),
         *NOTES,

@@ -188,8 +188,8 @@ RUNNING: Final = Group(
         Command(
             "run", "[-keep]", "Go to the start, then continue to the first breakpoint.",
             _run, ("r",),
-            text="The run starts over: changes and lines typed for programs are discarded, see"
-            ' "info edits". With -keep, they are repeated.',
+            text="The run starts over: changes and lines typed for programs are discarded"
+            ' (see "info edits"). With -keep, they are repeated.',
         ),
         Command(
             "continue", "[N]", "Continue to the next breakpoint, watchpoint or catchpoint.",
@@ -204,7 +204,7 @@ RUNNING: Final = Group(
         ),
         Command(
             "next", "[N|EXPRESSION]", "Step to the next line, stepping over calls.",
-            _next, ("n",), text="With EXPRESSION, go to the next write of that object.",
+            _next, ("n",), text="With EXPRESSION, go to the next write to that object.",
             repeats="same",
         ),
         Command(
@@ -231,8 +231,8 @@ RUNNING: Final = Group(
         Command(
             "advance", "[LOCATION] [robot NAME] [if CONDITION]", "Continue to a location.",
             _advance, completes="place",
-            text='LOCATION and what follows are those of "break". It also stops when the selected'
-            " function has returned.",
+            text='LOCATION and the rest of the arguments are as for "break". It also stops when the'
+            " selected function has returned.",
         ),
         Command(
             "tick", "[N]", "Continue to the start of the next timestep.", _tick,
@@ -270,12 +270,12 @@ RUNNING: Final = Group(
             "goto", "TIME|tick N|stmt N|output N|@N|start|end",
             "Go to a point in time, forward or in reverse.",
             _goto,
-            text="TIME, in seconds, goes to the start of the timestep that contains it; tick N is"
+            text="TIME, in seconds, means the start of the timestep that contains it; tick N is"
             " the start of timestep N; stmt N is the point just before statement N of the robot's"
-            ' program (see "when"), where returns from calls are counted, too. Breakpoints on the'
-            " way are ignored; end runs until all programs have ended. @N is a position of the last"
-            ' list (see "when" and "history"), output N the statement that printed line N of the'
-            ' output (see "output /n").',
+            ' program (see "when"), where returns from calls also count. Breakpoints on the'
+            " way are ignored; end runs until all programs have ended. @N is position N in the most"
+            ' recent list (see "when" and "history"); output N is the statement that printed line N'
+            ' of the output (see "output /n").',
         ),
         Command(
             "info program", "", "Show where the robot's program is, and why it stopped.",

@@ -117,7 +117,7 @@ def _echo(_context: CommandContext, text: str) -> Answer:
 
 SCRIPTS: Final = Group(
     "scripts",
-    "Scripts of commands.",
+    "Command scripts.",
     (
         Command(
             "source", "FILE", "Execute the commands in a file.", _source,
@@ -131,7 +131,7 @@ SCRIPTS: Final = Group(
         ),
         Command(
             "echo", "TEXT", "Print text.", _echo,
-            text=r"Escape sequences of C, such as \n and \t, are supported.",
+            text=r"C escape sequences, such as \n and \t, are supported.",
         ),
     ),
 )  # fmt: skip

@@ -77,6 +77,6 @@ def _variables(context: CommandContext) -> Iterator[str]:
 SHOW: Final = Command(
     "show", "[SETTING|values [N|+]|convenience|version]",
     "Show the settings, or the values that were printed.", _show, ("info set",),
-    text="values shows the last ten printed values, with N those around $N, with + those after the"
-    " last ten shown; convenience shows the convenience variables.", completes="setting",
+    text="values shows the last ten printed values; with N, those around $N; with +, those after"
+    " the ten last shown; convenience shows the convenience variables.", completes="setting",
 )  # fmt: skip

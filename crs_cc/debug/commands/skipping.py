@@ -67,9 +67,10 @@ SKIPPING: Final = (
     Command(
         "skip", "[[function] NAME|file [FILE]|delete|enable|disable [N...]]",
         "Do not enter a function when stepping.", _skip,
-        text="With file, do not enter any function of a file. step and reverse-step step over these"
-        " calls and all that they call; breakpoints in them still stop. Default is the current"
-        " function. delete removes entries, all if no number is given.", completes="place",
+        text="With file, do not enter any function in a file. step and reverse-step step over "
+        "these functions and everything that they call; breakpoints in them still take effect. "
+        "The default is the current function. delete removes entries, or all of them if no "
+        "number is given.", completes="place",
     ),
     Command("info skip", "", "List the functions and files that are skipped.", _info_skip),
 )  # fmt: skip

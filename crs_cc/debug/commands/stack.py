@@ -284,8 +284,8 @@ def function_body(context: CommandContext, name: str) -> Location | None:
 
 
 _LIST_TEXT: Final = (
-    "Ten lines (see set listsize) around LOCATION, from FIRST on, up to LAST, or all from FIRST to"
-    " LAST. Without arguments, those around the"
+    "Lists ten lines (see set listsize) around LOCATION, starting at FIRST, or ending at LAST; or "
+    "all lines from FIRST to LAST. Without arguments, those around the"
     ' current line, then those that follow; "list -" shows those before.'
 )
 

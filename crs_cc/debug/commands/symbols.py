@@ -178,7 +178,7 @@ SYMBOLS: Final = Group(
         ),
         Command(
             "info macro", "NAME", "Show the definition of a macro.", _info_macro, completes="macro",
-            text="Macros have the meaning that they have at the end of the current file.",
+            text="Macros are taken as defined at the end of the current file.",
         ),
         Command(
             "macro expand", "EXPRESSION", "Show an expression with its macros replaced.",

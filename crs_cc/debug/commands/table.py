@@ -83,9 +83,9 @@ SUPPORT: Final = Group(
                 completes="command"),
         Command("apropos", "WORD", "List the commands whose help contains a word.", _apropos),
         Command("quit", "", "Exit the debugger.", _quit, ("q", "exit")),
-        Command("jump", "LOCATION", "Not supported; explain why and what to do instead.",
+        Command("jump", "LOCATION", "Not supported; explains why, and what to do instead.",
                 partial(_unsupported, reason=_JUMP), ("j",)),
-        Command("shell", "COMMAND", "Not supported; explain why.",
+        Command("shell", "COMMAND", "Not supported; explains why.",
                 partial(_unsupported, reason=_SHELL), ("!",)),
     ),
 )  # fmt: skip

@@ -92,18 +92,18 @@ WHY: Final = Group(
     "Where values came from.",
     (
         Command(
-            "last", "EXPRESSION", "Go back to the last write of an object.", _last,
-            text='Other breakpoints do not count. "next EXPRESSION" goes to the next write.',
+            "last", "EXPRESSION", "Go back to the last write to an object.", _last,
+            text='Breakpoints on the way are ignored. "next EXPRESSION" goes to the next write.',
             completes="expression",
         ),
         Command(
             "why", "EXPRESSION", "Show where a value came from.", _why,
-            text="Shows the last write of the object, what that was computed from, and so on:"
-            " through assignments, arguments, returned values and messages of other robots, to"
-            " sensors, with the object that a beam met and the degradation that changed it. For a"
-            " value of the world, such as leader.heading, it shows the motion command, contacts,"
-            " changes by hand and degradations. The run does not move;"
-            ' "goto @3" goes to the position with that number.',
+            text="Shows the last write to the object, what that value was computed from, and so "
+            "on: through assignments, arguments, return values and messages from other robots, "
+            "back to sensors, with the object that a beam hit and the degradation that changed "
+            "the reading. For a value of the world, such as leader.heading, it shows the motion "
+            "command, contacts, manual changes and degradations. The current position does not "
+            'change; "goto @3" goes to the position with that number.',
             completes="expression",
         ),
     ),

@@ -173,9 +173,10 @@ WORLD: Final = Group(
             " is met or fails.",
         ),
         Command(
-            "map", "[NAME [METRES]]", "Draw a map of the world, or around a robot.", _map,
-            text="Around a robot, its last sonar echoes are drawn too; METRES is the height"
-            " of the map.",
+            "map", "[NAME [METRES]]", "Draw a map of the world, or of the surroundings of a robot.",
+            _map,
+            text="Around a robot, its last sonar echoes are also drawn; METRES is the height of"
+            " the map.",
             completes="robot",
         ),
         Command(
@@ -231,8 +232,9 @@ CHANGES: Final = Group(
         ),
         Command(
             "undo", "[N]", "Undo a change, and go to where it was made.", _undo,
-            text="N is its number, see \"info edits\"; all later changes are undone with it."
-            " Default is the last change. A program waits again for a line that was typed for it.",
+            text="N is its number (see \"info edits\"); all later changes are undone with it. "
+            "Default is the last change. If the change was a line typed for a program, the "
+            "program waits for the line again.",
         ),
     ),
 )  # fmt: skip

@@ -282,7 +282,7 @@ EDITS: Final = {
     "degrade": Edit(
         "ROBOT DEVICE[.ELEMENT] FAULT...",
         "Degrade a device of a robot: degrade robot0 sonar.3 dead.",
-        "Faults and units are those of world files: dead, stuck [VALUE], bias VALUE, gain VALUE,"
+        "Faults and units are as in world files: dead, stuck [VALUE], bias VALUE, gain VALUE,"
         " noise VALUE, step VALUE, delay TIME, dropouts FRACTION; timing: onset TIME, for TIME,"
         " recovery TIME.",
         _degrade,

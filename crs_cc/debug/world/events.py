@@ -37,12 +37,12 @@ KINDS: Final = {
     "bumper": "a bumper switch was pressed or released",
     "bumper-pressed": "a bumper switch was pressed",
     "bumper-released": "a bumper switch was released",
-    "message": "a message was sent, delivered or lost; a link was shut or opened",
+    "message": "a message was sent, delivered or lost; a link was blocked or unblocked",
     "message-sent": "a program sent a message",
     "message-arrived": "a message was delivered intact",
     "message-corrupted": "a message was delivered corrupted",
     "message-lost": "a message was lost",
-    "message-way": "a link was shut or opened",
+    "message-way": "a link was blocked or unblocked",
     **{kind: text for kind, text in events.KINDS.items() if kind != "message"},
 }
 """The event kinds with their meanings; the names of catchpoints."""

@@ -1,4 +1,4 @@
-"""Changes to communication: links shut and opened, messages sent by hand."""
+"""Changes to communication: links blocked and unblocked, messages sent by hand."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ def _shut(environment: Environment, words: Words) -> str:
     environment.communication.shut(
         **way, at_s=times.get("at", environment.time_s), duration_s=times.get("for")
     )
-    return f"{_way_text(way)} shut {_when(times)}"
+    return f"{_way_text(way)} blocked {_when(times)}"
 
 
 def _open(environment: Environment, words: Words) -> str:
     way, times = _way(words, "open")
     environment.communication.open(**way, at_s=times.get("at"))
-    return f"{_way_text(way)} open {_when(times)}"
+    return f"{_way_text(way)} unblocked {_when(times)}"
 
 
 def _way(words: Words, name: str) -> tuple[dict[str, str], dict[str, float]]:
@@ -68,7 +68,7 @@ def _time_s(text: str) -> float:
 
 
 def _way_text(way: dict[str, str]) -> str:
-    parts = [way.get("channel", "all that goes" if way else "everything")]
+    parts = [way.get("channel", "every channel" if way else "every link")]
     parts += [f"from {way['sender']}"] if "sender" in way else []
     parts += [f"to {way['receiver']}"] if "receiver" in way else []
     return f"{' '.join(parts)} is"
@@ -113,8 +113,8 @@ MESSAGES: Final = {
     ),
     "open": Edit(
         _SYNTAX["open"],
-        "Unblock a link that was shut with the same arguments.",
-        'With "at TIME", it is unblocked then.',
+        "Unblock a link that was blocked with the same arguments.",
+        'With "at TIME", it is unblocked at that time.',
         _open,
     ),
     "message": Edit(

@@ -18,8 +18,8 @@ _SYNTAX: Final = "reach NAME PORT|call ROBOT PORT|N accept|N refuse|N send TEXT|
 _HELP: Final = (
     "'reach' lets programs connect to a port of a computer that is not in the world; 'call' "
     "connects to a robot's port. Connections are numbered from 0, including those that programs "
-    "open, which wait until they are accepted or refused. In a text, \\n, \\r, \\t and \\xNN are "
-    "bytes."
+    "open, which wait until they are accepted or refused. In TEXT, each of the escapes \\n, \\r, "
+    "\\t and \\xNN stands for one byte."
 )
 
 NETWORK_HELP: Final = (

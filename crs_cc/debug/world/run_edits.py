@@ -190,9 +190,10 @@ RUN_EDITS: Final = {
     ),
     "join": RunEdit(
         f"{_JOIN}, or ROBOT [ROBOT ...]",
-        "Add a robot of the kind of another: join two like robot0 to 1 2.",
-        "It runs the same program, or another one of the run, by its name. With names alone, "
-        "robots of the world whose join time is later join now, or when their place is free.",
+        "Add a robot of the same kind as another: join two like robot0 to 1 2.",
+        "It runs the same program as that robot, or PROGRAM, the name of another program in the "
+        "run. With names alone, robots of the world that have yet to join do so now, or as soon "
+        "as their place is free.",
         _join,
     ),
 }

@@ -5,10 +5,10 @@
 >>> environment = Environment(empty_world(), seed=1)
 >>> environment.communication.shut(channel="radio", sender="robot0")
 >>> [event.text for event in environment.step().events]
-['radio from robot0 shut']
+['radio from robot0 blocked']
 >>> environment.communication.open(channel="radio", sender="robot0")
 >>> [event.text for event in environment.step().events]
-['radio from robot0 opened']
+['radio from robot0 unblocked']
 >>> environment.communication.counts("radio")[Fate.SENT]
 0
 """

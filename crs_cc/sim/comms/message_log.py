@@ -46,7 +46,7 @@ MEANINGS: Final = {
     Fate.BLOCKED: "lost: path blocked",
     Fate.LOSS: "lost in transit",
     Fate.QUEUE: "lost: sender's queue full",
-    Fate.SHUT: "lost: link shut",
+    Fate.SHUT: "lost: link outage",
     Fate.INBOX: "lost: receiver's inbox full",
     Fate.ABSENT: "lost: sender or receiver not in the world",
 }
@@ -109,8 +109,8 @@ def events(traffic: Records, channels: Sequence[str], robots: Sequence[str]) -> 
         else:
             to = "all" if group == NO_GROUP else f"group {group}"
         text = (
-            f"{channels[channel]} message {number} of {robots[sender]} to {to}, "
-            f"type {kind}, {size} bytes: {MEANINGS[Fate(fate)]}"
+            f"{channels[channel]} message {number} from {robots[sender]} to {to}, "
+            f"type {kind}, {size} byte{'s' * (size != 1)}: {MEANINGS[Fate(fate)]}"
         )
         yield Event(time_s, "message", text, sender if fate == Fate.SENT else receiver)
 

@@ -1,4 +1,4 @@
-"""Outages: channels, senders, receivers and pairs that are shut for some time.
+"""Outages: channels, senders, receivers and pairs that are blocked for some time.
 
 Each outage is a row of `MessageState.shuts`. A message is lost if its transmission begins at or
 after the start of a row that matches it, and before its end. An outage set while the world runs
@@ -92,7 +92,7 @@ def log_changes(
     changed = (starts_s >= from_s) & (starts_s < to_s)
     changed |= (ends_s >= from_s) & (ends_s < to_s)
     for row in rows[changed].tolist():
-        for time_s, change in zip(row[:2], ("shut", "opened"), strict=True):
+        for time_s, change in zip(row[:2], ("blocked", "unblocked"), strict=True):
             if from_s <= time_s < to_s and row[0] < row[1]:
                 log.say(time_s, "message", f"{_name(row[2:], channels, robots)} {change}")
 

@@ -75,6 +75,10 @@ class Value:
     meaning: str
 
 
+def _listed(names: Sequence[str]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]] if names[1:] else names)
+
+
 def number_sensor(
     *,
     name: str,
@@ -86,7 +90,7 @@ def number_sensor(
     values: tuple[Value, ...],
     kind: Kind,
     measure: Measure,
-    nothing: str = "no reading: the request fails",
+    nothing: str = "there is no reading, and the request fails",
     source: str = "",
     number: int = -1,
     stream: int = -1,
@@ -162,7 +166,7 @@ def number_sensor(
         code=_c_function(prototype, name.upper(), names),
         degradables=(
             Degradable(
-                name, ", ".join(names), kind, elements_of(name, lambda _model: names), len(names),
+                name, _listed(names), kind, elements_of(name, lambda _model: names), len(names),
                 nothing,
             ),
         ),

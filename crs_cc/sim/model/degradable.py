@@ -26,7 +26,7 @@ class Degradable:
         elements: returns the names of a robot's elements by their numbers, with empty names for
             unused numbers; an empty tuple if the robot has no such device.
         width: maximum number of elements.
-        nothing: what a missing value is replaced with.
+        nothing: what happens if a value is dropped, as a clause.
         unit: the unit in words, where the kind has none.
         acts: whether it is an actuator.
     """

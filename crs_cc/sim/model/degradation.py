@@ -119,15 +119,16 @@ _OTHERS: Final = {
     for device in (
         Degradable(
             "odometry", "speed of an axis as counted by its encoder", SPEED, _axes, AXES,
-            "does not count",
+            "the encoder does not count",
         ),
         Degradable(
-            "drive", "speed at which a motor turns its axis", SPEED, _axes, AXES, "stops",
+            "drive", "speed at which a motor turns its axis", SPEED, _axes, AXES,
+            "the axis stops",
             acts=True,
         ),
         Degradable(
             "wheels", "speed at which an axis moves the robot", SPEED, _axes, AXES,
-            "slips in place", acts=True,
+            "the axis slips in place", acts=True,
         ),
     )
 }  # fmt: skip

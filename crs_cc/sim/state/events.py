@@ -16,7 +16,9 @@ from typing import Final
 
 KINDS: Final = {
     "message": "a message was sent, arrived or was lost; an outage began or ended",
-    "degradation": "a degradation was added, changed, removed, started, began to fade or ended",
+    "degradation": (
+        "a degradation was added, changed or removed, or it started, began to fade or ended"
+    ),
     "join": "a robot joined, or had to wait because its place was occupied",
     "leave": "a robot left",
     "fall": "the ground under a robot dropped away",

@@ -1,12 +1,12 @@
-/** Forms that shut and open links, and send a message in the name of a robot. */
+/** Forms that block and unblock links, and send a message on behalf of a robot. */
 import { button, el, fill } from "crs/dom.js";
 import { change, changeOrSay, choice, entry, field, sayAtFields, setOptions, typed } from "crs/change.js";
 
 /** @param {any} model @returns {{shut: HTMLElement, send: HTMLElement}} */
 export function linkForms(model) {
   const list = el("div.outages");
-  const [channel, from, to] = [choice([["", "all channels"]]), choice([["", "anybody"]]), choice([["", "anybody"]])];
-  const [at, lasts] = [field("from", entry({ placeholder: "now" }), "s"), field("for", entry({ placeholder: "ever" }), "s")];
+  const [channel, from, to] = [choice([["", "all channels"]]), choice([["", "any robot"]]), choice([["", "any robot"]])];
+  const [at, lasts] = [field("from", entry({ placeholder: "now" }), "s"), field("for", entry({ placeholder: "the rest of the run" }), "s")];
   const shut = el("form.fields", { onsubmit: async (event) => {
     event.preventDefault();
     const way = words([["", channel.value], ["from", from.value], ["to", to.value]]) || "all";
@@ -14,7 +14,7 @@ export function linkForms(model) {
     sayAtFields([at, lasts], wrong);
   } },
   field("channel", channel).row, field("sent by", from).row, field("sent to", to).row, at.row, lasts.row,
-  el("div.row-end", {}, el("button.primary", { type: "submit" }, "Shut")));
+  el("div.row-end", {}, el("button.primary", { type: "submit" }, "Block")));
 
   const [by, addressee, on] = [choice([]), choice([["", "all"]]), choice([])];
   const [kind, text] = [field("type", entry({ value: "0" })), field("text", entry({ placeholder: "content" }))];
@@ -33,7 +33,7 @@ export function linkForms(model) {
     const channels = (model.panel?.channels ?? []).map((each) => [each, each]);
     setOptions(channel, [["", "all channels"], ...channels]);
     setOptions(on, channels);
-    for (const each of [from, to]) setOptions(each, [["", "anybody"], ...names]);
+    for (const each of [from, to]) setOptions(each, [["", "any robot"], ...names]);
     setOptions(by, names);
     setOptions(addressee, [["", "all"], ...names]);
     const outages = model.panel?.outages ?? [];
@@ -41,7 +41,7 @@ export function linkForms(model) {
       const way = words([["", each.channel], ["from", each.from], ["to", each.to]]) || "all";
       const until = each.until === null ? "" : ` to ${+each.until.toFixed(3)} s`;
       return el("div.in-force", {}, el("span", {}, way, el("span.times", {}, ` from ${+each.at.toFixed(3)} s${until}`)),
-        button({ text: "Open", title: `Open ${way}`, onclick: () => changeOrSay(model, `open ${way}`) }));
+        button({ text: "Unblock", title: `Unblock ${way}`, onclick: () => changeOrSay(model, `open ${way}`) }));
     }));
   };
   for (const kind of ["panel", "hello", "roster", "look"]) model.on(kind, show);

@@ -110,7 +110,7 @@ export class Model {
     this.tell("status", message);
   }
 
-  /** What has been changed, what is degraded, which links are shut. */
+  /** What has been changed, what is degraded, which links are blocked. */
   hear_panel(message) {
     this.panel = message;
     this.tell("panel", message);

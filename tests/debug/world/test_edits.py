@@ -83,11 +83,11 @@ def test_charge_heat_and_links_are_changed() -> None:
     assert environment.charges(0)[1] == 0.125
     assert edit(environment, "heat robot1 7") == "robot1 has a heat of 7 now"
     assert driver.state.heat.left[1] == 7.0
-    assert edit(environment, "shut radio from robot0") == "radio from robot0 is shut now"
-    assert edit(environment, "shut to robot1") == "all that goes to robot1 is shut now"
-    assert edit(environment, "open radio from robot0") == "radio from robot0 is open now"
-    assert edit(environment, "shut all") == "everything is shut now"
-    assert [each.text for each in environment.step().events][-1].endswith("shut")
+    assert edit(environment, "shut radio from robot0") == "radio from robot0 is blocked now"
+    assert edit(environment, "shut to robot1") == "every channel to robot1 is blocked now"
+    assert edit(environment, "open radio from robot0") == "radio from robot0 is unblocked now"
+    assert edit(environment, "shut all") == "every link is blocked now"
+    assert [each.text for each in environment.step().events][-1].endswith("blocked")
 
 
 @pytest.mark.parametrize(

@@ -59,7 +59,7 @@ def test_message_events_name_the_outcome() -> None:
     driver.ask("SEND", 1, -1, 3, 0, data=b"x")
     found = told(driver, ["message-arrived"])
     assert [(kind, robot) for _, kind, robot, _ in found] == [("message-arrived", 1)]
-    assert found[0][3].startswith("radio message 1 of robot0 to robot1, type 3, 1 bytes")
+    assert found[0][3].startswith("radio message 1 from robot0 to robot1, type 3, 1 byte:")
 
 
 def test_events_of_degradations_and_joining_name_the_robot() -> None:

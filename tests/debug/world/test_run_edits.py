@@ -166,7 +166,7 @@ def test_links_are_shut_at_a_time_and_messages_sent_by_hand(program: Path) -> No
     debugger.goto_timestep(14)
     texts = [each.text for each in debugger.run.event_history.world_events()]
     assert any("robot0 to robot1, type 3, 11 bytes: delivered" in text for text in texts)
-    assert any("type 0, 4 bytes: lost: link shut" in text for text in texts)
+    assert any("type 0, 4 bytes: lost: link outage" in text for text in texts)
     for wrong in ("message robot0 to robot0: x", "message robot0", "shut radio for 1s at 2s x"):
         with pytest.raises(DebugError):
             debugger.edit_world(wrong)

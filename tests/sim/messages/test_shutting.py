@@ -44,8 +44,8 @@ def test_outage_has_a_start_and_an_end():
     assert talk.kinds(1) == [0, 4]
     said = [event for step in talk.steps for event in step.events]
     assert [(event.time_s, event.text) for event in said] == [
-        (0.12, "all channels from a shut"),
-        (0.3, "all channels from a opened"),
+        (0.12, "all channels from a blocked"),
+        (0.3, "all channels from a unblocked"),
     ]
 
 
@@ -69,8 +69,8 @@ def test_outage_can_be_set_and_cleared():
     talk.run(2)
     assert talk.kinds(1) == [2]
     assert [event.text for step in talk.steps for event in step.events] == [
-        "test shut",
-        "test opened",
+        "test blocked",
+        "test unblocked",
     ]
     assert talk.environment.communication.counts("test")[Fate.SHUT] == 1
 
@@ -82,15 +82,16 @@ def test_control_object_follows_a_restored_world():
     control.shut(channel="test")
     snapshot = talk.environment.snapshot()
     (event,) = talk.environment.step().events
-    assert (event.time_s, event.text) == (0.05, "test shut")
+    assert (event.time_s, event.text) == (0.05, "test blocked")
     talk.environment.restore(snapshot)
     control.open(channel="test")
     control.shut(sender="a")
-    assert [event.text for event in talk.environment.step().events] == ["all channels from a shut"]
+    (event,) = talk.environment.step().events
+    assert event.text == "all channels from a blocked"
     talk.environment.add_robot(replace(talk.environment.world.robots[0], id="z", start=Pose(0, 3)))
     control.shut(receiver="z")
     assert [event.text for event in talk.environment.step().events][-1:] == [
-        "all channels to z shut"
+        "all channels to z blocked"
     ]
 
 
@@ -125,10 +126,10 @@ def test_monitor_counts_fates_and_events_describe_them():
         for event in events(step.traffic, monitor.channels, monitor.robots)
     ]
     assert [event.text for event in traffic] == [
-        "test message 0 of a to all, type 5, 3 bytes: sent",
-        "test message 0 of b to c, type 0, 0 bytes: sent",
-        "test message 0 of a to c, type 5, 3 bytes: lost: link shut",
-        "test message 0 of b to c, type 0, 0 bytes: lost: out of range",
-        "test message 0 of a to b, type 5, 3 bytes: delivered",
+        "test message 0 from a to all, type 5, 3 bytes: sent",
+        "test message 0 from b to c, type 0, 0 bytes: sent",
+        "test message 0 from a to c, type 5, 3 bytes: lost: link outage",
+        "test message 0 from b to c, type 0, 0 bytes: lost: out of range",
+        "test message 0 from a to b, type 5, 3 bytes: delivered",
     ]
     assert traffic[-1].robot == 1

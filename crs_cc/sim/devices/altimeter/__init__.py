@@ -3,10 +3,10 @@
     height = height of the ground under the robot's centre + normal deviates
 
 above level ground, to the nearest 0.1 inch, like a barometric altimeter that was calibrated there.
-The altimeter measures when the program requests it, at most at its rate, or on its timer; requests
-in between return the previous measurement. Robots do not tip over: at a ledge the height is that of
-the ground under the centre. Degradation (`altitude`): if the value is dropped, requests fail. The
-model was chosen by us.
+The altimeter measures when the program requests it, but no more often than its rate allows, or on
+its timer; requests in between return the previous measurement. Robots do not tip over: at a ledge
+the height is that of the ground under the centre. Degradation (`altitude`): if the value is
+dropped, requests fail. The model was chosen by us.
 """
 
 from __future__ import annotations

@@ -10,9 +10,9 @@ The gradient is that of the plane that fits the readings best (least squares); a
 which the antennae do not differ, it is 0. Two antennae therefore only distinguish left from right;
 three or four also distinguish ahead from behind.
 
-All fields are measured at once: on request, at most at the rate, or by the timer. Degradation
-(`antennae`): element 1.2 is antenna 2 in field 1; a dropped reading is 0. The model was chosen by
-us.
+All fields are measured at once: on request, but no more often than the rate allows, or on the
+timer. Degradation (`antennae`): element 1.2 is antenna 2 in field 1; a dropped reading is 0. The
+model was chosen by us.
 """
 
 from __future__ import annotations
@@ -219,7 +219,8 @@ DEVICE = Device(
     ),
     degradables=(
         Degradable(
-            "antennae", "smelled amount", AMOUNT, elements_of("antennae", _elements), _WIDTH, "0"
+            "antennae", "amount smelled", AMOUNT, elements_of("antennae", _elements), _WIDTH,
+            "the reading is 0",
         ),
     ),
     inspect=_inspect,

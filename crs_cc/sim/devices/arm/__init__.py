@@ -288,7 +288,8 @@ DEVICE = Device(
     degradables=(
         Degradable(
             "arm", "commanded angle of a joint", ANGLE,
-            elements_of("arm", lambda _model: ("shoulder", "elbow")), 2, "command not received",
+            elements_of("arm", lambda _model: ("shoulder", "elbow")), 2,
+            "the command is not received",
             acts=True,
         ),
     ),

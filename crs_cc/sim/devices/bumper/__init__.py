@@ -189,7 +189,7 @@ DEVICE = Device(
         Degradable(
             "bumper", "state of a switch, by its bit: 1 if pressed, else 0; pressed from 0.5 on",
             RATIO, elements_of("bumper", lambda model: at_numbers([one.bit for one in model.all])),
-            BUMPER_BITS, "not pressed",
+            BUMPER_BITS, "the switch reads as not pressed",
         ),
     ),
     reading=_reading,

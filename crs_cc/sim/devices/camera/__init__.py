@@ -4,11 +4,11 @@
     direction n = direction of the camera + ((columns - 1) / 2 - n) * field of view / columns
 
 Columns are numbered from left to right, as in a picture. A column has the colour of the object's
-surface (`Material.colour` of the world file) and its distance from the camera, for which a real one
-would need a second lens; a column without an object in range has the camera's background colour.
-Light and shadow have no effect. A camera turns with the mount of its robot. It takes a picture when
-the program requests one, at most at its rate, or on its timer (`timers`); requests in between
-return the previous picture.
+surface (`Material.colour` of the world file) and the surface's distance from the camera, which a
+real camera would need a second lens to measure; a column without an object in range has the
+camera's background colour. Light and shadow have no effect. A camera turns with the mount of its
+robot. It takes a picture when the program requests one, but no more often than its rate allows, or
+on its timer; requests in between return the previous picture.
 
 Blobs are runs of adjacent columns of one colour, as found by a colour tracker: two objects of the
 same colour that touch in the picture are one blob, at the distance of the nearer one.
@@ -332,9 +332,9 @@ struct crs_blob {
 """,
     degradables=(
         Degradable(
-            "camera", "range of a column, from left to right", LENGTH,
+            "camera", "range of a column, numbered from left to right", LENGTH,
             elements_of("camera", lambda camera: numbered(camera.columns)), MAX_COLUMNS,
-            "background colour",
+            "the column has the background colour",
         ),
     ),
     reading=lambda state, model, number: camera_state(state).readings.last(number, model.columns),

@@ -2,14 +2,14 @@
 
     reading = direction of the mount + offset + (deviation * sin(direction) until it is calibrated)
 
-in 0.1 degree, 0 to 3599 (vendor header `Nclient.h` 1.29). The direction is that of the turret, or
-of the robot if it has none, in the world frame: counter-clockwise from the world's x axis, like all
-angles of the robot; the offset of a definition selects a different north. `conf_cp` switches the
-compass on and off: while it is off, the reading, initially 0, does not change. `conf_cp(2)`
-calibrates it: the turret makes one turn, as slowly as the definition specifies (about three
-minutes, vendor header). Meanwhile the program continues; it should wait and not move the turret.
-Then the deviation, which is caused by iron on the robot, is removed. A robot without a turret does
-not turn. All numbers except the format were chosen by us.
+The reading is in units of 0.1 degree, 0 to 3599 (vendor header `Nclient.h` 1.29). The direction is
+that of the turret, or of the robot if it has none, in the world frame: counter-clockwise from the
+world's x axis, like all angles of the robot; the offset of a definition selects a different north.
+`conf_cp` switches the compass on and off: while it is off, the reading, initially 0, does not
+change. `conf_cp(2)` calibrates it: the turret makes one turn, as slowly as the definition specifies
+(about three minutes, vendor header). Meanwhile the program continues; it should wait and not move
+the turret. Then the deviation, which is caused by iron on the robot, is removed. A robot without a
+turret does not turn. All numbers except the format were chosen by us.
 
 The compass measures when a reply contains its reading, at most ten times a second (vendor header),
 or on its timer (`timers`). A normal deviate with the definition's noise is added. Degradation
@@ -70,7 +70,7 @@ class Compass:
     """A compass."""
 
     offset_rad: float = attribute(
-        "offset", ANGLE, "0deg", "Reading of a robot that points along the world's x axis.",
+        "offset", ANGLE, "0deg", "Reading when the robot points along the world's x axis.",
         signed=True,
     )  # fmt: skip
     deviation_rad: float = attribute(

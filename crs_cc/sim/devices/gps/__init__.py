@@ -3,10 +3,10 @@
     reading = position of the robot's centre + normal deviates with the definition's noise
 
 in x and y of the world frame, to the nearest 0.1 inch. The receiver measures when the program
-requests it, at most at its rate, or on its timer; requests in between return the previous
-measurement. Degradation (`gps`): if x or y is dropped there is no fix, and requests fail until the
-next measurement. The model was chosen by us: the CRS report (6.2) suggests such a device without
-specifying it.
+requests it, but no more often than its rate allows, or on its timer; requests in between return the
+previous measurement. Degradation (`gps`): if x or y is dropped there is no fix, and requests fail
+until the next measurement. The model was chosen by us: the CRS report (6.2) suggests such a device
+without specifying it.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ DEVICE = number_sensor(
     values=(Value("x", "x in the world"), Value("y", "y in the world")),
     kind=LENGTH,
     measure=measure,
-    nothing="no fix: the request fails",
+    nothing="there is no fix, and the request fails",
     source=__file__,
     number=0,
     stream=5,

@@ -274,7 +274,8 @@ DEVICE = Device(
     degradables=(
         Degradable(
             "gripper", "command of the gripper: 1 to close, from 0.5 on, otherwise to open", RATIO,
-            elements_of("gripper", lambda _model: ("0",)), 1, "command not received", acts=True,
+            elements_of("gripper", lambda _model: ("0",)), 1,
+            "the command is not received", acts=True,
         ),
     ),
     inspect=inspect,

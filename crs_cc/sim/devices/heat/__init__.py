@@ -135,7 +135,10 @@ DEVICE = Device(
         ),
     ),
     degradables=(
-        Degradable("heat", "heat", HEAT, elements_of("heat", lambda _model: ("0",)), 1, "0"),
+        Degradable(
+            "heat", "heat that is read", HEAT, elements_of("heat", lambda _model: ("0",)), 1,
+            "the reading is 0",
+        ),
     ),
     inspect=listed("heat", 1),
     reading=last_values("heat"),

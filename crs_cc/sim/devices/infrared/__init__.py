@@ -6,19 +6,19 @@
     reading = round(level)
 
 The reflected light is proportional to the surface's reflectance and to the inverse square of its
-distance, so a surface that reflects a quarter appears twice as far away. 15 is the largest value of
-the four bits on the line (vendor source `Ndirect.c` 2.7), and the reading if nothing is in range.
-Programs interpret readings as inches (MissionLab's driver of the Nomad 200): this is the step of
-the definitions. `conf_ir` sets the share of the previous level, in tenths (vendor header
-`Nclient.h` 1.29), and which sensors measure; the others read 15. Sensor n of the ring points 22.5 n
-degrees counter-clockwise from the front, like the sonars. A beam is a cone (`rays`), and the
-nearest object in it is measured. The reflectance is that of its surface, or the default of the
-definition. All other numbers were chosen by us.
+distance, so a surface that reflects a quarter appears twice as far away. A reading is sent as four
+bits, so the largest is 15 (vendor source `Ndirect.c` 2.7); this is also the reading if nothing is
+in range. Programs interpret readings as inches (as does MissionLab's driver for the Nomad 200), so
+the included definitions use a step of one inch. `conf_ir` sets the share of the previous level, in
+tenths (vendor header `Nclient.h` 1.29), and which sensors measure; the others read 15. Sensor n of
+the ring points 22.5 n degrees counter-clockwise from the front, like the sonars. A beam is a cone,
+and the distance to the nearest object in it is measured. The reflectance is that of the object's
+surface, or the default of the definition. All other numbers were chosen by us.
 
-The ring is on the turret. All sensors measure when a reply contains their readings, at most at the
-rate of the definition, or on their timer (`timers`). A normal deviate with the definition's noise
-is added to each distance. Degradation (`infrared`) applies to the distances; a dropped distance
-reads as nothing in range.
+The ring is on the turret. All sensors measure when a reply contains their readings, but no more
+often than the rate in the definition allows, or on their own timer. A normal deviate, whose
+standard deviation is the `noise` of the definition, is added to each distance. Degradation
+(`infrared`) applies to the distances; a dropped distance reads as nothing in range.
 """
 
 from __future__ import annotations
@@ -84,7 +84,8 @@ class Infrared:
 
     step_m: float = attribute(
         "step", LENGTH, None,
-        "Distance of a white surface per unit of a reading; the largest reading is 15.",
+        "Distance to a white surface that corresponds to one unit of the reading; the largest "
+        "reading is 15.",
         positive=True,
     )  # fmt: skip
     half_angle_rad: float = attribute("half-angle", ANGLE, "0deg", "Half-angle of the beams.")
@@ -385,7 +386,7 @@ DEVICE = Device(
         Degradable(
             "infrared", "distance measured by an infrared sensor", LENGTH,
             elements_of("infrared", lambda _model: numbered(MAX_INFRARED)), MAX_INFRARED,
-            "nothing in range, 15",
+            "the reading is 15 (nothing in range)",
         ),
     ),
     inspect=inspect,

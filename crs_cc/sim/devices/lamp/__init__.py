@@ -101,7 +101,7 @@ DEVICE = Device(
     degradables=(
         Degradable(
             "lamp", "commanded brightness", BRIGHTNESS, elements_of("lamp", lambda _model: ("0",)),
-            1, "0", acts=True,
+            1, "the lamp goes off", acts=True,
         ),
     ),
     inspect=lambda state, number: f"{state.device('lamp', LampState).brightness[number]:g}",

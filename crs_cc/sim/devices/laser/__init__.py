@@ -4,24 +4,25 @@
     direction n = (n - (points - 1) / 2) * field of view / points       (0 for a single point)
 
 Directions are counter-clockwise, from right to left, centred on the front of the turret; a
-direction without an object in range has no point. Points are x and y in 0.1 inch, forward and left
-of the centre of the turret (vendor header `Nclient.h` 1.29; the frame of the turret,
-which carries the sensor, was chosen by us). `conf_ls` can request fewer points than the 482 of the
-vendor's array. Modes are the vendor's: bit 0 on, bit 1 points instead of segments; the rest of its
-client (`Nclient.c` 2.7) accepts 19 and 51 for points, and 1 and 33 for segments. The other modes
-return pixels, which the vendor's simulator did not support, and are rejected. Brightness and width
-of the line (`threshold`, `width`) are ignored.
+direction without an object in range has no point. Points are x and y in units of 0.1 inch, forward
+and left of the centre of the turret (vendor header `Nclient.h` 1.29; the frame of the turret, which
+carries the sensor, was chosen by us). `conf_ls` can request fewer points than the 482 of the
+vendor's array. The modes are the vendor's: bit 0 switches the laser on, and bit 1 selects points
+instead of segments; the vendor's client (`Nclient.c` 2.7) otherwise accepts 19 and 51 for points,
+and 1 and 33 for segments. The other modes return pixels, which the vendor's simulator did not
+support, and are rejected. The brightness and the width of the line (`threshold`, `width`) are
+ignored.
 
 Segments are computed from the points by split and merge (`segments`), with the parameters of
-`conf_sg`. `get_ls` returns points and `get_sg` segments in every mode; states contain what the mode
-selects, unless the mask excludes the laser. A laser that is off returns nothing. The returned
-readings are kept for the pages (LASER_PAGE) that the client requests.
+`conf_sg`. `get_ls` returns points and `get_sg` segments in every mode; state replies contain what
+the mode selects, unless the mask excludes the laser. A laser that is off returns nothing. The
+returned readings are kept, so that the client can request them page by page (LASER_PAGE).
 
 The laser measures when a reply contains its readings, at most thirty times a second (vendor
 header), or on its timer (`timers`). Noise: a normal deviate is added to each distance; its standard
 deviation is the definition's noise at 1 m and grows with the square of the distance, as for
 triangulation; averaging p pixels divides it by sqrt(p). Degradation (`laser`) applies to the
-distances; a dropped distance has no point.
+distances; a dropped distance yields no point.
 """
 
 from __future__ import annotations
@@ -63,8 +64,9 @@ DEVICE = Device(
     ),
     degradables=(
         Degradable(
-            "laser", "distance of a point, from right to left", LENGTH,
-            elements_of("laser", lambda laser: numbered(laser.points)), NUM_LASER, "no point",
+            "laser", "distance of a point, numbered from right to left", LENGTH,
+            elements_of("laser", lambda laser: numbered(laser.points)), NUM_LASER,
+            "there is no point",
         ),
     ),
     inspect=lambda state, number: range_scan.nearest_text(

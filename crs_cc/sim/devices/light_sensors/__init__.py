@@ -4,11 +4,13 @@
 
 d is the distance of a light from the robot's centre [m], a the angle between the direction of the
 light and that of the sensor: the inverse square law, and Lambert's cosine law for a flat sensor
-("Photometria", 1760). Walls, objects and robots cast shadows, and nothing reflects light. d is at
-least 10 cm. Lights are declared in the world file, or are lamps of other robots (`crs_light`).
+("Photometria", 1760). Walls, objects and robots cast shadows, and nothing reflects light. Smaller
+values of d count as 10 cm. Lights are declared in the world file, or are lamps of other robots
+(`crs_light`).
 
 Sensors measure on request, or on their timer, with objects at their positions at the start of the
-timestep; a normal deviate proportional to the reading, with the definition's noise, is added.
+timestep; a normal deviate is added, whose standard deviation is the reading times the `noise` of
+the definition.
 """
 
 from __future__ import annotations
@@ -138,7 +140,8 @@ DEVICE = Device(
     degradables=(
         Degradable(
             "light", "reading of a light sensor", BRIGHTNESS,
-            elements_of("light", lambda ring: numbered(ring.number)), _MAX, "0",
+            elements_of("light", lambda ring: numbered(ring.number)), _MAX,
+            "the reading is 0",
         ),
     ),
     inspect=listed("light", _MAX),

@@ -5,14 +5,15 @@
 
 d is the distance of a source from the robot's centre [m]: the pressure is inversely proportional to
 the distance, as for a pulsating sphere, and the powers of incoherent sources add. A quarter of the
-pressure is 12 dB less: ISO 9613-2, 7.4, has about 5 to 20 dB for diffraction at one edge, and we
-use the middle for all obstacles. The direction is that of the vector sum over all sources of the
-loudest tone, each weighted by its power, including sources behind obstacles, as if there were none.
-d is at least 10 cm. Sources are declared in the world file, or are speakers of other robots
-(`crs_sound`).
+pressure is 12 dB less: ISO 9613-2, 7.4, gives about 5 to 20 dB for diffraction at one edge, and we
+use the middle of that range for all obstacles. The direction is that of the vector sum over all
+sources of the loudest tone, each weighted by its power; sources behind obstacles count as if there
+were no obstacles. Smaller values of d count as 10 cm. Sources are declared in the world file, or
+are speakers of other robots (`crs_sound`).
 
 Microphones measure on request, or on their timer, with objects at their positions at the start of
-the timestep; a normal deviate proportional to the level, with the definition's noise, is added.
+the timestep; a normal deviate is added, whose standard deviation is the level times the `noise` of
+the definition.
 """
 
 from __future__ import annotations
@@ -138,7 +139,8 @@ DEVICE = Device(
     degradables=(
         Degradable(
             "sound", "level of a tone", LOUDNESS,
-            elements_of("sound", lambda _model: numbered(TONES)), TONES, "0",
+            elements_of("sound", lambda _model: numbered(TONES)), TONES,
+            "the reading is 0",
         ),
     ),
     inspect=listed("sound", TONES),

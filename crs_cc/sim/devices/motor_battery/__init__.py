@@ -33,7 +33,7 @@ DEVICE = Device(
     degradables=(
         Degradable(
             "battery", "voltage", VOLTAGE, lambda _robot: ("computers", "motors"), 2,
-            "the lowest voltage",
+            "the lowest voltage is read",
         ),
     ),
     source=__file__,

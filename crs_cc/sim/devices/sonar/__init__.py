@@ -12,22 +12,22 @@ changes when the echo arrives,
 
     2 * distance / (speed of sound)
 
-after the firing, or when the sonar stops listening: when an echo from its maximum range would have
-arrived, or when the next sonar fires, whichever is earlier, because all sonars share one board.
-Until then, the previous reading is reported. The vendor does not document the following cases; crs
-defines them:
+after the firing, or when the sonar stops listening. Because all sonars share one board, that is
+when an echo from its maximum range would have arrived or when the next sonar fires, whichever is
+earlier. Until then, the previous reading is reported. The vendor does not document the following
+cases; crs defines them:
 
 - a rate that would give an interval shorter than the minimum, rate 0 included, selects the minimum;
 - `conf_sn` discards the pending ping, and its first sonar fires immediately;
-- a sonar that is not in the order reads 255, no echo; an empty order switches all of them off.
+- a sonar that is not in the order reads 255 (no echo); an empty order switches all sonars off.
 
-A reading is the distance from the sensor, which is on the shell, to the nearest object that returns
-an echo into the beam (`geometry.echoes`), in whole inches; 255 means no echo, as the reading is one
-byte on the line (vendor source `Ndirect.c` 2.7). The firing robot is at the position that its
-wheels have reached at the time of the firing; all other objects, and a robot that is blocked, are
-at their positions at the start of the timestep. Errors: see `errors`. Degradation (`sonar`): the
-degraded distance is reported when an echo from that distance would arrive; if that echo would
-arrive too late, the reading is "no echo".
+A reading is the distance from the sensor, which is on the shell, to the nearest object in the beam
+that returns an echo, in whole inches; 255 means no echo, because a reading is sent over the serial
+line as one byte (vendor source `Ndirect.c` 2.7). The firing robot is taken to be at the position
+that its wheels have reached at the time of the firing; all other objects, and a robot that is
+blocked, are taken to be at their positions at the start of the timestep. The
+attributes below set the errors. Degradation (`sonar`): the degraded distance is reported when an
+echo from that distance would arrive; if that echo would arrive too late, the reading is "no echo".
 """
 
 from __future__ import annotations
@@ -472,7 +472,7 @@ DEVICE = Device(
         Degradable(
             "sonar", "distance measured by a sonar", LENGTH,
             elements_of("sonar", lambda model: at_numbers([each.id for each in model.sonars])),
-            MAX_SONARS, "no echo",
+            MAX_SONARS, "there is no echo",
         ),
     ),
     reading=lambda state, _model, robot: sonar_state(state).echo_m[robot],

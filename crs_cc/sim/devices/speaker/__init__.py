@@ -117,7 +117,7 @@ DEVICE = Device(
     degradables=(
         Degradable(
             "speaker", "commanded level", LOUDNESS, elements_of("speaker", lambda _model: ("0",)),
-            1, "0", acts=True,
+            1, "the speaker falls silent", acts=True,
         ),
     ),
     inspect=inspect,

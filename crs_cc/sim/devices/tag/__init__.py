@@ -114,7 +114,7 @@ DEVICE = Device(
     degradables=(
         Degradable(
             "tag", "range of tagging", LENGTH, elements_of("tag", lambda _model: ("0",)), 1,
-            "no effect", acts=True,
+            "tagging has no effect", acts=True,
         ),
     ),
     source=__file__,

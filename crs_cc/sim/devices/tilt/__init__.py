@@ -1,13 +1,14 @@
 """The inclinometer: pitch and roll of the robot.
 
-    pitch = atan(slope of the ground in forward direction) + noise    positive with the nose up
+    pitch = atan(slope of the ground in the forward direction) + noise    positive with the nose up
     roll  = atan(slope of the ground to the left) + noise      positive with the left side up
 
-under the robot's centre, where forward is the direction of the mount; to the nearest 0.1 degree,
-with normal deviates. It measures when the program requests it, at most at its rate, or on its
-timer; requests in between return the previous measurement. On level ground both are 0, also at a
-ledge: robots do not tip over. Acceleration and bumps, which disturb real inclinometers, have no
-effect. The model was chosen by us.
+The slope is that under the robot's centre, and forward is the direction of the mount. Readings are
+to the nearest 0.1 degree; the noise is normally distributed. The inclinometer measures when the
+program requests it, but no more often than its rate allows, or on its timer; requests in between
+return the previous measurement. On level ground both are 0, even at a ledge: robots do not tip
+over. Acceleration and bumps, which disturb real inclinometers, have no effect. The model was chosen
+by us.
 """
 
 from __future__ import annotations

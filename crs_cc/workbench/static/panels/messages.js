@@ -1,4 +1,4 @@
-/** Messages between robots: what became of each, who talks to whom, and how links are shut and opened. */
+/** Messages between robots: what became of each, who talks to whom, and forms that block links. */
 import { el, fill } from "crs/dom.js";
 import { linkForms } from "crs/link_forms.js";
 import { drawGraph, linksOf } from "crs/message_graph.js";
@@ -32,7 +32,7 @@ export const messages = {
     let [link, one] = ["", ""]; // what is followed: a link, or a message
     let key = "";
     const { shut, send } = linkForms(model);
-    const sides = [["Graph", graph], ...(model.can("change") ? [["Shut links", shut], ["Send", send]] : [])];
+    const sides = [["Graph", graph], ...(model.can("change") ? [["Block links", shut], ["Send", send]] : [])];
     const show = (chosen) => {
       for (const [, box] of sides) box.hidden = box !== chosen;
       [...choose.children].forEach((each, at) => each.setAttribute("aria-pressed", String(sides[at][1] === chosen)));

@@ -60,6 +60,6 @@ DEVICE = number_sensor(
     values=(Value("distance", "distance between the centres of the robots"),),
     kind=LENGTH,
     measure=measure,
-    nothing="no robot in range: the request fails",
+    nothing="there is no robot in range, and the request fails",
     source=__file__,
 )
