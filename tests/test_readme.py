@@ -87,7 +87,7 @@ def test_first_steps_show_what_the_programs_print(
             (folder / name).write_text(content)
     run("crs samples copy room.xml .", capfd)
     shown = run("crs run approach.c room.xml", capfd)
-    inches = re.match(r"(\d+) inches ahead of the wall at x = ", shown)
+    inches = re.match(r"(\d+) inches from the wall, at x = ", shown)
     assert inches
     assert 5 < int(inches[1]) <= 20
     assert f"```\n{shown.splitlines()[0]}\n```" in page.read_text("utf-8")

@@ -50,7 +50,7 @@ def test_a_served_run_is_changed_in_the_page(browser: Any, tmp_path: Path) -> No
         page.wait_for_selector("#panel-faults h3:has-text('In force (1)')")
         page.keyboard.press("y")
         click(page, "Block links", ".messages")
-        page.locator(".link-forms button:text-is('Shut')").click()
+        page.locator(".link-forms button:text-is('Block')").click()
         page.wait_for_selector(".outages:has-text('all from')")
         page.click("#tab-changes")
         page.wait_for_selector(".change:nth-child(3)")

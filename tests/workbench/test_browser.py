@@ -163,9 +163,9 @@ def what_was_printed_leads_to_its_instant(page: Any) -> None:
 def overlays_are_of_all_robots_or_of_the_selected_one(page: Any) -> None:
     named = "crs.views.active.overlay.chosen().map((body) => body.id).join()"
     assert page.evaluate(named) == "ada,bob"
-    page.click("text=Only of the selected robot")
+    page.click("text=Only for the selected robot")
     assert page.evaluate(named) == "ada"
-    page.click("text=Only of the selected robot")
+    page.click("text=Only for the selected robot")
 
 
 def a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page: Any) -> None:

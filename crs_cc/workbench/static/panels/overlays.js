@@ -9,7 +9,7 @@ export const overlays = {
   side: "left",
   make(root, model, look) {
     const has = (device) => Object.values(model.run.world.kinds ?? {}).some((kind) => kind[device]);
-    const only = el("label", {}, el("input", { type: "checkbox", onchange: (event) => look.setSelectedOnly(event.target.checked) }), "Only of the selected robot");
+    const only = el("label", {}, el("input", { type: "checkbox", onchange: (event) => look.setSelectedOnly(event.target.checked) }), "Only for the selected robot");
     const draw = () => {
       only.hidden = (model.run.rosters.at(-1)?.robots.length ?? 0) < 2;
       fill(root, el("div.switches", {}, only, ...PARTS.filter(({ only, device }) => (!only || only(model.run)) && (!device || has(device))).map((part) =>
