@@ -28,7 +28,7 @@ BLOCK_S: Final = SPAN_NS / NS
 """A chunk holds at most so much simulated time: more would save little. What a second brings is
 saved before, so that a killed run loses no more."""
 
-SAVE_EVERY_S: Final = 0.1
+SAVE_EVERY_S: Final = 0.25
 """Seconds are saved at most so often [s of real time]: a run that is killed loses its last second,
 and what it simulated in so much time before."""
 

@@ -15,6 +15,7 @@ from crs_cc.recording import topics
 from crs_cc.recording.block import Block, saved_messages
 from crs_cc.recording.gathered import Shape
 from crs_cc.recording.recording import Recording
+from crs_cc.session.session import Session
 
 PROGRAM = """\
 #include <Nclient.h>
@@ -107,6 +108,22 @@ def test_a_run_is_saved_before_it_waits_for_input(tmp_path: Path) -> None:
         run.send_signal(signal.SIGKILL)
         run.communicate()
     assert said[-3:] == ["7\n", "8\n", "ready\n"]
+
+
+def test_a_run_that_fails_is_saved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    program, path, advance = tmp_path / "drive.c", tmp_path / "run.mcap", Session.advance
+    program.write_text(PROGRAM)
+
+    def fails(session: Session, most: int, *, calmly: bool = False) -> bool:
+        if session.time_s >= 5.0:
+            raise MemoryError
+        return advance(session, most, calmly=calmly)
+
+    monkeypatch.setattr(Session, "advance", fails)
+    assert main(["run", str(program), "--record", str(path), "--quiet"]) != 0
+    recording = Recording(path)
+    assert recording.end_ns == 5 * 10**9
+    recording.close()
 
 
 def _said(path: Path) -> list[str]:

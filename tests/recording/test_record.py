@@ -198,7 +198,7 @@ def test_seconds_that_pass_fast_are_saved_together_and_soon(
 ) -> None:
     """The clock of this test goes on as it is looked at: 30 ms of real time for each second."""
     source, now_s, saved_ns = tmp_path / "go.c", [0.0], list[tuple[int, int]]()
-    source.write_text("#include <unistd.h>\nint main(void) { sleep(30); return 0; }\n")
+    source.write_text("#include <unistd.h>\nint main(void) { sleep(60); return 0; }\n")
     save = McapWriter.save
 
     def noted(writer: McapWriter, first_ns: int, last_ns: int, parts: Iterable[Part]) -> None:
@@ -214,8 +214,8 @@ def test_seconds_that_pass_fast_are_saved_together_and_soon(
     assert main(["run", str(source), "--record", str(tmp_path / "run.mcap"), "--quiet"]) == 0
     assert all(before[1] == after[0] for before, after in pairwise([(0, 0), *saved_ns]))
     lasted_s = [round((last_ns - first_ns) / 1e9) for first_ns, last_ns in saved_ns[1:]]
-    assert set(lasted_s) == {7}  # as SAVE_EVERY_S is 0.1
-    assert saved_ns[-1][1] > 22e9
+    assert set(lasted_s) == {17}  # as SAVE_EVERY_S is 0.25
+    assert saved_ns[-1][1] > 40e9
 
 
 BURST = """\

@@ -141,6 +141,7 @@ class CalmKernel:
         self.arena: ByteArray = instance.memory[self.turn : end]
         self._bytes = self.arena.data
         self._head = np.frombuffer(self.arena, _HEAD, 1)
+        self._begins: dict[str, int] = {}  # of tables [bytes]
         self._changed = _HEAD.fields["cycle"][1]  # type: ignore[index]
 
     def lay(self, tables: dict[str, npt.NDArray[Any]], spaces: dict[str, int]) -> None:
@@ -149,6 +150,7 @@ class CalmKernel:
         drawn = [form.format(name) for name in SENSORS for form in (_FIRST, _DEVIATES)]
         for name in (*TABLES, *drawn):
             self._head[name] = place
+            self._begins[name] = place * _NUMBER
             if name in tables:
                 content = tables[name].tobytes()
                 self._bytes[place * _NUMBER : place * _NUMBER + len(content)] = content
@@ -176,14 +178,13 @@ class CalmKernel:
 
     def table(self, name: str, count: int, dtype: npt.DTypeLike = np.float64) -> Any:
         """Return a view of the first entries of a table."""
-        place = int(self._head[name][0]) * _NUMBER
-        return np.ndarray(count, dtype, self._bytes, place)
+        return np.ndarray(count, dtype, self._bytes, self._begins[name])
 
     def content(self, name: str, count: int) -> bytes:
         """Return the first numbers of a table as bytes."""
-        place = int(self._head[name][0]) * _NUMBER
+        place = self._begins[name]
         return bytes(self._bytes[place : place + count * _NUMBER])
 
     def address(self, name: str) -> int:
         """Return the address of a table in the kernel's memory."""
-        return int(self.turn + self._head[name][0].item() * _NUMBER)
+        return self.turn + self._begins[name]
