@@ -187,4 +187,4 @@ class CalmKernel:
 
     def address(self, name: str) -> int:
         """Return the address of a table in the kernel's memory."""
-        return self.turn + self._begins[name]
+        return int(self.turn) + self._begins[name]
