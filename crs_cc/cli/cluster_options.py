@@ -16,8 +16,8 @@ _OPTIONS: Final = (
     ),
     click.option(
         "--per-host", type=click.IntRange(1, 100_000), metavar="N",
-        help="Assign N robots to each host on the cluster. Default: as many hosts as the cluster "
-        "has worker threads.",
+        help="Assign N robots to each host on the cluster. Default: divide the robots among "
+        "as many hosts as the cluster has worker threads.",
     ),
 )  # fmt: skip
 

@@ -127,16 +127,16 @@ _OPTIONS = (
     ),
     click.option(
         "-W", "warnings", metavar="[no-|error=]NAME", multiple=True, callback=_selection,
-        help="Select warnings as in gcc: -Wno-NAME disables a warning, -Wno-unused those named "
-        "unused-*, and -Wno-all (or -w) all; -Werror turns all warnings into errors, "
-        "-Werror=NAME only that one. By default, all are enabled. gcc options such as -O2, -g "
-        "and -lm are ignored.",
+        help="Select warnings as in gcc. All warnings are enabled by default. -Wno-NAME disables "
+        "the warning NAME, -Wno-unused disables those named unused-*, and -Wno-all (or -w) "
+        "disables all of them. -Werror turns all warnings into errors; -Werror=NAME does so for "
+        "NAME only. gcc options such as -O2, -g and -lm are ignored.",
     ),
     click.option(
         "--dialect", type=click.Choice(DIALECTS),
-        help="The API that the program uses: nomad (Nomadic's) or report (that of the CRS "
-        "report, with which a program may be just the statements of a function body; see "
-        "docs/glossary.md). Default: report if the program defines runcode, has no main and "
+        help="The API that the program uses: nomad (Nomadic's) or report (the CRS "
+        "report's, which allows a program to consist of just the statements of a function body; "
+        "see docs/glossary.md). Default: report if the program defines runcode, has no main and "
         "includes no Nomadic header; otherwise nomad.",
     ),
 )  # fmt: skip

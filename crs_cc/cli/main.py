@@ -55,7 +55,7 @@ Exit status:
   120       not a crs recording, or a damaged recording
   121       invalid C source
   122       invalid world file
-  123       the only robot's program was stopped by a runtime error
+  123       one robot: its program was stopped by a runtime error
   125       a recorded run differs when it is repeated
   130       interrupted by Ctrl-C
   141       broken pipe: the reader closed the output

@@ -124,7 +124,7 @@ _ROBOT_OPTIONS: Final = (
     ),
     click.option(
         "--link", type=click.Choice(["serial", "ideal"]), default="serial", show_default=True,
-        help="Simulate the serial link's delay (serial) or none (ideal).",
+        help="Simulate the serial link's delay (serial) or no delay (ideal).",
     ),
     click.option(
         "--client", type=click.Choice(["nclient", "ndirect"]), default="nclient",

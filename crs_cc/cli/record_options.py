@@ -46,7 +46,7 @@ _OPTIONS: Final = (
     ),
     click.option(
         "--foxglove-robot", "foxglove_robots", multiple=True, metavar="NAME",
-        help="Also record laser scans and camera pictures of this robot for Foxglove; may be "
+        help="Also record this robot's laser scans and camera images for Foxglove; may be "
         "repeated.",
     ),
 )  # fmt: skip

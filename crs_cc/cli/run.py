@@ -50,8 +50,8 @@ Examples:
     "changes",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Change the run at given simulated times, with the debugger commands in FILE: '12.5s: "
-    "degrade robot0 sonar.3 dead'. crs view writes such files.",
+    help="Change the run with the debugger commands in FILE, each preceded by the simulated time "
+    "at which to execute it: '12.5s: degrade robot0 sonar.3 dead'. crs view writes such files.",
 )
 @written_file(
     "--plot",
@@ -66,8 +66,8 @@ Examples:
 @click.option(
     "--trace",
     type=click.Choice(["requests", "messages"]),
-    help="Write a trace to stderr: of the request queue, with one line per robot and timestep "
-    "(requests), or of the messages between robots (messages).",
+    help="Trace to stderr either the request queue, with one line per robot and timestep "
+    "(requests), or the messages between robots (messages).",
 )
 @click.option(
     "--json",
@@ -79,8 +79,8 @@ Examples:
     "--threads",
     type=click.IntRange(1, 64),
     metavar="N",
-    help="Run programs and sensors in up to N threads where it saves time; results do not "
-    "change. Default: the number of processors.",
+    help="Run programs and sensors in up to N threads where this saves time; the number of threads "
+    "does not affect the results. Default: the number of processors.",
 )
 @click.option(
     "--summary/--no-summary",
@@ -112,10 +112,10 @@ Examples:
 def run(**options: Any) -> int:
     """Compile a C control program and run it in a simulated world.
 
-    Several C files form one program. In a world with several robots, each robot runs the program
-    named for it in the world file or, if there is none, the one given on the command line. Without
-    a world file, there is one robot in an empty world. Arguments after -- are passed to the
-    program's main.
+    Several C files are compiled as one program. In a world with several robots, each robot runs the
+    program named for it in the world file or, if there is none, the one given on the command line.
+    Without a world file, there is one robot in an empty world. Arguments after -- are passed to
+    the program's main.
 
     The programs share the stdin, stdout and stderr of crs; with several robots, each line of output
     starts with the robot's name. With one robot, the exit status is that of its program; with

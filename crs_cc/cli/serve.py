@@ -136,15 +136,17 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     default="all",
     show_default=True,
     help="Start the run when all robots have programs (all) or as soon as one robot has a "
-    "program (now); the others then join when their hosts connect, with the same program.",
+    "program (now); the others then join when their hosts connect, and must "
+    "run the same program.",
 )
 @click.option(
     "--on-loss",
     type=click.Choice(["wait", "stop", "restart"]),
     default="wait",
     show_default=True,
-    help="When a host is lost: wait for another host, which continues the programs (wait); stop "
-    "its programs and hold its robots (stop); or continue its programs in this process (restart).",
+    help="What to do when a host is lost: wait for another host to continue its programs (wait), "
+    "stop its programs and hold its robots (stop), or continue its programs in this process "
+    "(restart).",
 )
 @click.option(
     "--resume",

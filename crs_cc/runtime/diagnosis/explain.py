@@ -221,7 +221,7 @@ def _constant(case: Case) -> Explanation:
 def _freed(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
     offset = failure.value - found.address if found else 0
-    text = f"{case.access} at byte {offset} of {object_name(found)} that was freed"
+    text = f"{case.access} at offset {offset} in {object_name(found, 'a freed')}"
     return Explanation(text, object_notes(found, failure.value))
 
 
@@ -267,10 +267,10 @@ def _uninitialised(case: Case) -> Explanation:
             return Explanation(f"'{part}' has no value yet", notes, found.name, blamed)
         return Explanation(f"{case.access} of '{part}', which has no value yet", notes)
     if found is not None and found.kind == "heap block":
-        where = f"byte {failure.value - found.address} of {object_name(found)}"
+        where = f"at offset {failure.value - found.address} in {object_name(found)}"
         if case.callee is None and case.expression:
             return Explanation(f"'{case.expression}' has no value yet", (f"it is {where}", *notes))
-        return Explanation(f"{case.access} from {where}, which has no value yet", notes)
+        return Explanation(f"{case.access} {where}, which has no value yet", notes)
     if not case.expression:
         return Explanation("the value used here is uninitialised", notes)
     return Explanation(f"'{case.expression}' has no value yet", notes)
@@ -286,7 +286,7 @@ def _invalid_free(case: Case) -> Explanation:
         return Explanation(f"{who} is passed {failure.value:#x}, which malloc never returned")
     offset = failure.value - found.address
     if found.kind == "heap block":
-        text = f"{who} is passed a pointer to byte {offset} of {object_name(found)}"
+        text = f"{who} is passed a pointer to offset {offset} in {object_name(found)}"
         return Explanation(f"{text}, not to its start", object_notes(found))
     text = f"{who} is passed a pointer to {object_name(found)}, which malloc never returned"
     return Explanation(text, object_notes(found, failure.value if offset else None, "it points"))
@@ -310,7 +310,7 @@ def _unrelated(case: Case) -> Explanation:
 
 def _double_free(case: Case) -> Explanation:
     failure = case.failure
-    text = f"{object_name(failure.object)} has already been freed"
+    text = f"{object_name(failure.object, 'the')} has already been freed"
     return Explanation(text, object_notes(failure.object, failure.value))
 
 

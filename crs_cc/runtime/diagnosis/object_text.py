@@ -18,12 +18,12 @@ def count(number: int, what: str) -> str:
     return f"{number:,} {what}" + ("" if number == 1 else "s")
 
 
-def object_name(found: Object | None) -> str:
-    """Return the name of an object, for use in a sentence."""
+def object_name(found: Object | None, article: str = "a") -> str:
+    """Return the name of an object, for use in a sentence; of a heap block, with an article."""
     if found is None:
         return "an unknown object"
     if found.kind == "heap block":
-        return f"a heap block of {count(found.size, 'byte')}"
+        return f"{article} heap block of {count(found.size, 'byte')}"
     if found.kind == "string":
         return "a string literal"
     if found.kind == "argument":
