@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.cli.messages import show
-from crs_cc.core.host_system import open_below
+from crs_cc.core.host_system import open_beneath
 from crs_cc.core.source import Diagnostic, Location
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ def _not_saved(path: Path, error: OSError) -> Diagnostic:
 
 
 def _write(folder: Path, name: str, content: bytes) -> None:
-    with os.fdopen(open_below(folder, name.split("/"), _FLAGS, make=True), "wb") as file:
+    with os.fdopen(open_beneath(folder, name.split("/"), _FLAGS, make=True), "wb") as file:
         file.truncate()  # only now is it known to be a file
         file.write(content)
 

@@ -3,7 +3,7 @@
 >>> members, places = distinct(["scout", "nomad", "scout"])
 >>> members, places.tolist()
 (['scout', 'nomad'], [0, 1, 0])
->>> for_each(["scout", "nomad", "scout"], len)
+>>> map_distinct(["scout", "nomad", "scout"], len)
 [5, 5, 5]
 """
 
@@ -26,7 +26,7 @@ def distinct(items: Sequence[Member]) -> tuple[list[Member], IndexArray]:
     return list(places), np.array([places[item] for item in items], dtype=np.intp)
 
 
-def for_each(items: Sequence[Member], value: Callable[[Member], Value]) -> list[Value]:
+def map_distinct(items: Sequence[Member], value: Callable[[Member], Value]) -> list[Value]:
     """Return a value for each item, computed once for equal ones."""
     found = {item: value(item) for item in dict.fromkeys(items)}
     return [found[item] for item in items]

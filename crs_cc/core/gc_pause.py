@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 
 @contextlib.contextmanager
-def without_collector() -> Iterator[None]:
+def gc_paused() -> Iterator[None]:
     """Pause garbage collection; usable as a context manager or a decorator."""
     was_enabled = gc.isenabled()
     gc.disable()

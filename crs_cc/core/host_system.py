@@ -177,13 +177,13 @@ def open_regular(path: Path, flags: int, *, follow: bool = True) -> int:
         OSError: it cannot be opened, or is a device, a pipe or a folder.
     """
     if not (_NOFOLLOW or follow):
-        _demand_no_link(path)
+        _reject_symlink(path)
     with contextlib.suppress(FileNotFoundError):
-        _demand_regular(path.stat())
+        _require_regular(path.stat())
     return _regular(os.open(path, flags | _ALWAYS | (0 if follow else _NOFOLLOW), 0o666))
 
 
-def open_below(folder: Path, parts: Sequence[str], flags: int, *, make: bool = False) -> int:
+def open_beneath(folder: Path, parts: Sequence[str], flags: int, *, make: bool = False) -> int:
     """Return a descriptor of a regular file below a folder, without following any link there.
 
     The path is opened part by part, so that whoever changes the folder meanwhile cannot lead out
@@ -215,16 +215,16 @@ def open_below(folder: Path, parts: Sequence[str], flags: int, *, make: bool = F
 def _open_checked(folder: Path, parts: Sequence[str], flags: int, *, make: bool) -> int:
     path = folder
     for part in parts:
-        if not names_a_file_here(part):
+        if not is_plain_file_name(part):
             raise OSError(errno.EINVAL, os.strerror(errno.EINVAL), part)
         if make and path != folder:
             path.mkdir(exist_ok=True)
         path /= part
-        _demand_no_link(path)
+        _reject_symlink(path)
     return open_regular(path, flags)
 
 
-def names_a_file_here(part: str) -> bool:
+def is_plain_file_name(part: str) -> bool:
     """Return whether a part of a path without `/` names a file in its folder and nothing else."""
     return os.sep == "/" or _is_plain_on_windows(part)
 
@@ -242,13 +242,13 @@ def _is_plain_on_windows(part: str) -> bool:
     return not (reserved or _NOT_IN_NAMES & set(part))
 
 
-def _demand_no_link(path: Path) -> None:
+def _reject_symlink(path: Path) -> None:
     is_junction = getattr(path, "is_junction", None)  # Python 3.12
     if path.is_symlink() or (is_junction is not None and is_junction()):
         raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), str(path))
 
 
-def _demand_regular(status: os.stat_result) -> None:
+def _require_regular(status: os.stat_result) -> None:
     if stat.S_ISDIR(status.st_mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
     if not stat.S_ISREG(status.st_mode):
@@ -257,7 +257,7 @@ def _demand_regular(status: os.stat_result) -> None:
 
 def _regular(descriptor: int) -> int:
     try:
-        _demand_regular(os.fstat(descriptor))
+        _require_regular(os.fstat(descriptor))
     except OSError:
         os.close(descriptor)
         raise
@@ -275,7 +275,7 @@ def open_terminal() -> tuple[int, str, Callable[[], None]]:
 
         ours, theirs = os.openpty()
     except (ImportError, AttributeError):
-        raise OSError(errno.ENOSYS, "this system has no pseudoterminals") from None
+        raise OSError(errno.ENOSYS, "this system has no pseudo terminals") from None
     tty.setraw(theirs)
 
     def close() -> None:

@@ -9,7 +9,7 @@ segment of length 0 the start is nearest. All four parts are numbers or arrays t
 
 >>> distance(np.array([3.0, 5.0, -3.0]), 1.0, 4.0, 0.0).round(6).tolist()
 [1.0, 1.414214, 3.162278]
->>> float(nearest_share(3.0, 1.0, 0.0, 0.0)), float(distance(3.0, 4.0, 0.0, 0.0))
+>>> float(nearest_fraction(3.0, 1.0, 0.0, 0.0)), float(distance(3.0, 4.0, 0.0, 0.0))
 (0.0, 5.0)
 """
 
@@ -24,7 +24,7 @@ from crs_cc.core.arrays import FloatArray
 Number: TypeAlias = FloatArray | float
 
 
-def nearest_share(
+def nearest_fraction(
     across_x: Number, across_y: Number, along_x: Number, along_y: Number
 ) -> FloatArray:
     """Return which share of segments lies before their points nearest to places, 0 to 1."""
@@ -35,6 +35,6 @@ def nearest_share(
 
 def distance(across_x: Number, across_y: Number, along_x: Number, along_y: Number) -> FloatArray:
     """Return how far places are from segments."""
-    share = nearest_share(across_x, across_y, along_x, along_y)
+    share = nearest_fraction(across_x, across_y, along_x, along_y)
     x, y = across_x - share * along_x, across_y - share * along_y
     return np.asarray(np.sqrt(x * x + y * y))

@@ -53,7 +53,7 @@ class Location:
         return ":".join(parts)
 
 
-def underline(line: str, place: Location) -> str:
+def underline(line: str, location: Location) -> str:
     """Return the underline of an expression: `^~~~`, or `^` if its end is unknown.
 
     A final name followed by a parenthesis is a macro, which is underlined with its arguments.
@@ -63,16 +63,16 @@ def underline(line: str, place: Location) -> str:
     x = a / HALF(b) + 1;
         ^~~~~~~~~~~
     """
-    token = _TOKEN.match(line, place.last - 1) if 0 < place.column <= place.last else None
+    token = _TOKEN.match(line, location.last - 1) if 0 < location.column <= location.last else None
     if token is None:
         return "^"
     end = token.end()
     if token[0].isidentifier() and line.startswith("(", end):
-        end = _closed(line, end)
-    return "^" + "~" * (end - place.column)
+        end = _closing_index(line, end)
+    return "^" + "~" * (end - location.column)
 
 
-def _closed(line: str, start: int) -> int:
+def _closing_index(line: str, start: int) -> int:
     """Return the index after the parenthesis matching the one at `start`, or the line's end."""
     depth = 0
     for token in _TOKEN.finditer(line, start):

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from crs_cc.debug.data.values import Value, ValueReader
 from crs_cc.ir.types import FunctionType, RecordType, VoidType
-from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 from crs_cc.runtime.layout import HEADER_SIZE, RESULT
 
 
-def returned_value(stopped: Stopped, reader: ValueReader, call: StackFrame) -> Value | None:
+def returned_value(stopped: StoppedProgram, reader: ValueReader, call: StackFrame) -> Value | None:
     """Return the value of a call, directly after it; None if it has none.
 
     Only there the header of the callee, which has the value, is still intact (see `layout`).
@@ -29,5 +29,5 @@ def returned_value(stopped: Stopped, reader: ValueReader, call: StackFrame) -> V
     return Value(reader, ctype.result, stopped.memory[start : start + ctype.result.size].tobytes())
 
 
-def _word(stopped: Stopped, address: int) -> int:
+def _word(stopped: StoppedProgram, address: int) -> int:
     return int(stopped.memory[address : address + 4].view("<i4")[0])

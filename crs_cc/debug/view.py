@@ -23,7 +23,7 @@ from crs_cc.debug.world.state_fields import StateField, state_fields
 from crs_cc.frontend.expression import FileNames
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.ir.types import CType
-from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 from crs_cc.session.session import Session
 
 
@@ -65,7 +65,7 @@ class View:
         self.convenience_values: dict[str, Value] = {}
         self.full_style = FULL
         self.settings: Mapping[str, int] = {}
-        self._seen: tuple[Stopped, list[BacktraceFrame]] | None = None
+        self._seen: tuple[StoppedProgram, list[BacktraceFrame]] | None = None
         self._names: dict[int, SourceNames] = {}
         self._evaluators: dict[tuple[int, int], Evaluator] = {}
 
@@ -104,7 +104,7 @@ class View:
             self._seen = stopped, self._frames(robot, stopped)
         return self._seen[1]
 
-    def _frames(self, robot: int, stopped: Stopped) -> list[BacktraceFrame]:
+    def _frames(self, robot: int, stopped: StoppedProgram) -> list[BacktraceFrame]:
         site = self.run.site(robot)
         frames: list[BacktraceFrame] = []
         for active in stopped.stack:

@@ -29,7 +29,7 @@ from crs_cc.debug.watch import (
 )
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.types import CType
-from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 
 _SIMPLE: Final = re.compile(r"[\w.\[\]]+|\w+->[\w.\[\]]+")
@@ -167,7 +167,7 @@ def _again(stack: Sequence[StackFrame], frame: StackFrame) -> StackFrame | None:
     return next((each for each in stack if same_activation(each, frame)), None)
 
 
-def owner_of(stopped: Stopped, address: int) -> StackFrame | None:
+def owner_of(stopped: StoppedProgram, address: int) -> StackFrame | None:
     """Return the activation that owns an address on the stack."""
     if address >= STACK_TOP:
         return None

@@ -80,7 +80,7 @@ def with_body(tokens: Sequence[Token], file: str, diagnostics: Diagnostics) -> l
         `check.scope.ENTRIES` is defined.
 
     Raises:
-        GiveUp: too many errors.
+        CompilationAborted: too many errors.
     """
     items = list(items_of(tokens))
     statements = [number for number, item in enumerate(items) if item.kind == "statement"]

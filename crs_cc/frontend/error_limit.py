@@ -10,16 +10,16 @@ MAX_ERRORS: Final = 500
 """Compilation of a file stops after so many errors."""
 
 
-class GiveUp(Exception):  # noqa: N818 - the errors are in the diagnostics
+class CompilationAborted(Exception):  # noqa: N818 - the errors are in the diagnostics
     """Compilation cannot continue: too many errors, or too deep a nesting."""
 
 
-def report(diagnostics: Diagnostics, place: Location, text: str, hint: str = "") -> None:
+def report(diagnostics: Diagnostics, location: Location, text: str, hint: str = "") -> None:
     """Record an error.
 
     Raises:
-        GiveUp: there are too many.
+        CompilationAborted: there are too many.
     """
-    diagnostics.error(place, text, hint)
+    diagnostics.error(location, text, hint)
     if len(diagnostics.errors) >= MAX_ERRORS:
-        raise GiveUp
+        raise CompilationAborted

@@ -39,7 +39,7 @@ from crs_cc.frontend.check.scope import (
     TypedefName,
 )
 from crs_cc.frontend.check.tree_parts import walk
-from crs_cc.frontend.error_limit import GiveUp
+from crs_cc.frontend.error_limit import CompilationAborted
 from crs_cc.frontend.lower.graph import simplify
 from crs_cc.frontend.lower.lowerer import Lowering, effect, place, value, value_type
 from crs_cc.frontend.lower.rules import RULES
@@ -159,18 +159,19 @@ class FileNames:
         """
         return self._locals.get((variable.name, variable.location), variable.ctype)
 
-    def in_blocks(self, place: Location) -> BlockNames:
-        """Return the constants and types that the blocks around a place declare before it."""
+    def in_blocks(self, location: Location) -> BlockNames:
+        """Return the constants and types that the blocks around a location declare before it."""
         found: dict[str, EnumConstant | TypedefName] = {}
         tags: dict[str, Tag] = {}
         for scope, (start, end) in sorted(self._unit.blocks, key=lambda block: block[1][0]):
-            if place.file == start.file and start <= place <= end:
+            if location.file == start.file and start <= location <= end:
                 found |= {
                     name: symbol
                     for name, symbol in scope.names.items()
-                    if isinstance(symbol, EnumConstant | TypedefName) and symbol.location <= place
+                    if isinstance(symbol, EnumConstant | TypedefName)
+                    and symbol.location <= location
                 }
-                tags |= {name: tag for name, tag in scope.tags.items() if tag.location <= place}
+                tags |= {name: tag for name, tag in scope.tags.items() if tag.location <= location}
         return BlockNames(found, tags)
 
     def compile(
@@ -198,7 +199,7 @@ class FileNames:
         symbols = {name: _indirect(name, ctype) for name, ctype in variables}
         try:
             checked = self._checked(unit, text, function, symbols, blocks or BlockNames())
-        except GiveUp:
+        except CompilationAborted:
             checked = None
         except CheckError as mistake:
             own.error(mistake.location, mistake.text or "invalid expression", mistake.hint)
@@ -275,7 +276,7 @@ def _lowered(
     function.blocks.append(entry)
     low = Lowering(shared, function, RULES, entry)
     for symbol in symbols.values():
-        register = low.lasting_register("i32")
+        register = low.new_register("i32")
         low.places[symbol] = register
         function.parameters.append(Parameter(register, "i32", 4))
     ctype = checked.type

@@ -23,7 +23,7 @@ from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.body import suggest_dialect, with_body
 from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.unit import check_unit
-from crs_cc.frontend.error_limit import GiveUp
+from crs_cc.frontend.error_limit import CompilationAborted
 from crs_cc.frontend.lower.unit import lower_unit
 from crs_cc.frontend.parse.lexer import lex
 from crs_cc.frontend.parse.parser import parse
@@ -111,8 +111,8 @@ def _compile(
     try:
         _with_deep_stack(work)
     except RecursionError:
-        unit.diagnostics.error(unit.place, "the program is nested too deeply here")
-    except GiveUp:
+        unit.diagnostics.error(unit.location, "the program is nested too deeply here")
+    except CompilationAborted:
         pass  # the reason is in the diagnostics
     _drop_consequences(diagnostics)
     diagnostics.sort()
@@ -167,7 +167,7 @@ def _stages(unit: Unit, source: Preprocessed) -> Program:
 
 def _stop_on_errors(unit: Unit) -> None:
     if unit.diagnostics.errors:
-        raise GiveUp
+        raise CompilationAborted
 
 
 def _with_deep_stack(work: Callable[[], None]) -> None:

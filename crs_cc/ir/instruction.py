@@ -39,19 +39,19 @@ class Variable:
     block: tuple[Location, Location] | None = None
     is_indirect: bool = False
 
-    def reaches(self, place: Location) -> bool:
+    def reaches(self, location: Location) -> bool:
         """Return whether a location is in the variable's block, even before its declaration.
 
         A location in another file, which may be included in the block, counts as inside.
         """
-        if self.block is None or place.file != self.block[0].file:
+        if self.block is None or location.file != self.block[0].file:
             return True
-        return self.block[0] <= place <= self.block[1]
+        return self.block[0] <= location <= self.block[1]
 
-    def is_visible(self, place: Location) -> bool:
+    def is_visible(self, location: Location) -> bool:
         """Return whether the variable is visible at a location unless an inner one hides it."""
-        is_declared = place.file != self.location.file or self.location <= place
-        return is_declared and self.reaches(place)
+        is_declared = location.file != self.location.file or self.location <= location
+        return is_declared and self.reaches(location)
 
 
 @dataclass(slots=True, eq=False)

@@ -104,24 +104,24 @@ class Liveness:
     def __init__(self, function: Function) -> None:
         self._gen: dict[ir.Block, int] = {}
         self._kill: dict[ir.Block, int] = {}
-        self._alive: dict[ir.Block, int] = {}
+        self._live: dict[ir.Block, int] = {}
         for block in function.blocks:
             self._summarise(block)
         self._solve(function)
         self.shared = 0
-        for alive in self._alive.values():
-            self.shared |= alive
+        for live in self._live.values():
+            self.shared |= live
 
     def at_start(self, block: ir.Block) -> int:
         """Return the bit set of registers that are live at the start of the block."""
-        return self._alive[block]
+        return self._live[block]
 
     def at_end(self, block: ir.Block) -> int:
         """Return the bit set of registers that are live after the block's terminator."""
-        alive = 0
+        live = 0
         for successor in block.successors():
-            alive |= self._alive[successor]
-        return alive
+            live |= self._live[successor]
+        return live
 
     def _summarise(self, block: ir.Block) -> None:
         gen = kill = 0
@@ -131,28 +131,28 @@ class Liveness:
             target = writes(instruction)
             if target is not None:
                 kill |= 1 << target.index
-        self._gen[block], self._kill[block], self._alive[block] = gen, kill, gen
+        self._gen[block], self._kill[block], self._live[block] = gen, kill, gen
 
     def _solve(self, function: Function) -> None:
         changed = True
         while changed:
             changed = False
             for block in reversed(function.blocks):
-                alive = self._gen[block] | (self.at_end(block) & ~self._kill[block])
-                if alive != self._alive[block]:
-                    self._alive[block] = alive
+                live = self._gen[block] | (self.at_end(block) & ~self._kill[block])
+                if live != self._live[block]:
+                    self._live[block] = live
                     changed = True
 
 
-def alive_before(block: ir.Block, liveness: Liveness) -> list[int]:
+def live_before(block: ir.Block, liveness: Liveness) -> list[int]:
     """Return the bit sets of registers that are live before each instruction and the terminator."""
-    alive = liveness.at_end(block)
+    live = liveness.at_end(block)
     out = []
     for instruction in reversed(all_instructions(block)):
         target = writes(instruction)
         if target is not None:
-            alive &= ~(1 << target.index)
+            live &= ~(1 << target.index)
         for register in reads(instruction):
-            alive |= 1 << register.index
-        out.append(alive)
+            live |= 1 << register.index
+        out.append(live)
     return out[::-1]

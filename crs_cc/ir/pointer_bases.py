@@ -129,7 +129,7 @@ class _Analysis:
         while changed:
             changed = False
             for block in order:
-                known = self._through(block)
+                known = self._transfer_block(block)
                 for target in block.successors():
                     changed |= self._meet(target, known)
         for block in order:
@@ -137,8 +137,8 @@ class _Analysis:
 
     def _meet(self, block: Block, known: _Known) -> bool:
         """Merge the facts of a path into a block; return whether it has fewer facts than before."""
-        alive = self._liveness.at_start(block)
-        known = {each: what for each, what in known.items() if alive >> each.index & 1}
+        live = self._liveness.at_start(block)
+        known = {each: what for each, what in known.items() if live >> each.index & 1}
         before = self._at_start.get(block)
         if before is None:
             self._at_start[block] = known
@@ -151,17 +151,17 @@ class _Analysis:
         self._at_start[block] = met
         return met != before
 
-    def _through(self, block: Block) -> _Known:
+    def _transfer_block(self, block: Block) -> _Known:
         """Return the facts at the end of a block."""
         known = self._at_start[block].copy()
         self._compared = set()
         for it in block.instructions:
-            self._follow(it, known)
+            self._transfer(it, known)
         end = block.terminator
         if isinstance(end, SetJump):  # registers may have changed when it is returned to
             return {}
         if end is not None:
-            self._follow(end, known)
+            self._transfer(end, known)
         return known
 
     def _note(self, block: Block) -> None:
@@ -173,7 +173,7 @@ class _Analysis:
                 it.within = self._base(it, known.get(it.base), known)
             if not (isinstance(it, SameObject) and self._is_same(it, known)):
                 kept.append(it)
-            self._follow(it, known)
+            self._transfer(it, known)
         block.instructions = kept
 
     def _base(self, it: Load | Store, pointer: object, known: _Known) -> Base | None:
@@ -217,7 +217,7 @@ class _Analysis:
     def _what(self, operand: Operand, known: _Known) -> _Pointer | _Distance | _Index | None:
         return known.get(operand) if isinstance(operand, Register) else _INDEX
 
-    def _follow(self, it: Instruction, known: _Known) -> None:
+    def _transfer(self, it: Instruction, known: _Known) -> None:
         """Update the facts after an instruction."""
         if isinstance(it, SameObject):
             self._compared.add((it.left, it.right))

@@ -1,11 +1,13 @@
 """Compatibility of declarations of one name in several files (C17 6.2.7p2).
 
-Types differ only if a running program would notice it on this machine: `int` and `long` agree, and
-so do pointers to different types.
+Types differ only if a running program would notice it on this machine: `int` and `long` are
+compatible, and so are pointers to different types.
 
 >>> from crs_cc.ir.types import CHAR, DOUBLE, INT, LONG, ArrayType, PointerType
->>> agree(INT, LONG), agree(INT, DOUBLE), agree(PointerType(CHAR), ArrayType(CHAR, 9))
-(True, False, False)
+>>> are_compatible(INT, LONG), are_compatible(INT, DOUBLE)
+(True, False)
+>>> are_compatible(PointerType(CHAR), ArrayType(CHAR, 9))
+False
 """
 
 from __future__ import annotations
@@ -23,23 +25,23 @@ from crs_cc.ir.types import (
 )
 
 
-def agree(left: CType, right: CType) -> bool:
+def are_compatible(left: CType, right: CType) -> bool:
     """Return whether an object or function of one type may be used as one of the other."""
     if isinstance(left, ArrayType) and isinstance(right, ArrayType):
         lengths = {left.length, right.length} - {None}
-        return len(lengths) < 2 and agree(left.element, right.element)
+        return len(lengths) < 2 and are_compatible(left.element, right.element)
     if isinstance(left, FunctionType) and isinstance(right, FunctionType):
-        return agree(left.result, right.result) and _parameters_agree(left, right)
+        return are_compatible(left.result, right.result) and _are_compatible_parameters(left, right)
     return _kind(left) == _kind(right) and left.size == right.size
 
 
-def _parameters_agree(left: FunctionType, right: FunctionType) -> bool:
-    """Compare parameters; an unknown list agrees with any."""
+def _are_compatible_parameters(left: FunctionType, right: FunctionType) -> bool:
+    """Compare parameters; an unknown list is compatible with any."""
     if left.parameters is None or right.parameters is None:
         return True
     if len(left.parameters) != len(right.parameters) or left.variadic != right.variadic:
         return False
-    return all(map(agree, left.parameters, right.parameters))
+    return all(map(are_compatible, left.parameters, right.parameters))
 
 
 def _kind(ctype: CType) -> str:

@@ -42,8 +42,8 @@ def verify(program: Program) -> None:
         raise InternalError(violations)
 
 
-def _violation(place: Location, where: str, what: str) -> Diagnostic:
-    return Diagnostic("error", place, f"malformed IR in {where}: {what}")
+def _violation(location: Location, where: str, what: str) -> Diagnostic:
+    return Diagnostic("error", location, f"malformed IR in {where}: {what}")
 
 
 def _names(program: Program) -> Iterator[Diagnostic]:

@@ -16,7 +16,7 @@ from crs_cc.net.host_link import HostGoneError, HostLink
 from crs_cc.net.shared_rows import SharedRows
 from crs_cc.requests import FAILED
 from crs_cc.runtime.executable import Executable
-from crs_cc.runtime.fleet import WISHES, Fleet
+from crs_cc.runtime.fleet import STOP_FIELDS, Fleet
 from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.runtime.turns import RECORD
 
@@ -102,7 +102,7 @@ class DistantFleet(Fleet):
                     self._try(link, link.memories)
         reached, is_any = self._run_hosts(end_s, is_new=is_new)
         rounds, self._round = reached - self._round, reached
-        return max(rounds, int(is_any or bool(self._asks.any())))
+        return max(rounds, int(is_any or bool(self._requesting.any())))
 
     def _run_hosts(self, end_s: float, *, is_new: bool) -> tuple[int, bool]:
         """Let all hosts that have something to run, and whose requests are answered, run.
@@ -179,8 +179,8 @@ class DistantFleet(Fleet):
                 self._try(link, ask, link)
         link = self.link(robot)
         slot = self.slots[robot : robot + 1].copy()
-        for wish in WISHES:
-            slot[wish] = 0
+        for name in STOP_FIELDS:
+            slot[name] = 0
         return Snapshot(slot, *link.memories()[link.position(robot)])
 
     def link(self, robot: int) -> HostLink:
@@ -189,7 +189,7 @@ class DistantFleet(Fleet):
 
     def restore(self, _robot: int, _snapshot: Snapshot) -> None:
         """Raise ValueError: a run on hosts goes forward only."""
-        raise ValueError("a run whose programs are on other hosts cannot be rewound")
+        raise ValueError("a run whose programs are on other hosts cannot go back")
 
     def report(self, robot: int) -> ErrorReport:
         """Return the report of a program's error, which its host has made."""

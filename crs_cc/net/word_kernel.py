@@ -42,7 +42,7 @@ _BEGIN: Final = struct.Struct("<iid")
 """The head of a turn that begins, see `partner.TURN`."""
 _MOST: Final = ROWS * (1 + WORDS) * WORD_BYTES
 """Of a content [bytes]."""
-TOO_LONG: Final = "changes of a size other than announced"
+TOO_LONG: Final = "changes of another size than announced"
 ERRORS: Final = (
     "",
     "changes end early",
@@ -182,7 +182,7 @@ class WordKernel:
         rows, size = len(fleet), self._take(content)
         _ARGUMENTS[4].pack_into(self.memory, self._place, _TURN, rows, size, _WRITE, FAILED)
         _BEGIN.pack_into(self.memory, self._turn, 0, -1, end_s)
-        trapped = fleet.take_turns(partner, self._turn, self._now)
+        trapped = fleet.alternate_rounds(partner, self._turn, self._now)
         *_, is_told, error, words = _RESULTS.unpack_from(self.memory, self._place)
         if error:
             raise ValueError(ERRORS[error])

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Final, Self
 
-from crs_cc.core.host_system import names_a_file_here
+from crs_cc.core.host_system import is_plain_file_name
 
 SOURCES: Final = "source/"
 """Begins the names of attachments that programs and worlds were loaded from."""
@@ -82,7 +82,7 @@ def is_safe(name: str) -> bool:
     """
     path = PurePosixPath(name)
     is_plain = name.isprintable() and "\\" not in name and len(name) <= _LONGEST
-    is_plain &= all(map(names_a_file_here, path.parts))
+    is_plain &= all(map(is_plain_file_name, path.parts))
     return bool(path.parts) and is_plain and not path.is_absolute() and ".." not in path.parts
 
 

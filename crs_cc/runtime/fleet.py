@@ -30,7 +30,7 @@ from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE
 from crs_cc.runtime import resident_pages
 from crs_cc.runtime.driver import MOST_SHARDS, SLOTS
 from crs_cc.runtime.executable import Driver, Executable, compile_driver
-from crs_cc.runtime.shard import Mailbox, Ran, Sandbox, Shard, Trapped, memory_demanded
+from crs_cc.runtime.shard import Mailbox, RunResult, Sandbox, Shard, Trapped, memory_errors
 from crs_cc.runtime.site_tests import STOP, TEST, UNPASSED, SiteTests
 from crs_cc.runtime.snapshot import Snapshot
 from crs_cc.runtime.turns import RECORD
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.diagnosis.compared_pointers import ComparedPointers
     from crs_cc.runtime.diagnosis.failure import Failure
-    from crs_cc.runtime.diagnosis.inspect import CallStack, StackFrame, Stopped
+    from crs_cc.runtime.diagnosis.inspect import CallStack, StackFrame, StoppedProgram
     from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
     from crs_cc.runtime.diagnosis.report import ErrorReport
     from crs_cc.runtime.partner import Partner
@@ -85,7 +85,7 @@ class Fleet:
             OSError: there is not enough memory or address space.
         """
         shards = default_threads(executables) if threads is None else min(threads, MOST_SHARDS)
-        with memory_demanded(len(executables)):
+        with memory_errors(len(executables)):
             self._create(executables, driver or compile_driver(), shards)
 
     def _create(self, executables: Sequence[Executable], driver: Driver, shards: int) -> None:
@@ -126,7 +126,7 @@ class Fleet:
             return number
         for spare in (self._sandboxes, self._builds, self.marks, self.watched, self._fresh):
             del spare[number:]
-        with memory_demanded(1):
+        with memory_errors(1):
             self._instantiate(executable)
             self._resize_slots(number, number + 1)
         self._fresh[number] = self.snapshot(number)
@@ -147,7 +147,7 @@ class Fleet:
     def _use(self, records: Records) -> None:
         """Set slots and clocks."""
         self.slots, self.timing = records["slot"], records["timing"]
-        self.codes, self._asks = self.slots["code"], self.timing["asks"]
+        self.codes, self._requesting = self.slots["code"], self.timing["asks"]
         self._messages = self.slots["message"].view(_BYTES)
         self.sizes = self.slots["message"]["size"]
 
@@ -194,7 +194,7 @@ class Fleet:
         builds = self._builds[robot]
         new = next((each for each in builds if each.executable is executable), None)
         if new is None:
-            with memory_demanded(1):
+            with memory_errors(1):
                 new = self._shard(robot).sandbox(executable)
             builds.append(new)
         state, marks = self.snapshot(robot), self.marks[robot]
@@ -245,14 +245,14 @@ class Fleet:
 
     @property
     def is_whole(self) -> bool:
-        """Whether `run_rounds` runs as many rounds as no program asks for anything."""
+        """Whether `run_rounds` runs rounds until a program posts a request."""
         return len(self._shards) == 1
 
     def run_rounds(self, end_s: float) -> int:
         """Run rounds of all robots whose clocks have not reached a time; see `turns`.
 
         Return the number of rounds: the last is that after which nobody has to run, or one in which
-        a program has asked for anything. No program may have marks.
+        a program has posted a request. No program may have marks.
         """
         if len(self._shards) > 1:
             return self._run_shards(end_s)
@@ -274,10 +274,10 @@ class Fleet:
             shard.raise_instance_limit()
         return Partner(shard.store, self._mailbox, shard.round, executable)
 
-    def take_turns(self, partner: Partner, turn: int, records: int) -> int:
+    def alternate_rounds(self, partner: Partner, turn: int, records: int) -> int:
         """Run rounds in turn with a partner, see `Shard`; return how many it was not told of."""
         partner.instance.refuel()
-        ran = self._shards[0].take_turns(partner.function, turn, records, len(self))
+        ran = self._shards[0].alternate_rounds(partner.function, turn, records, len(self))
         self._record_traps(ran.trapped, ends_turn=True)
         return ran.rounds
 
@@ -292,12 +292,12 @@ class Fleet:
         """Advance the clocks of the robots that have run, and answer requests about time."""
         self._shards[0].end(range(len(self)))
 
-    def take_asking(self) -> IndexArray:
-        """Return the robots that have asked for anything since the last call."""
-        asking = self._asks.nonzero()[0]
-        if asking.size:
-            self._asks[asking] = 0
-        return asking
+    def take_requesting(self) -> IndexArray:
+        """Return the robots that have posted requests since the last call."""
+        requesting = self._requesting.nonzero()[0]
+        if requesting.size:
+            self._requesting[requesting] = 0
+        return requesting
 
     def _run_by_robot(self) -> int | None:
         """Run programs that may stop: in their order, since those after the first must not run."""
@@ -318,7 +318,7 @@ class Fleet:
         Return 0 if nobody had to run, else 1.
         """
         count = len(self._shards)
-        every: list[Ran] = []
+        every: list[RunResult] = []
         times_s: list[float] = []
 
         def run(number: int) -> None:
@@ -405,18 +405,19 @@ class Fleet:
 
     def stopped(
         self, robot: int, failed_at: Location | None = None, *, saved: bool = True
-    ) -> Stopped:
-        """Return a suspended program for inspection, see `Stopped`."""
-        from crs_cc.runtime.diagnosis.inspect import Stopped, call_stack, renewed
+    ) -> StoppedProgram:
+        """Return a suspended program for inspection, see `StoppedProgram`."""
+        from crs_cc.runtime.diagnosis.inspect import StoppedProgram, call_stack, refreshed
 
         detail, memory = self.executable(robot).detail(), self.memory(robot)
         stack: Sequence[StackFrame]
         if failed_at is None:
-            stack = self._stacks[robot] = renewed(self._stacks.get(robot), memory, detail.compiled)
+            stack = refreshed(self._stacks.get(robot), memory, detail.compiled)
+            self._stacks[robot] = stack
         else:
             stack = call_stack(memory, detail.compiled, failed_at)
         parts = detail.program, detail.compiled, detail.lines, stack, saved
-        return Stopped(memory, self.shadow(robot), *parts)
+        return StoppedProgram(memory, self.shadow(robot), *parts)
 
     def current_call(self, robot: int) -> ActiveCall | None:
         """Return the innermost active call in the user's files.
@@ -459,8 +460,8 @@ class Fleet:
     def snapshot(self, robot: int) -> Snapshot:
         """Return the whole state of one robot's program, breakpoints excluded."""
         slot = self.slots[robot : robot + 1].copy()
-        for wish in WISHES:
-            slot[wish] = 0
+        for name in STOP_FIELDS:
+            slot[name] = 0
         sandbox = self._sandboxes[robot]
         kept = resident_pages.save(sandbox.memory, sandbox.initial)
         return Snapshot(slot, *kept, *resident_pages.save(sandbox.shadow, _NONE))
@@ -471,10 +472,10 @@ class Fleet:
         resident_pages.load(sandbox.memory, sandbox.initial, snapshot.chunks, snapshot.content)
         resident_pages.load(sandbox.shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
         slot = self.slots[robot : robot + 1]
-        wishes = {name: slot[name].copy() for name in WISHES}
+        stops = {name: slot[name].copy() for name in STOP_FIELDS}
         slot[:] = snapshot.slot
-        for name, wish in wishes.items():
-            slot[name] = wish
+        for name, value in stops.items():
+            slot[name] = value
 
 
 def _size(programs: int) -> int:
@@ -493,5 +494,5 @@ _WITH_OBJECT: Final = frozenset(
 _NO_MARKS: Final = np.zeros(0, np.uint8)
 _NONE: Final = range(0)
 _UNLIMITED: Final = 2**31
-WISHES: Final = ("stop_before_all", "stop_from")
+STOP_FIELDS: Final = ("stop_before_all", "stop_from")
 """Fields that control where a program stops, which are not part of its state."""

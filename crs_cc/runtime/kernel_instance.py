@@ -20,7 +20,7 @@ from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Location
 from crs_cc.requests import MESSAGE, SLOT, SUSPENDED, slot_offset
 from crs_cc.runtime.executable import Executable, engine
-from crs_cc.runtime.shard import CALL_TYPES, QUICKEST_CALL, Mailbox, memory_demanded, view
+from crs_cc.runtime.shard import CALL_TYPES, QUICKEST_CALL, Mailbox, memory_errors, view
 
 _FUEL: Final = 1 << 60  # more than any call can use; twice as much would say that it stops
 _RESUME: Final = struct.Struct("<iiiiIIq")
@@ -31,7 +31,7 @@ _STATE: Final = struct.Struct("<ii")
 _call = ctypes.PYFUNCTYPE(*CALL_TYPES)(QUICKEST_CALL)
 """The call with the interpreter's lock held: to release it takes longer than the work."""
 
-_call_aside = ctypes.CFUNCTYPE(*CALL_TYPES)(QUICKEST_CALL)
+_call_without_gil = ctypes.CFUNCTYPE(*CALL_TYPES)(QUICKEST_CALL)
 """The call with the lock released."""
 
 
@@ -56,7 +56,7 @@ class KernelInstance:
         """
         self._name = executable.name
         self._store = wasmtime.Store(engine()) if store is None else store
-        with memory_demanded(1):
+        with memory_errors(1):
             mailbox = Mailbox.of_size(SLOT.itemsize)
             instance = wasmtime.Instance(self._store, executable.module(), [mailbox])
         exports = self.exports = instance.exports(self._store)
@@ -86,9 +86,9 @@ class KernelInstance:
         """Run the program up to its next request; raise InternalError if it stops with an error."""
         self._resume(_call)
 
-    def resume_aside(self) -> None:
-        """Do the same while other threads run Python: for what takes long."""
-        self._resume(_call_aside)
+    def resume_without_gil(self) -> None:
+        """Resume it with the interpreter lock released, for long computations."""
+        self._resume(_call_without_gil)
 
     def _resume(self, call: Callable[..., int | None]) -> None:
         slot = self._slot

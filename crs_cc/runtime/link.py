@@ -19,7 +19,7 @@ from crs_cc.ir.instruction import Address, Call, Instruction, Load, Store
 from crs_cc.ir.liveness import all_instructions
 from crs_cc.ir.names import LIBRARY, in_library
 from crs_cc.ir.program import Data, Function, Program, Relocation
-from crs_cc.ir.type_compat import agree
+from crs_cc.ir.type_compat import are_compatible
 from crs_cc.ir.types import CType
 from crs_cc.ir.value_type import MemoryType
 from crs_cc.runtime.aliases import resolve_aliases
@@ -234,7 +234,7 @@ def _compare(
         defined, place = function.ctype, function.location
     elif data is not None and data.variable is not None:
         defined, place = data.variable.ctype, data.location
-    if defined is not None and not agree(ctype, defined):
+    if defined is not None and not are_compatible(ctype, defined):
         text = f"'{name}' is '{ctype}' here, but '{defined}' where it is defined"
         diagnostics.warning(location, text, f"defined at {place}", flag="lto-type-mismatch")
 
@@ -288,7 +288,7 @@ def _referred(instruction: Instruction) -> str | None:
     return None
 
 
-def pointed_functions(program: Program) -> list[str]:
+def address_taken_functions(program: Program) -> list[str]:
     """Return the functions whose address is taken, in a fixed order."""
     found: dict[str, None] = {}
     for function in program.functions.values():

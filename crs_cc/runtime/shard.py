@@ -51,7 +51,7 @@ _call_unchecked = ctypes.CFUNCTYPE(*CALL_TYPES)(QUICKEST_CALL)
 """The call with the interpreter's lock released: programs may run for long."""
 
 
-class Ran(NamedTuple):
+class RunResult(NamedTuple):
     """What happened when robots of a shard were run.
 
     Attributes:
@@ -214,7 +214,7 @@ class Shard:
                 table.grow(self.store, max(robot + 1 - size, size), None)
             table.set(self.store, robot, function)
 
-    def run(self, robots: range, end_s: float | None = None, most: int = 1) -> Ran:
+    def run(self, robots: range, end_s: float | None = None, most: int = 1) -> RunResult:
         """Run rounds of some robots, up to the first that stops before a mark.
 
         Args:
@@ -232,13 +232,15 @@ class Shard:
             trapped.append((robot, trap))
             header["current"], header["most"] = robot + robots.step, rounds + 1
             if robot + robots.step >= robots.stop:
-                return Ran(rounds + 1, trapped, None)
+                return RunResult(rounds + 1, trapped, None)
         found = _HEADER.unpack_from(self._raw)
         current = found[_CURRENT]
         stopped = current if current < robots.stop else None
-        return Ran(found[_ROUNDS], trapped, stopped)
+        return RunResult(found[_ROUNDS], trapped, stopped)
 
-    def take_turns(self, turns: wasmtime.Func, turn: int, records: int, robots: int) -> Ran:
+    def alternate_rounds(
+        self, turns: wasmtime.Func, turn: int, records: int, robots: int
+    ) -> RunResult:
         """Run rounds of all robots in turn with a partner, until that returns or a robot traps.
 
         Args:
@@ -255,13 +257,13 @@ class Shard:
         _CURRENT_ROBOT.pack_into(self._raw, CURRENT, robots)
         trap = self._call(turns, turn, records, size, robots)
         if trap is None:
-            return Ran(0, [], None)
+            return RunResult(0, [], None)
         robot, rounds = header["current"].item(), header["rounds"].item()
         if robot >= robots:
             raise InternalError.at(Location("kernels"), f"they have stopped with an error: {trap}")
         rest = range(robot + 1, robots)
-        ran = self.run(rest, header["end_s"].item()) if rest else Ran(0, [], None)
-        return Ran(rounds + 1, [(robot, trap), *ran.trapped], None)
+        ran = self.run(rest, header["end_s"].item()) if rest else RunResult(0, [], None)
+        return RunResult(rounds + 1, [(robot, trap), *ran.trapped], None)
 
     def begin(self, robots: range, end_s: float) -> bool:
         """Select those robots whose clocks have not reached a time, see `turns`.
@@ -328,7 +330,7 @@ class _PreparedCall:
 
 
 @contextlib.contextmanager
-def memory_demanded(programs: int) -> Iterator[None]:
+def memory_errors(programs: int) -> Iterator[None]:
     """Translate wasmtime's out-of-memory error."""
     try:
         yield

@@ -45,29 +45,29 @@ def run_all(tasks: Sequence[Task]) -> None:
 
     If Ctrl-C is pressed meanwhile, `KeyboardInterrupt` is raised only then.
     """
-    errands = _threads(os.getpid()).submit(tasks[:-1])
+    items = _threads(os.getpid()).submit(tasks[:-1])
     try:
         tasks[-1]()
     finally:
-        _wait(errands)
+        _wait(items)
 
 
-def _wait(errands: Sequence[_Errand]) -> None:
+def _wait(items: Sequence[_WorkItem]) -> None:
     interrupt: KeyboardInterrupt | None = None
-    for errand in errands:
-        while not errand.has_ended:
+    for item in items:
+        while not item.has_ended:
             try:
-                errand.wait()
+                item.wait()
             except KeyboardInterrupt as caught:
                 interrupt = caught
     if interrupt is not None:
         raise interrupt
-    for errand in errands:
-        if errand.error is not None:
-            raise errand.error
+    for item in items:
+        if item.error is not None:
+            raise item.error
 
 
-class _Errand:
+class _WorkItem:
     """A task for another thread: a `Future` takes ten times as long.
 
     Attributes:
@@ -99,19 +99,19 @@ class _Errand:
 
 class _Threads:
     def __init__(self) -> None:
-        self._queue: SimpleQueue[_Errand] = SimpleQueue()
+        self._queue: SimpleQueue[_WorkItem] = SimpleQueue()
         self._count = 0
         self._lock = threading.Lock()
 
-    def submit(self, tasks: Sequence[Task]) -> list[_Errand]:
+    def submit(self, tasks: Sequence[Task]) -> list[_WorkItem]:
         """Run tasks in as many threads."""
-        self._provide(len(tasks))
-        errands = [_Errand(task) for task in tasks]
-        for errand in errands:
-            self._queue.put(errand)
-        return errands
+        self._ensure_threads(len(tasks))
+        items = [_WorkItem(task) for task in tasks]
+        for item in items:
+            self._queue.put(item)
+        return items
 
-    def _provide(self, count: int) -> None:
+    def _ensure_threads(self, count: int) -> None:
         """Start threads until there are `count`."""
         if self._count >= count:
             return

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 from crs_cc.core.errors import CompileError
-from crs_cc.core.gc_pause import without_collector
+from crs_cc.core.gc_pause import gc_paused
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
 from crs_cc.frontend.preprocess.regular_file import digest
 from crs_cc.ir.names import in_library
@@ -117,7 +117,7 @@ def build_executable(
     options = library_options(tuple(include_paths), *macros, standard, root, named_from=named_from)
     own = Diagnostics(digests={str(path): digest(path) for path in paths})
     try:
-        with without_collector():  # saves a fifth of the time
+        with gc_paused():  # saves a fifth of the time
             options = replace(options, dialect=dialect or dialect_of(paths, options))
             program, lines = _compile(paths, options, own)
             executable = make_executable(program, names[0], command=names[1], lines=lines, **flags)
@@ -171,7 +171,7 @@ def _build(
 
     from crs_cc.runtime.executable import make_executable
 
-    with without_collector():
+    with gc_paused():
         program, lines = _unpack(entry)
         diagnostics.lines.update(lines)
         executable = make_executable(program, names[0], command=names[1], lines=lines, **flags)
@@ -199,7 +199,7 @@ def build_watching(executable: Executable) -> Executable:
     from crs_cc.runtime.executable import make_executable
 
     old = executable.detail()
-    with without_collector():
+    with gc_paused():
         made = make_executable(
             old.program,
             executable.name,
@@ -236,7 +236,7 @@ def _reload(entry: _Linked, flags: dict[str, bool]) -> Callable[[], Detail]:
     def detail() -> Detail:
         from crs_cc.runtime.codegen.module import compile_program
 
-        with without_collector():
+        with gc_paused():
             program, lines = _unpack(entry)
             return Detail(program, compile_program(program, **flags), lines)
 

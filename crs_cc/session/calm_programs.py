@@ -76,7 +76,7 @@ class CalmPrograms:
         """Let programs and kernel take turns once; return why they ended, and the cycles."""
         state, kernel = self._state, calm.kernel
         kernel.tell(rounds=state.rounds)
-        rounds = state.fleet.take_turns(partner, kernel.turn, kernel.address("records"))
+        rounds = state.fleet.alternate_rounds(partner, kernel.turn, kernel.address("records"))
         outcome = state.environment.end_calm(calm)
         verdict, ended = outcome.verdict, outcome.ended
         state.timesteps += ended

@@ -62,18 +62,18 @@ class QuietPrograms:
         state, environment = self._state, self._state.environment
         timestep_s, begin = environment.timestep_s, environment.cycle
         clock_s = state.clock_s[robot : robot + 1]
-        asking, cycle, rounds = _NOBODY, begin, state.rounds
-        while cycle < until and not asking.size:
+        requesting, cycle, rounds = _NOBODY, begin, state.rounds
+        while cycle < until and not requesting.size:
             end_s = (cycle + 1) * timestep_s
             if clock_s[0] < end_s:
                 rounds += state.fleet.run_rounds(end_s)
-                asking = state.fleet.take_asking()
-            if not asking.size:
+                requesting = state.fleet.take_requesting()
+            if not requesting.size:
                 cycle, rounds = cycle + 1, 0
         self.skip(cycle - begin)
         state.rounds = rounds
-        self._answer(asking)
-        return not asking.size
+        self._answer(requesting)
+        return not requesting.size
 
     def skip(self, cycles: int) -> None:
         """End quiet cycles whose programs have used them up."""

@@ -314,7 +314,7 @@ class Session:
             return _RAN if self.run_round() else _USED_UP
         before, verdict = self.timesteps, self._run_calmly(until)
         if verdict == ASKED:
-            self._answer(self.fleet.take_asking())
+            self._answer(self.fleet.take_requesting())
             return _RAN
         if self.timesteps > before and (self.timesteps >= until or not self._can_continue):
             return _ENDED
@@ -341,9 +341,9 @@ class Session:
         if not rounds:
             return False
         self.state.rounds += rounds
-        asking = fleet.take_asking()
-        if asking.size:
-            self._answer(asking)
+        requesting = fleet.take_requesting()
+        if requesting.size:
+            self._answer(requesting)
             return True
         return not fleet.is_whole
 
@@ -369,25 +369,25 @@ class Session:
         """Advance the clocks of the programs that ran, and handle their requests."""
         self.fleet.end_round()
         self.state.rounds += 1
-        self._answer(self.fleet.take_asking())
+        self._answer(self.fleet.take_requesting())
 
-    def _answer(self, asking: IndexArray) -> None:
+    def _answer(self, requesting: IndexArray) -> None:
         """Answer programs that have asked for anything, by a request or as they have ended."""
-        if not asking.size:
+        if not requesting.size:
             return
         fleet = self.fleet
-        posted = fleet.slots["status"][asking] == SUSPENDED
+        posted = fleet.slots["status"][requesting] == SUSPENDED
         if not all_of(posted):
-            self.state.end(asking[~posted])
-            asking = asking[posted]
-        codes = fleet.codes[asking]
+            self.state.end(requesting[~posted])
+            requesting = requesting[posted]
+        codes = fleet.codes[requesting]
         on_link = _ON_LINK.take(codes, mode="clip")
         if all_of(on_link):
-            self._send(asking, codes)
+            self._send(requesting, codes)
             return
         if on_link.any():
-            self._send(asking[on_link], codes[on_link])
-        self._answer_hosts(asking[~on_link], codes[~on_link])
+            self._send(requesting[on_link], codes[on_link])
+        self._answer_hosts(requesting[~on_link], codes[~on_link])
 
     def end_cycle(self) -> bool:
         """Execute the cycle in the environment when all programs have used it up.

@@ -37,17 +37,17 @@ def build_kernels(folder: Path, *, checked: bool = False) -> Executable:
 
 def _compile(folder: Path, *, checked: bool) -> Executable:
     # Not needed if the code is in the cache.
-    from crs_cc.core.gc_pause import without_collector
+    from crs_cc.core.gc_pause import gc_paused
     from crs_cc.frontend.preprocess.options import Options
     from crs_cc.ir.names import LIBRARY
     from crs_cc.runtime.executable import make_executable
     from crs_cc.runtime.link import link
-    from crs_cc.toolchain.library import HEADERS, CachedLibrary, compile_own
+    from crs_cc.toolchain.library import HEADERS, CachedLibrary, compile_bundled
 
     options = Options(system_paths=(HEADERS, folder))
-    with without_collector():
+    with gc_paused():
         units = [
-            compile_own(file.read_text("utf-8"), f"{LIBRARY}{folder.name}/{file.name}", options)
+            compile_bundled(file.read_text("utf-8"), f"{LIBRARY}{folder.name}/{file.name}", options)
             for file in sorted(folder.glob("*.c"))
         ]
         diagnostics = Diagnostics()

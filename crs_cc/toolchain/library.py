@@ -128,11 +128,11 @@ def _compile(unit: str, headers: tuple[tuple[str, str], ...], added: AddedUnit |
         defines=added.defines if added else (),
         trusted=name == link.ALLOCATOR,
     )
-    return compile_own(added.text if added else path.read_text("utf-8"), name, options)
+    return compile_bundled(added.text if added else path.read_text("utf-8"), name, options)
 
 
-def compile_own(text: str, name: str, options: Options) -> Program:
-    """Compile C source of our own, and verify it; raise InternalError if it does not compile."""
+def compile_bundled(text: str, name: str, options: Options) -> Program:
+    """Compile and verify a C file of this package; raise InternalError if it does not compile."""
     try:
         program = compile_text(text, name, options, Diagnostics())
     except CompileError as error:

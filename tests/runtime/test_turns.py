@@ -52,7 +52,7 @@ def fleet_of(program: Executable, threads: int = 1) -> Fleet:
     assert fleet.begin_round(END_S)
     fleet.run_round()
     fleet.end_round()
-    assert (fleet.slots["code"][fleet.take_asking()] == CODES["ARGUMENT"]).sum() == COUNT
+    assert (fleet.slots["code"][fleet.take_requesting()] == CODES["ARGUMENT"]).sum() == COUNT
     fleet.slots["message"]["result"] = -1
     timing["clock_s"] = random.random(COUNT) * 0.08
     timing["speed_hz"] = random.random(COUNT) * 1e7
@@ -123,8 +123,8 @@ def test_a_program_that_traps_ends_its_turn_and_no_other(
     timing = fleet.timing
     timing["speed_hz"], timing["due_s"], timing["alive"] = 1e6, np.inf, True
     assert fleet.run_rounds(END_S) == 1
-    assert fleet.take_asking().tolist() == [0, 2, 5]
+    assert fleet.take_requesting().tolist() == [0, 2, 5]
     assert (fleet.slots["status"][[0, 2, 5]] == FAILED).all()
     assert not timing["pending"].any()
     assert (timing["clock_s"] > 0.0).all()
-    assert not fleet.take_asking().size
+    assert not fleet.take_requesting().size

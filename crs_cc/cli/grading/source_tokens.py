@@ -28,7 +28,7 @@ class SourceTokens:
 
     def location(self, number: int) -> Location:
         """Return the place of a token in the submission."""
-        return self.source.location(self.lines[number], self.tokens[number].place + 1)
+        return self.source.location(self.lines[number], self.tokens[number].position + 1)
 
 
 def tokens_of(path: Path) -> SourceTokens:

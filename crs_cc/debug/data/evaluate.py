@@ -70,7 +70,7 @@ from crs_cc.ir.types import (
     FunctionType,
     PointerType,
 )
-from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 
 _MAY_BE_OUTSIDE: Final = re.compile(r"::|\$world|\w\s*\.\s*\w|distance\s*\(")
 _WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
@@ -87,7 +87,7 @@ class Evaluator:
 
     def __init__(
         self,
-        stopped: Callable[[], Stopped],
+        stopped: Callable[[], StoppedProgram],
         names: SourceNames,
         convenience_values: dict[str, Value] | None = None,
         fields: tuple[StateField, ...] = (),
@@ -378,7 +378,7 @@ class Evaluator:
         return special[0] if is_alone and isinstance(special[0], OutsideName) else None
 
     def _standing(
-        self, stopped: Stopped, frame: StackFrame | None, known: FrameAddresses
+        self, stopped: StoppedProgram, frame: StackFrame | None, known: FrameAddresses
     ) -> ExpressionContext:
         if frame is None:
             return ExpressionContext()
@@ -391,7 +391,7 @@ class Evaluator:
         return ExpressionContext(frame.function, frame.location, sizes)
 
     def _run(
-        self, text: str, stopped: Stopped, frame: StackFrame | None
+        self, text: str, stopped: StoppedProgram, frame: StackFrame | None
     ) -> tuple[PreparedExpression, Any]:
         """Evaluate an expression; return it compiled, and its value or address."""
         known, text = FrameAddresses.of(stopped, frame), self.functions.expanded(text, frame)
@@ -491,7 +491,7 @@ class Evaluator:
         return self.inspector().explain(address, size, reading)
 
 
-def _innermost(stopped: Stopped) -> StackFrame | None:
+def _innermost(stopped: StoppedProgram) -> StackFrame | None:
     for each in stopped.stack:
         if not in_library(each.location):
             return each

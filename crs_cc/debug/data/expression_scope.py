@@ -9,14 +9,14 @@ from crs_cc.debug.data.expression_compiler import ExpressionContext, PreparedExp
 from crs_cc.debug.data.outside import OutsideUse
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.names import plain_name
-from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 
 
 def lasting_scope(
     text: str,
     prepared: PreparedExpression,
     names: ExpressionContext,
-    stopped: Stopped,
+    stopped: StoppedProgram,
     frame: StackFrame | None,
 ) -> ExpressionScope:
     """Return the scope of an expression for as long as its variables exist.
@@ -63,7 +63,7 @@ def global_scope(
     return replace(names, sizes={})
 
 
-def active_call(function: str, stopped: Stopped, frame: StackFrame | None) -> StackFrame:
+def active_call(function: str, stopped: StoppedProgram, frame: StackFrame | None) -> StackFrame:
     """Return the frame of a function: the nearest outer one, or else the innermost."""
     active = [each for each in stopped.stack if each.function == function]
     if not active:

@@ -19,7 +19,7 @@ from crs_cc.debug.timeline.change import MemoryPatch
 from crs_cc.ir.instruction import ByteState, plain_states
 from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
 from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE
-from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.inspect import StoppedProgram
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
 
 Explain = Callable[[int, int, bool], str]
@@ -94,7 +94,7 @@ class StoppedMemory:
             value, so that an evaluation depends on nothing but the bytes recorded.
     """
 
-    def __init__(self, stopped: Stopped, explain: Explain) -> None:
+    def __init__(self, stopped: StoppedProgram, explain: Explain) -> None:
         self.trusting = False
         self.reads: MemoryReads | None = None
         self._memory, self._shadow = stopped.memory, stopped.shadow

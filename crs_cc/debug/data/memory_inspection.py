@@ -21,7 +21,7 @@ from crs_cc.ir.names import in_library
 from crs_cc.ir.types import LONG, VOID, ArrayType, CType, IntegerType
 from crs_cc.runtime.diagnosis.dead_frames import returned_local
 from crs_cc.runtime.diagnosis.diagnose import diagnose
-from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.inspect import StoppedProgram
 from crs_cc.runtime.diagnosis.object_text import count, object_name
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.diagnosis.values import Style, Values, place_name
@@ -61,7 +61,7 @@ class MemoryInspector:
 
     def __init__(
         self,
-        stopped: Stopped,
+        stopped: StoppedProgram,
         scratch: Callable[[int, int], bytes],
         fields: tuple[StateField, ...] = (),
         full_style: Style = FULL,

@@ -29,7 +29,7 @@ from crs_cc.ir.types import (
     is_variably_modified,
 )
 from crs_cc.runtime.compiled import Compiled, FunctionInfo
-from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 from crs_cc.runtime.layout import NULL_SIZE, RESUME
 from crs_cc.session.library import HEADERS
 
@@ -181,7 +181,7 @@ class FrameAddresses:
     unset: frozenset[Register] = frozenset()
 
     @classmethod
-    def of(cls, stopped: Stopped, active: StackFrame | None) -> FrameAddresses:
+    def of(cls, stopped: StoppedProgram, active: StackFrame | None) -> FrameAddresses:
         """Find the frame; that of no function has nothing in it."""
         if active is None:
             return cls(0, Location(""))

@@ -29,7 +29,7 @@ from crs_cc.debug.timeline.run_event import PostedRequests, RunEvent, StopReques
 from crs_cc.debug.uploads import Uploads
 from crs_cc.debug.world.event_history import EventHistory
 from crs_cc.requests import FAILED
-from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.sites import StatementSite
 from crs_cc.session.result import Added
@@ -95,7 +95,7 @@ class RecordedRun:
         self.interrupted = False
         self.last_timestep = math.inf
         self._step: Step | None = None
-        self._stopped: dict[int, Stopped] = {}  # by robot, until the run moves
+        self._stopped: dict[int, StoppedProgram] = {}  # by robot, until the run moves
         self.is_off_timeline = False
         self.session = Session(
             world,
@@ -438,7 +438,7 @@ class RecordedRun:
             ValueError: there is no such program or memory; nothing is written.
         """
         if not 0 <= robot < len(self.programs):
-            raise ValueError("a change to the memory of a robot that does not exist")
+            raise ValueError("a change of the memory of a robot that does not exist")
         write(patches, self.stopped(robot).memory, self.stopped(robot).shadow)
 
     def _look_anew(self) -> None:
@@ -451,7 +451,7 @@ class RecordedRun:
 
     # -- where a program stands ---------------------------------------------------------------
 
-    def stopped(self, robot: int) -> Stopped:
+    def stopped(self, robot: int) -> StoppedProgram:
         """Return a program's memory and stack; cached until it moves."""
         if robot not in self._stopped:
             fleet = self.session.fleet

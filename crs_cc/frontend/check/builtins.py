@@ -29,7 +29,12 @@ from crs_cc.frontend.check import complex_numbers, constant, tree, vla
 from crs_cc.frontend.check.builtins_atomic import ATOMIC_BUILTINS
 from crs_cc.frontend.check.builtins_number import NUMBER_BUILTINS, folded
 from crs_cc.frontend.check.checker import CheckError, Unit, expression
-from crs_cc.frontend.check.conversion import assigned, convert, promote_argument, usual
+from crs_cc.frontend.check.conversion import (
+    assigned,
+    convert,
+    promote_argument,
+    usual_arithmetic_conversions,
+)
 from crs_cc.frontend.check.declarator import type_name
 from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.operators import modifiable
@@ -167,7 +172,7 @@ def _constant_p(unit: Unit, nodes: list[Node], location: Location) -> Expression
 def _complex(unit: Unit, nodes: list[Node], location: Location) -> Expression:
     """Return a complex number of two parts, whose zeros keep their signs."""
     _count(nodes, 2, location)
-    real, imaginary = usual(*(rvalue(unit, each) for each in nodes))
+    real, imaginary = usual_arithmetic_conversions(*(rvalue(unit, each) for each in nodes))
     if not isinstance(real.type, FloatType):
         text = f"'__builtin_complex' needs floating-point numbers, not '{real.type}'"
         raise CheckError(location, text)

@@ -152,7 +152,7 @@ class Unit:
         blocks: the blocks of functions that have been checked, each with its start and end.
         specified: the type of each specifier node; declarators share them.
         function: the function that is being checked.
-        place: the last known location, for nodes without one.
+        location: the last known location, for nodes without one.
         link_names: the number of static names of each spelling.
         static_initialisers: the number of open initialisers in which every value is constant.
         prototypes: the number of open parameter lists, in which array lengths are not evaluated.
@@ -168,7 +168,7 @@ class Unit:
 
     name: str
     diagnostics: Diagnostics
-    place: Location
+    location: Location
     scope: Scope = field(default_factory=Scope)
     externals: dict[str, ObjectSymbol | FunctionSymbol] = field(default_factory=dict)
     objects: list[tree.ObjectDefinition] = field(default_factory=list)
@@ -199,8 +199,8 @@ class Unit:
         """Return a node's location, the last known one if it has none."""
         coord = node.coord
         if coord is not None:
-            self.place = coord.location
-        return self.place
+            self.location = coord.location
+        return self.location
 
     def at_name(self, node: Node) -> Location:
         """Return the location of the name in a declaration."""
@@ -214,7 +214,7 @@ class Unit:
         """Report an error after which the check of the expression can continue.
 
         Raises:
-            GiveUp: there are too many errors.
+            CompilationAborted: there are too many errors.
         """
         report(self.diagnostics, location, text, hint)
 

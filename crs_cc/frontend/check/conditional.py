@@ -15,7 +15,7 @@ from crs_cc.frontend.check.conversion import (
     is_null_constant,
     is_number,
     is_scalar,
-    usual,
+    usual_arithmetic_conversions,
 )
 from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.operators import is_lvalue
@@ -43,7 +43,7 @@ def conditional(unit: Unit, node: Node) -> Expression:
         then = rvalue(unit, node.iftrue)
     otherwise = rvalue(unit, node.iffalse)
     if is_number(then.type) and is_number(otherwise.type):
-        then, otherwise = usual(then, otherwise)
+        then, otherwise = usual_arithmetic_conversions(then, otherwise)
     ctype = _conditional_type(unit, then, otherwise)
     if vla.is_variable(ctype):
         return variable_record.choice(condition, then, otherwise)
@@ -87,7 +87,7 @@ def _conditional_pointer(unit: Unit, then: Expression, otherwise: Expression) ->
     return PointerType(_common_target(unit, left, right, then.location))
 
 
-def _common_target(unit: Unit, left: PointerType, right: PointerType, place: Location) -> CType:
+def _common_target(unit: Unit, left: PointerType, right: PointerType, location: Location) -> CType:
     """Return the target type of a conditional expression of pointers (C17 6.5.15p6)."""
     a, b = left.target, right.target
     const, volatile = a.const or b.const, a.volatile or b.volatile
@@ -97,5 +97,5 @@ def _common_target(unit: Unit, left: PointerType, right: PointerType, place: Loc
     if compatible(plain_a, plain_b):
         return qualify(composite(plain_a, plain_b), const, volatile)
     text = f"pointer type mismatch in conditional expression ('{left}' and '{right}')"
-    unit.warning(place, text, flag="pointer-type-mismatch")
+    unit.warning(location, text, flag="pointer-type-mismatch")
     return qualify(VOID, const, volatile)

@@ -3,7 +3,8 @@
 >>> from crs_cc.core.source import Location
 >>> from crs_cc.ir.types import LONG
 >>> here = Location("a.c", 1, 1)
->>> left, right = usual(tree.integer(1, UINT, here), tree.integer(2, LONG, here))
+>>> one, two = tree.integer(1, UINT, here), tree.integer(2, LONG, here)
+>>> left, right = usual_arithmetic_conversions(one, two)
 >>> print(left.type, right.value)
 unsigned long 2
 """
@@ -162,7 +163,9 @@ def promote_argument(expression: Expression) -> Expression:
     return promote(expression)
 
 
-def usual(left: Expression, right: Expression) -> tuple[Expression, Expression]:
+def usual_arithmetic_conversions(
+    left: Expression, right: Expression
+) -> tuple[Expression, Expression]:
     """Perform the usual arithmetic conversions (C17 6.3.1.8)."""
     left, right = promote(left), promote(right)
     if left.type is right.type:

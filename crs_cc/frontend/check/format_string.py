@@ -55,7 +55,7 @@ _INTEGER_NAMES: Final = {1: "char", 2: "short", 4: "int", 8: "long long"}
 
 
 @dataclass(frozen=True, slots=True)
-class _Wanted:
+class _ExpectedArgument:
     """The argument that a conversion specification expects.
 
     Attributes:
@@ -106,8 +106,8 @@ def check_format(
     raw = literal.value[1:-1]
     if re.search(r"%\d+\$", raw):
         return  # POSIX: the arguments are numbered
-    place = unit.at(literal)
-    _Check(unit, place, raw).run(form, arguments)
+    location = unit.at(literal)
+    _Check(unit, location, raw).run(form, arguments)
 
 
 def _takes_string(ctype: FunctionType, form: Format) -> bool:
@@ -126,7 +126,7 @@ class _Check:
     """The check of one format string."""
 
     unit: Unit
-    place: Location
+    location: Location
     raw: str
 
     def run(self, form: Format, arguments: list[Expression]) -> None:
@@ -146,9 +146,11 @@ class _Check:
             self.unit.warning(given[len(wanted)].location, text, flag="format")
 
     def _warn(self, at: int, text: str, hint: str = "") -> None:
-        self.unit.warning(place_in_literal(self.unit, self.place, at), text, hint, flag="format")
+        self.unit.warning(
+            location_in_literal(self.unit, self.location, at), text, hint, flag="format"
+        )
 
-    def _compare(self, wanted: _Wanted, argument: Expression, kind: str) -> None:
+    def _compare(self, wanted: _ExpectedArgument, argument: Expression, kind: str) -> None:
         if wanted.what == "ignored" or wanted.accepts(argument.type):
             return
         hint = ""
@@ -162,7 +164,7 @@ class _Check:
         expected = f"'{wanted.text}' specifies type '{wanted.name}'"
         self._warn(wanted.at, f"{expected} but the argument has type '{argument.type}'", hint)
 
-    def _printf(self) -> Iterator[_Wanted]:
+    def _printf(self) -> Iterator[_ExpectedArgument]:
         at = 0
         while (at := self.raw.find("%", at)) >= 0:
             match = _PRINTF.match(self.raw, at)
@@ -170,31 +172,37 @@ class _Check:
             text, conversion, length = match[0], match["conversion"], match["length"] or ""
             for star in ("width", "precision"):
                 if match[star] == "*":
-                    yield _Wanted(at, f"* in {text}", "integer", 4, "int")
+                    yield _ExpectedArgument(at, f"* in {text}", "integer", 4, "int")
             if conversion not in {"%", "m"}:
                 found = self._printed(at, text, conversion, length)
                 if found is not None:
                     yield found
             at = match.end()
 
-    def _printed(self, at: int, text: str, conversion: str, length: str) -> _Wanted | None:
+    def _printed(
+        self, at: int, text: str, conversion: str, length: str
+    ) -> _ExpectedArgument | None:
         """Return the argument for a conversion of `printf`; None if it is unknown."""
         if conversion in "diouxXbBc" and conversion:
             size = max(4, _INTEGER_BYTES.get(length, 4))
-            return _Wanted(at, text, "integer", size, _INTEGER_NAMES[size])
+            return _ExpectedArgument(at, text, "integer", size, _INTEGER_NAMES[size])
         if conversion in "fFeEgGaA" and conversion:
-            return _Wanted(at, text, "float", 8, "long double" if length == "L" else "double")
+            return _ExpectedArgument(
+                at, text, "float", 8, "long double" if length == "L" else "double"
+            )
         if conversion in {"s", "S"}:
             wide = length == "l" or conversion == "S"
             name = "wchar_t *" if wide else "char *"
-            return _Wanted(at, text, "pointer", 4 if wide else 1, name, "integer")
+            return _ExpectedArgument(at, text, "pointer", 4 if wide else 1, name, "integer")
         if conversion == "p":
-            return _Wanted(at, text, "pointer", 0, "void *")
+            return _ExpectedArgument(at, text, "pointer", 0, "void *")
         if conversion == "n":
             size = _INTEGER_BYTES.get(length, 4)
-            return _Wanted(at, text, "pointer", size, f"{_INTEGER_NAMES[size]} *", "integer")
+            return _ExpectedArgument(
+                at, text, "pointer", size, f"{_INTEGER_NAMES[size]} *", "integer"
+            )
         self._unknown(at, text, conversion)
-        return _Wanted(at, text, "ignored", 0, "") if conversion.strip("\\") else None
+        return _ExpectedArgument(at, text, "ignored", 0, "") if conversion.strip("\\") else None
 
     def _unknown(self, at: int, text: str, conversion: str) -> None:
         is_incomplete = conversion in {"", "\\"}
@@ -202,7 +210,7 @@ class _Check:
         text = text.rstrip("\\")
         self._warn(at, f"{what} '{text}'", "write '%%' for a percent sign")
 
-    def _scanf(self) -> Iterator[_Wanted]:
+    def _scanf(self) -> Iterator[_ExpectedArgument]:
         at = 0
         while (at := self.raw.find("%", at)) >= 0:
             match = _SCANF.match(self.raw, at)
@@ -213,23 +221,29 @@ class _Check:
                     yield found
             at = match.end()
 
-    def _scanned(self, at: int, text: str, conversion: str, length: str) -> _Wanted | None:
+    def _scanned(
+        self, at: int, text: str, conversion: str, length: str
+    ) -> _ExpectedArgument | None:
         """Return the argument for a conversion of `scanf`; None if it is unknown."""
         if conversion in "dibouxXn" and conversion:
             size = _INTEGER_BYTES.get(length, 4)
-            return _Wanted(at, text, "pointer", size, f"{_INTEGER_NAMES[size]} *", "integer")
+            return _ExpectedArgument(
+                at, text, "pointer", size, f"{_INTEGER_NAMES[size]} *", "integer"
+            )
         if conversion in "fFeEgGaA" and conversion:
             name = {"l": "double", "L": "long double"}.get(length, "float")
-            return _Wanted(at, text, "pointer", 0, f"{name} *", "float")
+            return _ExpectedArgument(at, text, "pointer", 0, f"{name} *", "float")
         if conversion[:1] in {"s", "c", "["} and conversion != "[":
             if length == "m":
-                return _Wanted(at, text, "pointer", 0, "char **", "pointer")
+                return _ExpectedArgument(at, text, "pointer", 0, "char **", "pointer")
             name = "wchar_t *" if length == "l" else "char *"
-            return _Wanted(at, text, "pointer", 4 if length == "l" else 1, name, "integer")
+            return _ExpectedArgument(
+                at, text, "pointer", 4 if length == "l" else 1, name, "integer"
+            )
         if conversion == "p":
-            return _Wanted(at, text, "pointer", 0, "void **", "pointer")
+            return _ExpectedArgument(at, text, "pointer", 0, "void **", "pointer")
         self._unknown(at, text, conversion)
-        return _Wanted(at, text, "ignored", 0, "") if conversion.strip("\\") else None
+        return _ExpectedArgument(at, text, "ignored", 0, "") if conversion.strip("\\") else None
 
 
 def fitting(ctype: CType) -> str:
@@ -259,20 +273,20 @@ _SEGMENT: Final = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 _MAX_LINES: Final = 100
 
 
-def place_in_literal(unit: Unit, place: Location, at: int) -> Location:
+def location_in_literal(unit: Unit, location: Location, at: int) -> Location:
     """Return the location of a character in a sequence of string literals.
 
     Args:
         unit: has the lines of the source.
-        place: the location of the first literal.
+        location: the location of the first literal.
         at: the index of the character as written, without the quotes.
 
     Returns:
         Its location, or that of the literal if there is a macro between.
     """
-    lines = unit.diagnostics.lines.get(place.file, [])
-    column = place.column - 1
-    for number in range(place.line, min(len(lines), place.line + _MAX_LINES) + 1):
+    lines = unit.diagnostics.lines.get(location.file, [])
+    column = location.column - 1
+    for number in range(location.line, min(len(lines), location.line + _MAX_LINES) + 1):
         line = lines[number - 1]
         while True:
             column += len(line[column:]) - len(line[column:].lstrip())
@@ -280,10 +294,10 @@ def place_in_literal(unit: Unit, place: Location, at: int) -> Location:
             if match is None:
                 break
             if at < len(match[1]) or (at == 0 and not match[1]):
-                return Location(place.file, number, match.start(1) + at + 1)
+                return Location(location.file, number, match.start(1) + at + 1)
             at -= len(match[1])
             column = match.end()
         if line[column:].strip(" \t\\"):
             break
         column = 0
-    return place
+    return location

@@ -28,7 +28,7 @@ def warn_constant(unit: Unit, value: tree.Expression, target: CType) -> None:
 
 
 def warn_overflow(
-    unit: Unit, op: str, left: tree.Literal, right: tree.Literal, place: Location
+    unit: Unit, op: str, left: tree.Literal, right: tree.Literal, location: Location
 ) -> None:
     """Warn about constant arithmetic whose result its signed type cannot hold (C17 6.5p5)."""
     ctype = left.type
@@ -38,7 +38,7 @@ def warn_overflow(
     exact = a + b if op == "+" else a - b if op == "-" else a * b
     if not -(1 << ctype.bits - 1) <= exact < 1 << ctype.bits - 1:
         text = f"overflow in the constant expression: {exact} is outside the range of '{ctype}'"
-        unit.warning(place, text, flag="overflow")
+        unit.warning(location, text, flag="overflow")
 
 
 def is_inexact(op: str, left: tree.Literal, right: tree.Literal) -> bool:

@@ -3,7 +3,7 @@
 A function whose variables are used by functions inside it has a *record* in its frame: an array of
 the addresses of these variables. A nested function has a hidden first parameter, the *chain*: a
 pointer to the record of the function around it. So all state is in memory, and a nested function
-is stopped, saved and resumed like any other. `enclose` rewrites a checked function to that.
+is stopped, saved and resumed like any other. `convert_nested` rewrites a checked function to that.
 
 A pointer to a nested function must lead to its chain, too. It points to one of a few *thunks*:
 functions that pass on their arguments with a chain that is kept in a static object. The library
@@ -21,7 +21,7 @@ from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree, vla
 from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit
 from crs_cc.frontend.check.conversion import convert, decay, is_scalar
-from crs_cc.frontend.check.escape import landings
+from crs_cc.frontend.check.nonlocal_goto import landings
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefName
 from crs_cc.frontend.check.tree import Expression, Initialiser, InitialValue
 from crs_cc.frontend.check.type_compat import compatible
@@ -101,7 +101,7 @@ def _extents(ctype: CType) -> list[ObjectSymbol]:
     return found
 
 
-def enclose(unit: Unit, definition: tree.FunctionDefinition, state: FunctionState) -> None:
+def convert_nested(unit: Unit, definition: tree.FunctionDefinition, state: FunctionState) -> None:
     """Rewrite a function that is inside another one, or has functions inside it."""
     if state.outer is None and not state.has_nested:
         return

@@ -22,7 +22,7 @@ from crs_cc.frontend.check.conversion import (
     is_number,
     is_scalar,
     promote,
-    usual,
+    usual_arithmetic_conversions,
 )
 from crs_cc.frontend.check.expressions import rvalue, size_of
 from crs_cc.frontend.check.lost_value_warnings import is_inexact, warn_divisions, warn_overflow
@@ -47,9 +47,9 @@ from crs_cc.ir.types import (
 )
 
 
-def _invalid(left: Expression, right: Expression, place: Location) -> CheckError:
+def _invalid(left: Expression, right: Expression, location: Location) -> CheckError:
     text = f"invalid operands to binary expression ('{left.type}' and '{right.type}')"
-    return CheckError(place, text)
+    return CheckError(location, text)
 
 
 # Binary operators
@@ -64,51 +64,51 @@ def binary(unit: Unit, node: Node) -> Expression:
 
 
 def operate(
-    unit: Unit, op: str, left: Expression, right: Expression, place: Location
+    unit: Unit, op: str, left: Expression, right: Expression, location: Location
 ) -> Expression:
     """Return `left op right` for two values."""
     if op in {"&&", "||"}:
-        return _logical(op, truth(left), truth(right), place)
+        return _logical(op, truth(left), truth(right), location)
     if is_complex(left.type) or is_complex(right.type):
-        return _complex(unit, op, left, right, place)
+        return _complex(unit, op, left, right, location)
     if op in fold.COMPARISONS:
-        return _comparison(unit, op, left, right, place)
+        return _comparison(unit, op, left, right, location)
     if op in {"+", "-"} and (
         isinstance(left.type, PointerType) or isinstance(right.type, PointerType)
     ):
-        return _pointer_arithmetic(op, left, right, place)
+        return _pointer_arithmetic(op, left, right, location)
     if op in {"<<", ">>"}:
-        return _shift(unit, op, left, right, place)
+        return _shift(unit, op, left, right, location)
     allowed = is_integer if op in {"%", "&", "|", "^"} else is_arithmetic
     if not allowed(left.type) or not allowed(right.type):
-        raise _invalid(left, right, place)
+        raise _invalid(left, right, location)
     warn_divisions(unit, left, right)
-    left, right = usual(left, right)
-    return _folded(unit, op, left.type, (left, right), place)
+    left, right = usual_arithmetic_conversions(left, right)
+    return _folded(unit, op, left.type, (left, right), location)
 
 
 def _complex(
-    unit: Unit, op: str, left: Expression, right: Expression, place: Location
+    unit: Unit, op: str, left: Expression, right: Expression, location: Location
 ) -> Expression:
     """Return an operation on numbers, at least one of them complex."""
     if not is_number(left.type) or not is_number(right.type):
-        raise _invalid(left, right, place)
+        raise _invalid(left, right, location)
 
     operands, base = (left, right), common_base(left, right)
-    return complex_numbers.binary(op, operands, base, place, _arithmetic(unit, place))
+    return complex_numbers.binary(op, operands, base, location, _arithmetic(unit, location))
 
 
-def _arithmetic(unit: Unit, place: Location) -> Arithmetic:
+def _arithmetic(unit: Unit, location: Location) -> Arithmetic:
     """Return how the parts of complex numbers are computed with at some location."""
     return Arithmetic(
-        lambda op, left, right: operate(unit, op, left, right, place),
+        lambda op, left, right: operate(unit, op, left, right, location),
         convert,
-        lambda value: _negated(value, place),
+        lambda value: _negated(value, location),
     )
 
 
 def _folded(
-    unit: Unit, op: str, ctype: CType, operands: tuple[Expression, Expression], place: Location
+    unit: Unit, op: str, ctype: CType, operands: tuple[Expression, Expression], location: Location
 ) -> Expression:
     """Return an operation on converted operands, folded if they are constant."""
     left, right = operands
@@ -116,85 +116,87 @@ def _folded(
         if isinstance(left, tree.Literal):
             value = fold.binary(op, left.type, left.value, right.value)
             if value is not None:
-                warn_overflow(unit, op, left, right, place)
-                return tree.Literal(ctype, place, value, is_inexact(op, left, right))
+                warn_overflow(unit, op, left, right, location)
+                return tree.Literal(ctype, location, value, is_inexact(op, left, right))
         if op in {"/", "%"} and right.value == 0 and is_integer(right.type):
-            unit.warning(place, "division by zero is undefined", flag="div-by-zero")
-    return tree.Binary(ctype, place, op, left, right)
+            unit.warning(location, "division by zero is undefined", flag="div-by-zero")
+    return tree.Binary(ctype, location, op, left, right)
 
 
-def _shift(unit: Unit, op: str, left: Expression, right: Expression, place: Location) -> Expression:
+def _shift(
+    unit: Unit, op: str, left: Expression, right: Expression, location: Location
+) -> Expression:
     if not is_integer(left.type) or not is_integer(right.type):
-        raise _invalid(left, right, place)
+        raise _invalid(left, right, location)
     left, right = promote(left), promote(right)
     if isinstance(right, tree.Literal) and not 0 <= right.value < 8 * left.type.size:
         what = "negative" if right.value < 0 else ">= width of type"
         unit.warning(right.location, f"shift count is {what}", flag="shift-count-overflow")
-    return _folded(unit, op, left.type, (left, right), place)
+    return _folded(unit, op, left.type, (left, right), location)
 
 
-def _logical(op: str, left: Expression, right: Expression, place: Location) -> Expression:
+def _logical(op: str, left: Expression, right: Expression, location: Location) -> Expression:
     if not is_scalar(left.type) or not is_scalar(right.type):
-        raise _invalid(left, right, place)
+        raise _invalid(left, right, location)
     if isinstance(left, tree.Literal):
         if bool(left.value) == (op == "||"):
-            return tree.integer(int(op == "||"), INT, place)
+            return tree.integer(int(op == "||"), INT, location)
         if isinstance(right, tree.Literal):
-            return tree.integer(int(right.value != 0), INT, place)
-    return tree.Logical(INT, place, op, left, right)
+            return tree.integer(int(right.value != 0), INT, location)
+    return tree.Logical(INT, location, op, left, right)
 
 
 def _comparison(
-    unit: Unit, op: str, left: Expression, right: Expression, place: Location
+    unit: Unit, op: str, left: Expression, right: Expression, location: Location
 ) -> Expression:
     if is_arithmetic(left.type) and is_arithmetic(right.type):
         if op not in {"==", "!="}:
-            warn_signs(unit, left, right, place)
+            warn_signs(unit, left, right, location)
         warn_divisions(unit, left, right)
-        left, right = usual(left, right)
-        return _folded(unit, op, INT, (left, right), place)
-    warn_string(unit, left, right, place)
+        left, right = usual_arithmetic_conversions(left, right)
+        return _folded(unit, op, INT, (left, right), location)
+    warn_string(unit, left, right, location)
     if not is_scalar(left.type) or not is_scalar(right.type):
-        raise _invalid(left, right, place)
-    _compare_pointers(unit, left, right, place)
+        raise _invalid(left, right, location)
+    _compare_pointers(unit, left, right, location)
     if not isinstance(left.type, PointerType):
         left = convert(left, right.type)
     elif not isinstance(right.type, PointerType):
         right = convert(right, left.type)
-    return _folded(unit, op, INT, (left, right), place)
+    return _folded(unit, op, INT, (left, right), location)
 
 
-def _compare_pointers(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
+def _compare_pointers(unit: Unit, left: Expression, right: Expression, location: Location) -> None:
     if is_null_constant(left) or is_null_constant(right):
         return
     if isinstance(left.type, PointerType) and isinstance(right.type, PointerType):
         a, b = unqualified(left.type.target), unqualified(right.type.target)
         if not {VOID, NULLPTR.target} & {a, b} and not compatible(a, b):
             text = f"comparison of distinct pointer types ('{left.type}' and '{right.type}')"
-            unit.warning(place, text, flag="distinct-pointer-types")
+            unit.warning(location, text, flag="distinct-pointer-types")
         return
     if not is_integer(left.type) and not is_integer(right.type):
-        raise _invalid(left, right, place)
+        raise _invalid(left, right, location)
     text = f"comparison between pointer and integer ('{left.type}' and '{right.type}')"
-    unit.warning(place, text, flag="pointer-integer-compare")
+    unit.warning(location, text, flag="pointer-integer-compare")
 
 
 def _pointer_arithmetic(
-    op: str, left: Expression, right: Expression, place: Location
+    op: str, left: Expression, right: Expression, location: Location
 ) -> Expression:
     if isinstance(left.type, PointerType) and isinstance(right.type, PointerType):
-        return _difference(op, left, right, place)
+        return _difference(op, left, right, location)
     if op == "+" and isinstance(right.type, PointerType):
-        return _moved(right, left, op, place)
-    return _moved(left, right, op, place)
+        return _moved(right, left, op, location)
+    return _moved(left, right, op, location)
 
 
-def _moved(pointer: Expression, index: Expression, op: str, place: Location) -> Expression:
+def _moved(pointer: Expression, index: Expression, op: str, location: Location) -> Expression:
     if not isinstance(pointer.type, PointerType) or not is_integer(index.type):
-        raise _invalid(pointer, index, place)
+        raise _invalid(pointer, index, location)
     _need_size(pointer, pointer.type)
     index = convert(promote(index), INT)
-    return vla.moved(pointer, index, op == "-", place)
+    return vla.moved(pointer, index, op == "-", location)
 
 
 def _need_size(pointer: Expression, ctype: PointerType) -> None:
@@ -203,14 +205,14 @@ def _need_size(pointer: Expression, ctype: PointerType) -> None:
         raise CheckError(pointer.location, f"arithmetic on a pointer to incomplete type '{target}'")
 
 
-def _difference(op: str, left: Expression, right: Expression, place: Location) -> Expression:
+def _difference(op: str, left: Expression, right: Expression, location: Location) -> Expression:
     assert isinstance(left.type, PointerType)
     assert isinstance(right.type, PointerType)
     same = compatible(unqualified(left.type.target), unqualified(right.type.target))
     if op != "-" or not same:
-        raise _invalid(left, right, place)
+        raise _invalid(left, right, location)
     _need_size(left, left.type)
-    return vla.difference(left, right, place)
+    return vla.difference(left, right, location)
 
 
 @checks(c_ast.ArrayRef)
@@ -252,14 +254,14 @@ def _sign(unit: Unit, node: Node) -> Expression:
     return operand if node.op == "+" else _negated(operand, place, node.op)
 
 
-def _negated(operand: Expression, place: Location, op: str = "-") -> Expression:
+def _negated(operand: Expression, location: Location, op: str = "-") -> Expression:
     """Return `-x` or `~x`, computed if it is constant."""
     operand = promote(operand)
     if isinstance(operand, tree.Literal):
         value = fold.unary(op, operand.type, operand.value)
         if value is not None:
-            return tree.Literal(operand.type, place, value)
-    return tree.Unary(operand.type, place, op, operand)
+            return tree.Literal(operand.type, location, value)
+    return tree.Unary(operand.type, location, op, operand)
 
 
 def _not(unit: Unit, node: Node) -> Expression:
@@ -415,23 +417,23 @@ def _copying(target: Expression) -> str:
 
 
 def _compound(
-    unit: Unit, op: str, target: Expression, value: Expression, place: Location
+    unit: Unit, op: str, target: Expression, value: Expression, location: Location
 ) -> Expression:
     ctype = unqualified(target.type)
     if isinstance(ctype, PointerType):
         if op not in {"+", "-"} or not is_integer(value.type):
-            raise _invalid(target, value, place)
+            raise _invalid(target, value, location)
         _need_size(target, ctype)
         index_ = convert(promote(value), INT)
         if vla.is_variable(ctype.target):
             index_, computed = vla.scaled(index_, ctype.target), PointerType(CHAR)
-            return tree.CompoundAssign(ctype, place, op, target, index_, computed)
-        return tree.CompoundAssign(ctype, place, op, target, index_, ctype)
+            return tree.CompoundAssign(ctype, location, op, target, index_, computed)
+        return tree.CompoundAssign(ctype, location, op, target, index_, ctype)
     if is_complex(ctype) or is_complex(value.type):
         return complex_numbers.assignment(
-            target, lambda old: convert(operate(unit, op, decay(old), value, place), ctype)
+            target, lambda old: convert(operate(unit, op, decay(old), value, location), ctype)
         )
-    made = operate(unit, op, decay(target), value, place)
+    made = operate(unit, op, decay(target), value, location)
     if not isinstance(made, tree.Binary):
-        raise _invalid(target, value, place)
-    return tree.CompoundAssign(ctype, place, op, target, made.right, made.left.type)
+        raise _invalid(target, value, location)
+    return tree.CompoundAssign(ctype, location, op, target, made.right, made.left.type)

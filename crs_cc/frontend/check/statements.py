@@ -30,9 +30,9 @@ from crs_cc.frontend.check.conversion import (
     is_scalar,
     promote,
 )
-from crs_cc.frontend.check.escape import escape
 from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.fold import wrap
+from crs_cc.frontend.check.nonlocal_goto import nonlocal_goto
 from crs_cc.frontend.check.scope import ObjectSymbol, Scope
 from crs_cc.frontend.check.suspicious_operands import warn_returned
 from crs_cc.frontend.check.tree import Expression, Statement
@@ -70,7 +70,7 @@ def body(unit: Unit, node: Node | None) -> list[Statement]:
     """Check a statement that is part of another, in a scope of its own."""
     out: list[Statement] = []
     if node is not None:
-        with unit.new_scope(), vla.block(_function(unit), out, unit.place):
+        with unit.new_scope(), vla.block(_function(unit), out, unit.location):
             statement(unit, node, out)
     return out
 
@@ -137,7 +137,7 @@ def _block(unit: Unit, node: Node, out: list[Statement]) -> Iterator[None]:
 
 
 @checks_statement(c_ast.EmptyStatement, c_ast.Pragma)
-def nothing(_unit: Unit, _node: Node, _out: list[Statement]) -> None:
+def null_statement(_unit: Unit, _node: Node, _out: list[Statement]) -> None:
     """Check `;`, and ignore `#pragma`."""
 
 
@@ -307,8 +307,8 @@ def check_labels(unit: Unit) -> None:
             unit.error(location, f"use of undeclared label '{name}'")
     for each, automatics in state.gotos:
         if each.name not in state.labels:
-            each.escape = escape(state, each)
-            if each.escape is None:
+            each.nonlocal_goto = nonlocal_goto(state, each)
+            if each.nonlocal_goto is None:
                 unit.error(each.location, f"use of undeclared label '{each.name}'")
             continue
         there = state.labels[each.name][1]

@@ -10,7 +10,7 @@ from crs_cc.frontend.check.tree import Expression
 from crs_cc.ir.types import ArrayType, IntegerType
 
 
-def warn_signs(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
+def warn_signs(unit: Unit, left: Expression, right: Expression, location: Location) -> None:
     """Warn about the comparison of a negative constant with an unsigned operand."""
     for constant, other in ((left, right), (right, left)):
         if not isinstance(constant, tree.Literal) or constant.value >= 0:
@@ -21,28 +21,28 @@ def warn_signs(unit: Unit, left: Expression, right: Expression, place: Location)
             text = (
                 f"comparison of '{ctype}' with a negative constant, which is converted to unsigned"
             )
-            unit.warning(place, text, flag="sign-compare")
+            unit.warning(location, text, flag="sign-compare")
 
 
-def warn_string(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
+def warn_string(unit: Unit, left: Expression, right: Expression, location: Location) -> None:
     """Warn about the comparison of a string literal's address."""
     pair = (left, right)
     if any(_is_string(each) for each in pair) and not any(map(is_null_constant, pair)):
         text = "comparison against a string literal compares addresses, not contents"
-        unit.warning(place, text, "use strcmp", flag="string-compare")
+        unit.warning(location, text, "use strcmp", flag="string-compare")
 
 
 def _is_string(value: Expression) -> bool:
     return isinstance(value, tree.AddressOf) and isinstance(value.operand, tree.StringLiteral)
 
 
-def warn_size(unit: Unit, operand: Expression, place: Location) -> None:
+def warn_size(unit: Unit, operand: Expression, location: Location) -> None:
     """Warn about `sizeof` of a parameter that was declared as an array and is a pointer."""
     if isinstance(operand, tree.ObjectName) and operand.symbol.is_array_parameter:
         name = operand.symbol.name
         text = f"sizeof on array parameter '{name}' is the size of a pointer"
         unit.warning(
-            place, text, f"declared at {operand.symbol.location}", flag="sizeof-array-argument"
+            location, text, f"declared at {operand.symbol.location}", flag="sizeof-array-argument"
         )
 
 
@@ -60,7 +60,7 @@ def warn_returned(unit: Unit, value: Expression) -> None:
             _warn_object(unit, operand, value.location)
 
 
-def _warn_object(unit: Unit, operand: Expression, place: Location) -> None:
+def _warn_object(unit: Unit, operand: Expression, location: Location) -> None:
     while True:
         match operand:
             case tree.MemberAccess(record=record):
@@ -73,7 +73,7 @@ def _warn_object(unit: Unit, operand: Expression, place: Location) -> None:
                 if symbol.link_name is None:
                     text = f"address of local variable '{symbol.name}' returned"
                     unit.warning(
-                        place,
+                        location,
                         text,
                         "make it static, or let the caller provide the memory",
                         flag="return-local-addr",

@@ -343,13 +343,13 @@ class Goto:
 
     Attributes:
         release: frees the memory of arrays whose scope it leaves.
-        escape: for a label of a function around this one, the jump there.
+        nonlocal_goto: for a label of a function around this one, the jump there.
     """
 
     location: Location
     name: str
     release: Expression | None = None
-    escape: Expression | None = None
+    nonlocal_goto: Expression | None = None
 
 
 @dataclass(slots=True, eq=False)

@@ -23,7 +23,7 @@ from crs_cc.frontend.check.declaration import (
 )
 from crs_cc.frontend.check.declarator import declared_type, parameter_type
 from crs_cc.frontend.check.function_attributes import apply_attributes
-from crs_cc.frontend.check.nested import declare_nested, enclose, enter
+from crs_cc.frontend.check.nested import convert_nested, declare_nested, enter
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefName
 from crs_cc.frontend.check.statements import check_labels, record_block, statement
 from crs_cc.frontend.check.tag import static_assert
@@ -53,7 +53,7 @@ VARARGS: Final = "__va_alist"
 def check_unit(unit: Unit, nodes: list[Node]) -> None:
     """Check all external declarations of a file; errors go to its diagnostics."""
     for name in PREDECLARED_TYPES:
-        unit.scope.names[name] = TypedefName(name, VA_LIST, unit.place)
+        unit.scope.names[name] = TypedefName(name, VA_LIST, unit.location)
     for node in nodes:
         checker = EXTERNAL.get(node.__class__)
         if checker is None:
@@ -121,7 +121,7 @@ def _function_definition(unit: Unit, node: Node) -> None:
     vla.finish(state, body)
     _, end = ends or (location, unit.at(node.body))
     made = tree.FunctionDefinition(location, symbol, end, parameters, passed, body, implicit)
-    enclose(unit, made, state)
+    convert_nested(unit, made, state)
     unit.functions.append(made)
 
 

@@ -257,7 +257,7 @@ def finish(state: FunctionState, body: list[tree.Statement]) -> None:
 
 
 def jump(
-    unit: Unit, what: str, place: Location, source: list[Automatic], target: list[Automatic]
+    unit: Unit, what: str, location: Location, source: list[Automatic], target: list[Automatic]
 ) -> Expression | None:
     """Check a jump, and return its actions (C17 6.8.6.1p1, 6.8.4.2p2)."""
     common = 0
@@ -270,6 +270,6 @@ def jump(
         text = (
             f"{what} jumps into the scope of '{entered.name}', which has a variably modified type"
         )
-        unit.error(place, text, f"declared at {entered.location}")
+        unit.error(location, text, f"declared at {entered.location}")
         return None
-    return release(source, common, place)
+    return release(source, common, location)

@@ -36,7 +36,7 @@ def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Func
     low = Lowering(unit, function, RULES, entry)
     function.blocks.append(entry)
     if isinstance(result, RecordType):
-        low.result_pointer = low.lasting_register("i32")
+        low.result_pointer = low.new_register("i32")
         function.parameters.append(Parameter(low.result_pointer, "i32", 4))
     elif not isinstance(result, VoidType) or symbol.name in ENTRIES:
         function.result = "i32" if isinstance(result, VoidType) else value_type(result)
@@ -68,11 +68,11 @@ def _parameter(low: Lowering, symbol: ObjectSymbol, passed: CType) -> None:
         if symbol.in_memory:
             place = Slot(symbol.name, ctype.size, min(4, ctype.align), variable)
         else:
-            place = low.lasting_register(value_type(ctype), variable)
+            place = low.new_register(value_type(ctype), variable)
         low.places[symbol] = place
         low.function.parameters.append(Parameter(place, memory, MEMORY_SIZE[memory]))
         return
-    arrived = low.lasting_register(value_type(passed))
+    arrived = low.new_register(value_type(passed))
     variable = Variable(symbol.name, passed, location)
     low.function.parameters.append(Parameter(arrived, memory, MEMORY_SIZE[memory], variable))
     _convert_parameter(low, symbol, arrived, passed, location)

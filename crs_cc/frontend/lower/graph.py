@@ -19,7 +19,7 @@ def simplify(function: Function) -> set[Block]:
     """
     ends: dict[Block, Block] = {}
     for block in function.blocks:
-        _shorten(block, ends)
+        _thread_jumps(block, ends)
     function.blocks = _reachable(function)
     kept = set(function.blocks)
     _join(function)
@@ -41,7 +41,7 @@ def _destination(block: Block, ends: dict[Block, Block]) -> Block:
     return block
 
 
-def _shorten(block: Block, ends: dict[Block, Block]) -> None:
+def _thread_jumps(block: Block, ends: dict[Block, Block]) -> None:
     """Make a terminator skip empty blocks."""
     match block.terminator:
         case Jump() as jump:

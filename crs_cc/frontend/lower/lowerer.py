@@ -180,10 +180,10 @@ class Lowering:
         pool, used = self._temporaries[value_type], self._used[value_type]
         self._used[value_type] = used + 1
         if used == len(pool):
-            pool.append(self.lasting_register(value_type))
+            pool.append(self.new_register(value_type))
         return pool[used]
 
-    def lasting_register(self, value_type: ValueType, variable: Variable | None = None) -> Register:
+    def new_register(self, value_type: ValueType, variable: Variable | None = None) -> Register:
         """Return a new register."""
         registers = self.function.registers
         made = Register(len(registers), value_type, variable)
@@ -223,7 +223,7 @@ class Lowering:
             if symbol.in_memory or len(self.function.registers) > MAX_REGISTERS:
                 found = self.slot(symbol.name, symbol.type, symbol.align, variable)
             else:
-                found = self.lasting_register(value_type(symbol.type), variable)
+                found = self.new_register(value_type(symbol.type), variable)
             self.places[symbol] = found
         return found
 
@@ -248,7 +248,7 @@ class Lowering:
     def activation(self) -> Register:
         """Return the number that identifies this call of the function, for `setjmp`."""
         if self._activation is None:
-            made, entry = self.lasting_register("i32"), self.function.blocks[0]
+            made, entry = self.new_register("i32"), self.function.blocks[0]
             location = self.function.location
             self._activation = made
             self.references.append((entry, ACTIVATIONS, location))

@@ -133,8 +133,8 @@ def _label(low: Lowering, statement: tree.Label) -> None:
 
 def _goto(low: Lowering, statement: tree.Goto) -> None:
     low.mark(statement.location)
-    if statement.escape is not None:
-        effect(low, statement.escape)
+    if statement.nonlocal_goto is not None:
+        effect(low, statement.nonlocal_goto)
         return
     _release(low, statement.release)
     low.leave_scopes(0, statement.location)
@@ -148,7 +148,7 @@ def _computed_goto(low: Lowering, statement: tree.ComputedGoto) -> None:
     operand = value(low, statement.target)
     if low.chooser is None:
         number, block, wrong = (
-            low.lasting_register("i32"),
+            low.new_register("i32"),
             low.new_block("goto"),
             low.new_block("wrong"),
         )

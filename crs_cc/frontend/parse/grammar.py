@@ -20,7 +20,7 @@ from typing import Any
 from pycparser import c_ast
 from pycparser.c_parser import ParseError
 
-from crs_cc.frontend.error_limit import GiveUp, report
+from crs_cc.frontend.error_limit import CompilationAborted, report
 from crs_cc.frontend.parse.declaration_grammar import DeclarationGrammar
 from crs_cc.frontend.parse.nodes import ComputedGoto, LocalLabels, Node
 from crs_cc.frontend.parse.recovery import skip_broken
@@ -33,7 +33,7 @@ class Grammar(DeclarationGrammar):
         """Parse the whole file.
 
         Raises:
-            GiveUp: too many errors, or too deep a nesting; both are reported.
+            CompilationAborted: too many errors, or too deep a nesting; both are reported.
         """
         found: list[Node] = []
         try:
@@ -47,7 +47,7 @@ class Grammar(DeclarationGrammar):
         except RecursionError:
             text = "the program is nested too deeply here"
             self._diagnostics.error(self._stream.location(), text)
-            raise GiveUp from None
+            raise CompilationAborted from None
         return found
 
     def expression(self) -> Node | None:

@@ -30,7 +30,7 @@ def parse(tokens: Sequence[Token], diagnostics: Diagnostics, standard: str = "gn
         The declarations; a `Broken` for each one with a syntax error.
 
     Raises:
-        GiveUp: too many errors, or too deep a nesting.
+        CompilationAborted: too many errors, or too deep a nesting.
     """
     return Grammar(tokens, diagnostics, standard).translation_unit()
 

@@ -2,7 +2,7 @@
 
 >>> from crs_cc.frontend.preprocess.tokens import tokenise
 >>> budget = Budget(left=1000)
->>> budget.spend(tokenise("a + b", 0), place=0)
+>>> budget.spend(tokenise("a + b", 0), position=0)
 >>> budget.left
 996
 """
@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.frontend.preprocess.source_text import Place
+from crs_cc.frontend.preprocess.source_text import Position
 from crs_cc.frontend.preprocess.tokens import Token
 
 MIN_TOKENS: Final = 200_000
@@ -26,12 +26,12 @@ class ExhaustedError(Exception):
     """The budget is used up.
 
     Attributes:
-        place: the macro call that exceeded it.
+        position: the macro call that exceeded it.
     """
 
-    def __init__(self, place: Place) -> None:
-        self.place = place
-        super().__init__(place)
+    def __init__(self, position: Position) -> None:
+        self.position = position
+        super().__init__(position)
 
 
 @dataclass(slots=True)
@@ -48,7 +48,7 @@ class Budget:
         """Raise the limit for further source text."""
         self.left += TOKENS_PER_CHARACTER * characters
 
-    def spend(self, tokens: Sequence[Token], place: Place) -> None:
+    def spend(self, tokens: Sequence[Token], position: Position) -> None:
         """Count tokens that are moved, and one more for the move itself.
 
         Raises:
@@ -56,4 +56,4 @@ class Budget:
         """
         self.left -= 1 + sum([1 + (len(token.text) >> 2) for token in tokens])
         if self.left < 0:
-            raise ExhaustedError(place)
+            raise ExhaustedError(position)

@@ -20,7 +20,7 @@ from collections.abc import Callable, Sequence
 from typing import Final, NamedTuple
 
 from crs_cc.frontend.preprocess.constants import Value, constant
-from crs_cc.frontend.preprocess.source_text import Place
+from crs_cc.frontend.preprocess.source_text import Position
 from crs_cc.frontend.preprocess.tokens import CHARACTER, NAME, NUMBER, STRING, Token, shown
 
 _COMPARE: Final[dict[str, Callable[[int, int], bool]]] = {
@@ -48,12 +48,12 @@ class ConditionError(Exception):
     """The expression has no value.
 
     Attributes:
-        place: the place of the error; None for the end of the expression.
+        position: the position of the error; None for the end of the expression.
         hint: a hint for the user.
     """
 
-    def __init__(self, place: Place | None, text: str, hint: str = "") -> None:
-        self.place = place
+    def __init__(self, position: Position | None, text: str, hint: str = "") -> None:
+        self.position = position
         self.hint = hint
         super().__init__(text)
 
@@ -63,7 +63,7 @@ class _Operator(NamedTuple):
 
     text: str
     precedence: int
-    place: Place
+    position: Position
 
 
 def evaluate(tokens: Sequence[Token]) -> bool:
@@ -76,7 +76,7 @@ def evaluate(tokens: Sequence[Token]) -> bool:
         raise ConditionError(None, "expected an expression")
     value = _Evaluation().value(tokens)
     if value.problem:
-        raise ConditionError(value.place, value.problem)
+        raise ConditionError(value.position, value.problem)
     return value.number != 0
 
 
@@ -101,7 +101,7 @@ class _Evaluation:
         if self.operators:
             waiting = self.operators[-1]
             partner = ")" if waiting.text == "(" else ":"
-            raise ConditionError(waiting.place, f"missing '{partner}' for '{waiting.text}'")
+            raise ConditionError(waiting.position, f"missing '{partner}' for '{waiting.text}'")
         return self.values[0]
 
     def _operand(self, token: Token, follower: str) -> bool:
@@ -109,20 +109,20 @@ class _Evaluation:
         text = token.text
         if token.kind == NAME:
             if follower == "(":
-                raise ConditionError(token.place, f"the macro '{shown(text)}' is not defined")
+                raise ConditionError(token.position, f"the macro '{shown(text)}' is not defined")
             self.values.append(Value(0, unsigned=False))
             return False
         if token.kind in (NUMBER, CHARACTER):
             self.values.append(constant(token))
             return False
         if text in ("+", "-", "!", "~"):
-            self.operators.append(_Operator(text + "x", _UNARY, token.place))
+            self.operators.append(_Operator(text + "x", _UNARY, token.position))
             return True
         if text == "(":
-            self.operators.append(_Operator(text, -1, token.place))
+            self.operators.append(_Operator(text, -1, token.position))
             return True
         what = "string" if token.kind == STRING else f"'{shown(text)}'"
-        raise ConditionError(token.place, f"unexpected {what} in the expression")
+        raise ConditionError(token.position, f"unexpected {what} in the expression")
 
     def _operator(self, token: Token) -> bool:
         """Read a token after an operand; return whether an operand must follow."""
@@ -131,17 +131,19 @@ class _Evaluation:
             opening = "(" if text == ")" else "?"
             self._apply_down_to(0)
             if not self.operators or self.operators[-1].text != opening:
-                raise ConditionError(token.place, f"'{text}' without '{opening}' before it")
+                raise ConditionError(token.position, f"'{text}' without '{opening}' before it")
             waiting = self.operators.pop()
             if text == ":":
-                self.operators.append(_Operator("?:", _PRECEDENCE["?"], waiting.place))
+                self.operators.append(_Operator("?:", _PRECEDENCE["?"], waiting.position))
             return text == ":"
         level = _PRECEDENCE.get(text)
         if level is None:
             hint = "compare with '=='" if text == "=" else ""
-            raise ConditionError(token.place, f"expected an operator before '{shown(text)}'", hint)
+            raise ConditionError(
+                token.position, f"expected an operator before '{shown(text)}'", hint
+            )
         self._apply_down_to(level + 1 if text == "?" else level)
-        self.operators.append(_Operator(text, level, token.place))
+        self.operators.append(_Operator(text, level, token.position))
         return True
 
     def _apply_down_to(self, level: int) -> None:
@@ -201,7 +203,7 @@ def _binary(operator: _Operator, left: Value, right: Value) -> Value:
         return faulty.with_number(_ARITHMETIC[text](a, b), unsigned=unsigned)
     if b == 0:
         problem = faulty.problem or "division by zero"
-        return Value(0, unsigned, problem, faulty.place if faulty.problem else operator.place)
+        return Value(0, unsigned, problem, faulty.position if faulty.problem else operator.position)
     quotient = abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
     return faulty.with_number(quotient if text == "/" else a - quotient * b, unsigned=unsigned)
 
@@ -232,7 +234,7 @@ def resolve_defined(tokens: Sequence[Token], is_defined: Callable[[str], bool]) 
             result.append(token)
             index += 1
             continue
-        result.append(Token(NUMBER, str(int(answer)), token.place, token.spaced))
+        result.append(Token(NUMBER, str(int(answer)), token.position, token.spaced))
     return result
 
 
@@ -240,9 +242,9 @@ def _operand_of_defined(tokens: Sequence[Token], index: int) -> tuple[str, int]:
     in_parentheses = index + 1 < len(tokens) and tokens[index + 1].text == "("
     at = index + 2 if in_parentheses else index + 1
     if at >= len(tokens) or tokens[at].kind != NAME:
-        raise ConditionError(tokens[index].place, "'defined' must be followed by a name")
+        raise ConditionError(tokens[index].position, "'defined' must be followed by a name")
     if not in_parentheses:
         return tokens[at].text, at + 1
     if at + 1 >= len(tokens) or tokens[at + 1].text != ")":
-        raise ConditionError(tokens[index].place, "missing ')' after 'defined'")
+        raise ConditionError(tokens[index].position, "missing ')' after 'defined'")
     return tokens[at].text, at + 2

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from typing import Final, NamedTuple
 
-from crs_cc.frontend.preprocess.source_text import Place
+from crs_cc.frontend.preprocess.source_text import Position
 from crs_cc.frontend.preprocess.tokens import CHARACTER, Token, shown
 
 SUFFIX: Final = r"(?:[uU](?:ll|LL|[lL])?|(?:ll|LL|[lL])[uU]?)?"
@@ -35,20 +35,20 @@ class Value(NamedTuple):
         number: the value.
         unsigned: its type.
         problem: the error in it; "" if there is none.
-        place: the place of the error.
+        position: the position of the error.
     """
 
     number: int
     unsigned: bool
     problem: str = ""
-    place: Place | None = None
+    position: Position | None = None
 
     def with_number(self, number: int, *, unsigned: bool) -> Value:
         """Return the value of a number reduced to the type's range, with the same error."""
         number &= (1 << 64) - 1
         if not unsigned and number >> 63:
             number -= 1 << 64
-        return Value(number, unsigned, self.problem, self.place)
+        return Value(number, unsigned, self.problem, self.position)
 
 
 def constant(token: Token) -> Value:
@@ -58,12 +58,12 @@ def constant(token: Token) -> Value:
     match = INTEGER.fullmatch(token.text.replace("'", ""))
     if match is None or len(token.text) > MAX_DIGITS:
         problem = f"'{shown(token.text)}' is not an integer"
-        return Value(0, unsigned=False, problem=problem, place=token.place)
+        return Value(0, unsigned=False, problem=problem, position=token.position)
     kind = next(each for each in _RADIX if match[each] is not None)
     number = int(match[kind], _RADIX[kind])
     if number >> 64:
         problem = f"{shown(token.text)} is too large"
-        return Value(0, unsigned=False, problem=problem, place=token.place)
+        return Value(0, unsigned=False, problem=problem, position=token.position)
     unsigned = "u" in match["suffix"].lower() or bool(number >> 63)
     return Value(number, unsigned)
 
@@ -76,7 +76,7 @@ def _character(token: Token) -> Value:
     for match in _ESCAPE.finditer(rest[:-1]):
         units += _units(match, width)
     if not units:
-        return Value(0, unsigned=False, problem="empty character constant", place=token.place)
+        return Value(0, unsigned=False, problem="empty character constant", position=token.position)
     number = 0
     for unit in units[-4:]:
         number = (number << 8 | unit & 0xFF) if width == 8 else unit & ((1 << width) - 1)

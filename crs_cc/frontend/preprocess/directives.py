@@ -20,7 +20,7 @@ from crs_cc.frontend.preprocess.gnu import KEYWORD, PACK
 from crs_cc.frontend.preprocess.macros import FEATURE_TESTS, RESERVED, read_definition
 from crs_cc.frontend.preprocess.output import WeakName
 from crs_cc.frontend.preprocess.regular_file import Refusal
-from crs_cc.frontend.preprocess.source_text import Place
+from crs_cc.frontend.preprocess.source_text import Position
 from crs_cc.frontend.preprocess.state import State
 from crs_cc.frontend.preprocess.tokens import NAME, NUMBER, STRING, Token, shown, spell, tokenise
 
@@ -37,21 +37,21 @@ class _Line:
 
     Attributes:
         name: the directive.
-        place: the place of its `#`.
+        position: the position of its `#`.
         rest: the text after the name.
-        rest_place: the place of that text.
+        rest_position: the position of that text.
     """
 
     name: str
-    place: Place
+    position: Position
     rest: str
-    rest_place: Place
+    rest_position: Position
 
     def tokens(self) -> list[Token]:
-        return tokenise(self.rest, self.rest_place)
+        return tokenise(self.rest, self.rest_position)
 
 
-def run_directive(state: State, text: str, place: Place) -> bool:
+def run_directive(state: State, text: str, position: Position) -> bool:
     """Execute a line if it is a directive.
 
     Returns:
@@ -64,12 +64,12 @@ def run_directive(state: State, text: str, place: Place) -> bool:
     match = _DIRECTIVE.match(text)
     if match is None:
         return False
-    hash_place = place + len(text) - len(text.lstrip())
-    line = _Line(match[1], hash_place, text[match.end() :], place + match.end())
+    hash_position = position + len(text) - len(text.lstrip())
+    line = _Line(match[1], hash_position, text[match.end() :], position + match.end())
     if state.reader.skipping and line.name not in _IN_SKIPPED_GROUPS:
         return True
     if line.name.isdigit():
-        line.rest, line.rest_place = match[1] + line.rest, place + match.start(1)
+        line.rest, line.rest_position = match[1] + line.rest, position + match.start(1)
         _line(state, line)  # the output of another preprocessor: # 12 "file.c"
     elif line.name in _DIRECTIVES:
         _DIRECTIVES[line.name](state, line)
@@ -79,14 +79,14 @@ def run_directive(state: State, text: str, place: Place) -> bool:
         hint = f"did you mean '#{close[0]}'?" if close else ""
         if name in _ASSERTIONS:
             hint = "assertions are obsolete in gcc; define a macro instead"
-        state.report.error(hash_place, f"unknown directive '#{shown(name)}'", hint)
+        state.report.error(hash_position, f"unknown directive '#{shown(name)}'", hint)
     return True
 
 
 def _define(state: State, line: _Line) -> None:
     tokens = line.tokens()
     if not tokens:
-        state.report.error(line.place, "'#define' must be followed by a name")
+        state.report.error(line.position, "'#define' must be followed by a name")
         return
     macro = read_definition(tokens, state.report)
     if macro is not None:
@@ -98,12 +98,12 @@ def _undef(state: State, line: _Line) -> None:
     if name is None:
         return
     if name.text in RESERVED:
-        state.report.error(name.place, f"'{name.text}' cannot be undefined")
+        state.report.error(name.position, f"'{name.text}' cannot be undefined")
         return
     macro = state.macros.get(name.text)
     if macro is not None and macro.dynamic is not None:
         state.report.warning(
-            name.place, f"undefining builtin macro '{name.text}'", flag="builtin-macro-redefined"
+            name.position, f"undefining builtin macro '{name.text}'", flag="builtin-macro-redefined"
         )
     state.undefine(name.text)
 
@@ -112,22 +112,22 @@ def _only_name(state: State, line: _Line) -> Token | None:
     """Return the only operand of a directive, a name."""
     tokens = line.tokens()
     if not tokens:
-        state.report.error(line.place, f"'#{line.name}' must be followed by a name")
+        state.report.error(line.position, f"'#{line.name}' must be followed by a name")
         return None
     if tokens[0].kind != NAME:
         state.report.error(
-            tokens[0].place,
+            tokens[0].position,
             f"'#{line.name}' must be followed by a name, not '{shown(tokens[0].text)}'",
         )
         return None
-    _demand_end(state, line, tokens[1:])
+    _require_end(state, line, tokens[1:])
     return tokens[0]
 
 
-def _demand_end(state: State, line: _Line, tokens: list[Token]) -> None:
+def _require_end(state: State, line: _Line, tokens: list[Token]) -> None:
     if tokens:
         state.report.warning(
-            tokens[0].place,
+            tokens[0].position,
             f"'{shown(tokens[0].text)}' after '#{line.name}' is ignored",
             flag="extra-tokens",
         )
@@ -137,23 +137,23 @@ def _include(state: State, line: _Line) -> None:
     header = _header_name(state, line)
     if header is None:
         return
-    name, quoted, place, after = header
-    _demand_end(state, line, after)
+    name, quoted, position, after = header
+    _require_end(state, line, after)
     here = state.reader.header if line.name == "include_next" else None
     found = state.headers.find(
         name, quoted=quoted, folder=state.reader.folder, after=here.root if here else None
     )
     if isinstance(found, Refusal):
-        ours = state.headers.find_ours(name, quoted=quoted, folder=state.reader.folder)
+        ours = state.headers.find_bundled(name, quoted=quoted, folder=state.reader.folder)
         if ours is None:
-            state.report.error(place, found.text, found.hint)
+            state.report.error(position, found.text, found.hint)
             state.report.is_complete = False
             return
         meant, found = ours
         state.report.warning(
-            place, f"'{shown(name)}' not found; using '{meant}'", flag="header-name"
+            position, f"'{shown(name)}' not found; using '{meant}'", flag="header-name"
         )
-    state.include(found, place)
+    state.include(found, position)
     if line.name == "import":
         state.once.add(found.file)
 
@@ -162,33 +162,33 @@ def _embed(state: State, line: _Line) -> None:
     header = _header_name(state, line)
     if header is None:
         return
-    name, quoted, place, after = header
+    name, quoted, position, after = header
     found = state.headers.find(name, quoted=quoted, folder=state.reader.folder)
     if isinstance(found, Refusal):
-        state.report.error(place, found.text, found.hint)
+        state.report.error(position, found.text, found.hint)
         return
-    state.pending += embed(state, found, state.expand(after), place)
+    state.pending += embed(state, found, state.expand(after), position)
 
 
-def _header_name(state: State, line: _Line) -> tuple[str, bool, Place, list[Token]] | None:
-    """Return a file's name, whether it is quoted, its place, and the tokens after it (6.10.2)."""
-    rest, place = line.rest, line.rest_place
+def _header_name(state: State, line: _Line) -> tuple[str, bool, Position, list[Token]] | None:
+    """Return a file name, whether it is quoted, its position, and the tokens after it (6.10.2)."""
+    rest, position = line.rest, line.rest_position
     match = HEADER.match(rest)
     if match is None:
         tokens = state.expand(line.tokens())
         if not tokens:
-            state.report.error(line.place, f"'#{line.name}' must be followed by a header's name")
+            state.report.error(line.position, f"'#{line.name}' must be followed by a header's name")
             return None
-        rest, place = spell(tokens), tokens[0].place
+        rest, position = spell(tokens), tokens[0].position
         match = HEADER.match(rest)
         if match is None:
-            state.report.error(place, 'write "name.h" or <name.h>')
+            state.report.error(position, 'write "name.h" or <name.h>')
             return None
-        after = tokenise(rest[match.end() :], place) if line.name == "embed" else []
+        after = tokenise(rest[match.end() :], position) if line.name == "embed" else []
     else:
-        place += len(rest) - len(rest.lstrip())
-        after = tokenise(rest[match.end() :], line.rest_place + match.end())
-    return match[1] or match[2] or "", match[1] is not None, place, after
+        position += len(rest) - len(rest.lstrip())
+        after = tokenise(rest[match.end() :], line.rest_position + match.end())
+    return match[1] or match[2] or "", match[1] is not None, position, after
 
 
 def _condition(state: State, line: _Line) -> bool:
@@ -206,25 +206,25 @@ def _condition(state: State, line: _Line) -> bool:
             tokens = [_truth(each) for each in tokens]
         return evaluate(tokens)
     except ConditionError as error:
-        place = line.place if error.place is None else error.place
-        state.report.error(place, f"in '#{line.name}': {error}", error.hint)
+        position = line.position if error.position is None else error.position
+        state.report.error(position, f"in '#{line.name}': {error}", error.hint)
         return False
 
 
 def _truth(token: Token) -> Token:
     """Return the number that C23's `true` is."""
     is_true = token.kind == NAME and token.text == "true"
-    return Token(NUMBER, "1", token.place, token.spaced) if is_true else token
+    return Token(NUMBER, "1", token.position, token.spaced) if is_true else token
 
 
 def _if(state: State, line: _Line) -> None:
     holds = not state.reader.skipping and _condition(state, line)
-    conditionals.open_group(state.reader, f"#{line.name}", line.place, holds=holds)
+    conditionals.open_group(state.reader, f"#{line.name}", line.position, holds=holds)
 
 
 def _ifdef(state: State, line: _Line) -> None:
     holds = not state.reader.skipping and _names_a_macro(state, line)
-    conditionals.open_group(state.reader, f"#{line.name}", line.place, holds=holds)
+    conditionals.open_group(state.reader, f"#{line.name}", line.position, holds=holds)
 
 
 def _names_a_macro(state: State, line: _Line) -> bool:
@@ -239,27 +239,27 @@ def _names_a_macro(state: State, line: _Line) -> bool:
 def _elif(state: State, line: _Line) -> None:
     judge = _condition if line.name == "elif" else _names_a_macro
     conditionals.start_elif(
-        state.reader, f"#{line.name}", line.place, state.report, lambda: judge(state, line)
+        state.reader, f"#{line.name}", line.position, state.report, lambda: judge(state, line)
     )
 
 
 def _else(state: State, line: _Line) -> None:
-    _demand_end(state, line, line.tokens())
-    conditionals.start_else(state.reader, line.place, state.report)
+    _require_end(state, line, line.tokens())
+    conditionals.start_else(state.reader, line.position, state.report)
 
 
 def _endif(state: State, line: _Line) -> None:
-    _demand_end(state, line, line.tokens())
-    conditionals.end_group(state.reader, line.place, state.report)
+    _require_end(state, line, line.tokens())
+    conditionals.end_group(state.reader, line.position, state.report)
 
 
 def _error(state: State, line: _Line) -> None:
-    state.report.error(line.place, shown(f"#error {line.rest.strip()}".rstrip(), 500))
+    state.report.error(line.position, shown(f"#error {line.rest.strip()}".rstrip(), 500))
 
 
 def _warning(state: State, line: _Line) -> None:
     state.report.warning(
-        line.place, shown(f"#warning {line.rest.strip()}".rstrip(), 500), flag="cpp"
+        line.position, shown(f"#warning {line.rest.strip()}".rstrip(), 500), flag="cpp"
     )
 
 
@@ -268,19 +268,19 @@ def _line(state: State, line: _Line) -> None:
     tokens = state.expand(line.tokens())
     digits = tokens[0].text if tokens else ""
     if not (digits.isdigit() and digits.isascii() and len(digits) <= 10):
-        state.report.error(line.place, "'#line' must be followed by a line number")
+        state.report.error(line.position, "'#line' must be followed by a line number")
         return
     number = int(digits)
     if not 0 <= number <= MAX_LINE:
-        state.report.error(tokens[0].place, f"a line number is at most {MAX_LINE}")
+        state.report.error(tokens[0].position, f"a line number is at most {MAX_LINE}")
         return
     if len(tokens) > 1:
         if tokens[1].kind != STRING or tokens[1].text[0] != '"':
-            state.report.error(tokens[1].place, "the file name of '#line' must be in quotes")
+            state.report.error(tokens[1].position, "the file name of '#line' must be in quotes")
             return
         state.reader.presumed_name = re.sub(r"\\(.)", r"\1", tokens[1].text[1:-1])
     reader = state.reader
-    next_line = reader.text.location(reader.place).line
+    next_line = reader.text.location(reader.position).line
     reader.line_offset = number - next_line
 
 
@@ -296,14 +296,14 @@ def execute_pragma(state: State, tokens: list[Token]) -> list[Token]:
             state.once.add(state.reader.header.file)
     elif name == "pack":
         words = [KEYWORD, "(", "(", PACK, *(each.text for each in tokens[1:]), ")", ")"]
-        return tokenise(" ".join(words), tokens[0].place)
+        return tokenise(" ".join(words), tokens[0].position)
     elif name in ("push_macro", "pop_macro"):
         _keep_macro(state, tokens)
     elif name == "weak":
         _weak(state, tokens)
     elif name in _PRAGMAS_WITH_MEANING:
         state.report.warning(
-            tokens[0].place, f"'#pragma {name}' is ignored", flag="unknown-pragmas"
+            tokens[0].position, f"'#pragma {name}' is ignored", flag="unknown-pragmas"
         )
     return []
 
@@ -312,7 +312,7 @@ def _keep_macro(state: State, tokens: list[Token]) -> None:
     """Execute `#pragma push_macro("NAME")` or `pop_macro`."""
     if [token.text for token in tokens[1:2] + tokens[3:]] != ["(", ")"] or len(tokens) != 4:
         state.report.warning(
-            tokens[0].place,
+            tokens[0].position,
             f"'#pragma {tokens[0].text}' must be followed by a name in quotes",
             flag="pragmas",
         )
@@ -333,9 +333,9 @@ def _weak(state: State, tokens: list[Token]) -> None:
     shape = [NAME if each.kind == NAME else each.text for each in tokens[1:]]
     if shape not in ([NAME], [NAME, "=", NAME]):
         text = "malformed '#pragma weak' is ignored: expected 'name' or 'name = other'"
-        state.report.warning(tokens[0].place, text, flag="pragmas")
+        state.report.warning(tokens[0].position, text, flag="pragmas")
         return
-    location = state.report.places.location(tokens[1].place)
+    location = state.report.source_map.location(tokens[1].position)
     state.weak[tokens[1].text] = WeakName(location, "" if len(shape) == 1 else tokens[3].text)
 
 

@@ -1,12 +1,12 @@
-"""Macros whose value depends on their place: `__LINE__`, `__FILE__`, `__COUNTER__`.
+"""Macros whose value depends on their position: `__LINE__`, `__FILE__`, `__COUNTER__`.
 
 >>> from pathlib import Path
 >>> from crs_cc.frontend.preprocess.includes import Headers
 >>> from crs_cc.frontend.preprocess.report import Report
->>> from crs_cc.frontend.preprocess.source_text import Places
+>>> from crs_cc.frontend.preprocess.source_text import SourceMap
 >>> from crs_cc.frontend.preprocess.options import Options
 >>> from crs_cc.core.source import Diagnostics
->>> state = State(Report(Diagnostics(), Places()), Headers(Path("."), Options()))
+>>> state = State(Report(Diagnostics(), SourceMap()), Headers(Path("."), Options()))
 >>> {macro.name for macro in dynamic_macros(state)} >= {"__LINE__", "__FILE__"}
 True
 """
@@ -26,7 +26,7 @@ def dynamic_macros(state: State) -> list[Macro]:
     counter = count()
 
     def line(token: Token) -> str:
-        return str(state.report.places.location(token.place).line + state.reader.line_offset)
+        return str(state.report.source_map.location(token.position).line + state.reader.line_offset)
 
     values: dict[str, Callable[[Token], str]] = {
         "__LINE__": line,
@@ -45,7 +45,7 @@ def dynamic_macros(state: State) -> list[Macro]:
 
 def _maker(kind: str, value: Callable[[Token], str]) -> Callable[[Token], Token]:
     def make(token: Token) -> Token:
-        return Token(kind, value(token), token.place, token.spaced)
+        return Token(kind, value(token), token.position, token.spaced)
 
     return make
 

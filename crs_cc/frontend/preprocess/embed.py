@@ -16,7 +16,7 @@ from crs_cc.frontend.preprocess.tokens import NUMBER, Token, shown
 
 if TYPE_CHECKING:
     from crs_cc.frontend.preprocess.includes import Header
-    from crs_cc.frontend.preprocess.source_text import Place
+    from crs_cc.frontend.preprocess.source_text import Position
     from crs_cc.frontend.preprocess.state import State
 
 MAX_EMBEDDED: Final = 1 << 17
@@ -30,33 +30,37 @@ def numbers(content: bytes) -> str:
     return ",".join(map(str, content))
 
 
-def embed(state: State, header: Header, tokens: Sequence[Token], place: Place) -> list[Token]:
+def embed(state: State, header: Header, tokens: Sequence[Token], position: Position) -> list[Token]:
     """Return the tokens that replace `#embed`; report its errors.
 
     Args:
         state: the run.
         header: the file.
         tokens: the parameters after its name, with their macros replaced.
-        place: the place of the file's name.
+        position: the position of the file's name.
     """
     try:
         parameters = _read(tokens)
         limit = _limit(parameters.get("limit"))
     except ConditionError as error:
-        state.report.error(place if error.place is None else error.place, str(error), error.hint)
+        state.report.error(
+            position if error.position is None else error.position, str(error), error.hint
+        )
         return []
     content = header.read()
     if isinstance(content, Refusal):
-        state.report.error(place, f"'{header.path}' {content.text}", content.hint)
+        state.report.error(position, f"'{header.path}' {content.text}", content.hint)
         return []
     content = content[:limit]
     if not content:
         return parameters.get("if_empty", [])
     if len(content) > MAX_EMBEDDED:
         text = f"'{header.path}' is larger than {MAX_EMBEDDED} bytes"
-        state.report.error(place, text, "limit(...) takes the first bytes; or read it at run time")
+        state.report.error(
+            position, text, "limit(...) takes the first bytes; or read it at run time"
+        )
         return []
-    literal = Token(NUMBER, numbers(content), place, spaced=True)
+    literal = Token(NUMBER, numbers(content), position, spaced=True)
     return [*parameters.get("prefix", []), literal, *parameters.get("suffix", [])]
 
 
@@ -67,7 +71,9 @@ def _read(tokens: Sequence[Token]) -> dict[str, list[Token]]:
     while index < len(tokens):
         name = tokens[index]
         if name.text.strip("_") not in _PARAMETERS:
-            raise ConditionError(name.place, f"unknown parameter '{shown(name.text)}' of '#embed'")
+            raise ConditionError(
+                name.position, f"unknown parameter '{shown(name.text)}' of '#embed'"
+            )
         inside: list[Token] = []
         depth, index = 0, index + 1
         while index < len(tokens):
@@ -78,7 +84,7 @@ def _read(tokens: Sequence[Token]) -> dict[str, list[Token]]:
                 break
         if depth or len(inside) < 2:
             text = f"'{name.text}' must be followed by its value in parentheses"
-            raise ConditionError(name.place, text)
+            raise ConditionError(name.position, text)
         found[name.text.strip("_")] = inside[1:-1]
     return found
 
@@ -89,6 +95,6 @@ def _limit(tokens: Sequence[Token] | None) -> int | None:
     is_number = len(tokens) == 1 and tokens[0].kind == NUMBER
     value = constant(tokens[0]) if is_number else None
     if value is None or value.problem:
-        place = tokens[0].place if tokens else None
-        raise ConditionError(place, "'limit' of '#embed' must be a number")
+        position = tokens[0].position if tokens else None
+        raise ConditionError(position, "'limit' of '#embed' must be a number")
     return value.number

@@ -8,10 +8,10 @@ not stack. Macros become active and inactive in the same order as in gcc, which 
 that the standard leaves unspecified.
 
 >>> from crs_cc.frontend.preprocess.macros import read_definition
->>> from crs_cc.frontend.preprocess.source_text import Places
+>>> from crs_cc.frontend.preprocess.source_text import SourceMap
 >>> from crs_cc.frontend.preprocess.tokens import spell, tokenise
 >>> from crs_cc.core.source import Diagnostics
->>> report = Report(Diagnostics(), Places())
+>>> report = Report(Diagnostics(), SourceMap())
 >>> macros = {"f": read_definition(tokenise("f(x) x * f(x + 1)", 0), report)}
 >>> spell(expand(tokenise("f(f(a))", 0), macros, Budget(), report))
 'a * f(a + 1) * f(a * f(a + 1) + 1)'
@@ -25,15 +25,15 @@ from dataclasses import dataclass, field
 from crs_cc.frontend.preprocess.budget import Budget
 from crs_cc.frontend.preprocess.macros import DEFINED, Macro
 from crs_cc.frontend.preprocess.report import Report
-from crs_cc.frontend.preprocess.source_text import Place
+from crs_cc.frontend.preprocess.source_text import Position
 from crs_cc.frontend.preprocess.substitute import substitute
 from crs_cc.frontend.preprocess.tokens import NAME, Token
 
 MoreTokens = Callable[[], list[Token] | None]
 """Returns the tokens of the next line, None at the end of the file."""
 
-MacroUses = dict[Place, list[Macro]]
-"""The macros that were replaced at a place: the one that was called and those in its body."""
+MacroUses = dict[Position, list[Macro]]
+"""The macros that were replaced at a position: the one that was called and those in its body."""
 
 
 def expand(
@@ -128,7 +128,7 @@ class _Expansion:
         while job.contexts:
             for token in job.contexts[-1].tokens:
                 if job.owes_space:
-                    token = token.moved(token.place, spaced=True)  # noqa: PLW2901 - the same token
+                    token = token.moved(token.position, spaced=True)  # noqa: PLW2901 - the same token
                     job.owes_space = False
                 if token.text not in macros or token.painted or token.kind != NAME:
                     output.append(token)
@@ -207,7 +207,7 @@ class _Expansion:
             elif text in self.active and token.kind == NAME:
                 token = _painted(token)
             arguments[-1].append(token)
-        self.report.error(name.place, f"unterminated call of macro '{macro.name}': missing ')'")
+        self.report.error(name.position, f"unterminated call of macro '{macro.name}': missing ')'")
         return None
 
     def _fit(
@@ -216,7 +216,7 @@ class _Expansion:
         """Return the arguments of a call, one for each parameter; None if their number is wrong."""
         assert macro.parameters is not None
         for argument in arguments:
-            self.budget.spend(argument, name.place)
+            self.budget.spend(argument, name.position)
         wanted = len(macro.parameters)
         if wanted == 0 and arguments == [[]]:
             return []
@@ -228,7 +228,7 @@ class _Expansion:
         number = f"{'at least ' if macro.variadic else ''}{fewest}"
         plural = "" if fewest == 1 else "s"
         self.report.error(
-            name.place,
+            name.position,
             f"macro '{macro.name}' requires {number} argument{plural}, but has {len(arguments)}",
         )
         return None
@@ -260,7 +260,7 @@ class _Expansion:
             budget=self.budget,
             report=self.report,
         )
-        self.uses.setdefault(name.place, []).append(call.macro)
+        self.uses.setdefault(name.position, []).append(call.macro)
         if tokens:
             job.contexts.append(_Context(iter(tokens), name.text))
             self.active.add(name.text)
@@ -270,4 +270,4 @@ class _Expansion:
 
 
 def _painted(token: Token) -> Token:
-    return Token(token.kind, token.text, token.place, token.spaced, painted=True)
+    return Token(token.kind, token.text, token.position, token.spaced, painted=True)

@@ -57,7 +57,7 @@ def resolve_features(state: State, tokens: Sequence[Token], *, expanded: bool) -
             result += tokens[index:stop]
         else:
             value = _value(state, token, inside)
-            result.append(Token(NUMBER, value, token.place, token.spaced))
+            result.append(Token(NUMBER, value, token.position, token.spaced))
         index = stop
     return result
 
@@ -68,7 +68,7 @@ def _operand(tokens: Sequence[Token], index: int) -> tuple[Sequence[Token], int]
     what = "an attribute" if operator.text == "__has_c_attribute" else "a header"
     if [each.text for each in tokens[index + 1 : index + 2]] != ["("] or index + 2 >= len(tokens):
         text = f"'{operator.text}' must be followed by {what} in parentheses"
-        raise ConditionError(operator.place, text)
+        raise ConditionError(operator.position, text)
     stop = index + 2
     if tokens[stop].text == "<":
         while stop < len(tokens) and tokens[stop].text[-1:] != ">":
@@ -78,7 +78,7 @@ def _operand(tokens: Sequence[Token], index: int) -> tuple[Sequence[Token], int]
         depth += {"(": 1, ")": -1}.get(tokens[stop].text, 0)
         stop += 1
     if stop >= len(tokens) or stop == index + 2:
-        raise ConditionError(operator.place, f"missing ')' after '{operator.text}'")
+        raise ConditionError(operator.position, f"missing ')' after '{operator.text}'")
     return tokens[index + 2 : stop], stop + 1
 
 
@@ -88,7 +88,7 @@ def _value(state: State, operator: Token, inside: Sequence[Token]) -> str:
     is_only = operator.text == "__has_include" and inside[0].kind == STRING and len(inside) > 1
     match = HEADER.match(spell(inside))
     if match is None or is_only:
-        raise ConditionError(operator.place, 'write "name.h" or <name.h>')
+        raise ConditionError(operator.position, 'write "name.h" or <name.h>')
     name, quoted = match[1] or match[2] or "", match[1] is not None
     found = state.headers.find(name, quoted=quoted, folder=state.reader.folder)
     if isinstance(found, Refusal):

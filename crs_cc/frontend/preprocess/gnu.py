@@ -6,10 +6,10 @@ keyword with a standard equivalent goes into `_EQUIVALENTS`, one with parenthese
 rewritten, so syntax without a keyword, such as `case 1 ... 5`, must be excluded by
 `spelling.is_plain`.
 
->>> from crs_cc.frontend.preprocess.source_text import Places
+>>> from crs_cc.frontend.preprocess.source_text import SourceMap
 >>> from crs_cc.frontend.preprocess.tokens import spell, tokenise
 >>> from crs_cc.core.source import Diagnostics
->>> gnu = GnuSyntax(Report(Diagnostics(), Places()), lambda tokens: [])
+>>> gnu = GnuSyntax(Report(Diagnostics(), SourceMap()), lambda tokens: [])
 >>> line = "static __inline__ int f(void), x asm(\"y\") __attribute((unused));"
 >>> spell(gnu.rewrite(tokenise(line, 0), before=lambda: ""))
 'static __inline int f(void), x __attribute__((__asm_label__("y"))) __attribute__((unused));'
@@ -123,7 +123,7 @@ class GnuSyntax:
             if text not in WORDS or token.kind != NAME or text in self._names:
                 result.append(token)
             elif text in _EQUIVALENTS:
-                result.append(Token(NAME, _EQUIVALENTS[text], token.place, token.spaced))
+                result.append(Token(NAME, _EQUIVALENTS[text], token.position, token.spaced))
             elif text in _CONSTRUCTS:
                 is_label = text in _ASM and _follows_declarator(before(), result)
                 self._construct = _Construct(token, is_label)
@@ -133,7 +133,7 @@ class GnuSyntax:
         """Report a construct that is open at the end of the program."""
         if self._construct is not None:
             word = self._construct.word
-            self._report.error(word.place, f"missing ')' after '{word.text}'")
+            self._report.error(word.position, f"missing ')' after '{word.text}'")
             self._construct = None
 
     def _continue_construct(self, construct: _Construct, token: Token, result: list[Token]) -> bool:
@@ -147,7 +147,7 @@ class GnuSyntax:
                 self._close_asm(construct)
             else:
                 word = construct.word.text
-                self._report.error(token.place, f"expected '(' after '{word}'")
+                self._report.error(token.position, f"expected '(' after '{word}'")
             return False
         construct.depth += {"(": 1, ")": -1}.get(token.text, 0)
         construct.inside.append(token)
@@ -168,13 +168,13 @@ class GnuSyntax:
             return []
         literal = "".join(each.text for each in construct.inside[1:-1])
         text = literal.removeprefix("L").strip('"').replace('\\"', '"')
-        return self._pragma(tokenise(text.replace("\\\\", "\\"), construct.word.place))
+        return self._pragma(tokenise(text.replace("\\\\", "\\"), construct.word.position))
 
     def _close_asm(self, construct: _Construct) -> None:
         """Reject statements."""
         if not construct.is_label:
             self._report.error(
-                construct.word.place,
+                construct.word.position,
                 "inline assembly is not supported",
                 "write it in C where __CRS__ is defined",
             )
@@ -209,23 +209,23 @@ def _operands(tokens: Sequence[Token]) -> list[tuple[str, list[Token]]]:
 def _matched(sections: list[list[Token]]) -> list[Token]:
     """Return the effect of an `asm` without code: an input moves to the output that it shares.
 
-    An input with the constraint "0" is in the same place as the first output.
+    An input with the constraint "0" is in the same position as the first output.
     """
     outputs = _operands(sections[1]) if len(sections) > 1 else []
     result: list[Token] = []
     for constraint, value in _operands(sections[2]) if len(sections) > 2 else []:
         if constraint.isdigit() and int(constraint) < len(outputs) and value:
-            comma = tokenise(",", value[0].place) if result else []
-            equals = tokenise("=", value[0].place)
+            comma = tokenise(",", value[0].position) if result else []
+            equals = tokenise("=", value[0].position)
             result += [*comma, *outputs[int(constraint)][1], *equals, *value]
     return result
 
 
 def _label(construct: _Construct) -> list[Token]:
     """Return the assembler name of a declared object or function as an attribute."""
-    place = construct.word.place
-    begin = [each.moved(place, each.spaced) for each in tokenise(f" {KEYWORD}(({ASM_LABEL}", 0)]
-    return [*begin, *construct.inside, *tokenise("))", place)]
+    position = construct.word.position
+    begin = [each.moved(position, each.spaced) for each in tokenise(f" {KEYWORD}(({ASM_LABEL}", 0)]
+    return [*begin, *construct.inside, *tokenise("))", position)]
 
 
 def _follows_declarator(before: str, tokens: Sequence[Token]) -> bool:

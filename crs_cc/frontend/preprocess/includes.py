@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Final
 
 from crs_cc.core.file_names import from_text
-from crs_cc.frontend.preprocess.missing_header import header_of_ours, hint_for_missing
+from crs_cc.frontend.preprocess.missing_header import bundled_header, hint_for_missing
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.regular_file import Refusal, digest, read_regular_file
 from crs_cc.frontend.preprocess.tokens import shown
@@ -104,7 +104,7 @@ class Headers:
         elif starts_beside:
             folders.insert(0, folder)
         outside = False
-        for place, each in enumerate(folders):
+        for index, each in enumerate(folders):
             path = each / from_text(name)
             file = _resolved(path)
             if file and not any(file.is_relative_to(root) for root in self._roots):
@@ -114,7 +114,7 @@ class Headers:
             if str(path) not in self._digests:
                 self._digests[str(path)] = digest(path)
             if file and _exists(file):
-                return Header(path, file, each, name, starts_beside and place == 0)
+                return Header(path, file, each, name, starts_beside and index == 0)
         if name in self._generated:
             path = Path(GENERATED, name)
             content = self._generated[name].encode()
@@ -124,9 +124,9 @@ class Headers:
             return Refusal(text, _ROOT_HINT)
         return self._missing(name, folders)
 
-    def find_ours(self, name: str, *, quoted: bool, folder: Path) -> tuple[str, Header] | None:
-        """Return our header for a name that `find` refuses, with its usual name."""
-        meant = header_of_ours(name, self.system_paths)
+    def find_bundled(self, name: str, *, quoted: bool, folder: Path) -> tuple[str, Header] | None:
+        """Return the bundled header that a name not found by `find` means, with its own name."""
+        meant = bundled_header(name, self.system_paths)
         found = self.find(meant, quoted=quoted, folder=folder) if meant else None
         return (meant, found) if isinstance(found, Header) else None
 

@@ -15,7 +15,7 @@ from crs_cc.core.source import Diagnostic, Diagnostics, Location
 from crs_cc.frontend.preprocess.macros import Macro
 from crs_cc.frontend.preprocess.preprocessor import Preprocessed
 
-_PLACE: Final = re.compile(r"\bat (\S+:\d+:\d+)")
+_LOCATION: Final = re.compile(r"\bat (\S+:\d+:\d+)")
 _QUOTED: Final = re.compile(r"'([^']+)'")
 
 
@@ -29,7 +29,7 @@ def add_macro_notes(
         source: the file.
         headers: the directories of the headers that come with crs; their macros are not shown.
     """
-    uses = {str(place): macros for place, macros in source.macro_uses().items()}
+    uses = {str(location): macros for location, macros in source.macro_uses().items()}
     messages, noted = list(diagnostics.messages), set[str]()
     diagnostics.messages.clear()
     for message in messages:
@@ -44,12 +44,12 @@ def add_macro_notes(
 def _note(
     message: Diagnostic, uses: Mapping[str, Sequence[Macro]], source: Preprocessed
 ) -> tuple[Location, str] | None:
-    places = [str(message.location), *_PLACE.findall(message.hint)]
-    macros = next((uses[place] for place in places if place in uses), None)
+    locations = [str(message.location), *_LOCATION.findall(message.hint)]
+    macros = next((uses[location] for location in locations if location in uses), None)
     if macros is None:
         return None
     macro = _blamed(message.text, macros)
-    if not macro.place:
+    if not macro.position:
         return None  # a predefined macro
     first = f", which '{macros[0].name}' uses," if macro is not macros[0] else ""
     return source.definition(macro), f"macro '{macro.name}'{first} is defined here"
@@ -63,5 +63,5 @@ def _blamed(text: str, macros: Sequence[Macro]) -> Macro:
     )
 
 
-def _is_below(place: Location, folders: Sequence[Path]) -> bool:
-    return any(Path(place.file).is_relative_to(folder) for folder in folders)
+def _is_below(location: Location, folders: Sequence[Path]) -> bool:
+    return any(Path(location.file).is_relative_to(folder) for folder in folders)

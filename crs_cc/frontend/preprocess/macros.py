@@ -3,10 +3,10 @@
 The body is analysed once, when the macro is defined: `Macro.parts` describes the replacement of
 each of its parts.
 
->>> from crs_cc.frontend.preprocess.source_text import Places
+>>> from crs_cc.frontend.preprocess.source_text import SourceMap
 >>> from crs_cc.frontend.preprocess.tokens import tokenise
 >>> from crs_cc.core.source import Diagnostics
->>> report = Report(Diagnostics(), Places())
+>>> report = Report(Diagnostics(), SourceMap())
 >>> macro = read_definition(tokenise("JOIN(a, b) x = a ## b + #a", 0), report)
 >>> [(part.kind, part.token.text, part.pasted) for part in macro.parts][2:5]
 [('raw', 'a', False), ('raw', 'b', True), ('token', '+', False)]
@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from crs_cc.frontend.preprocess.report import Report
-from crs_cc.frontend.preprocess.source_text import Place
+from crs_cc.frontend.preprocess.source_text import Position
 from crs_cc.frontend.preprocess.tokens import HASH, NAME, PASTE, PUNCTUATOR, Token, shown
 
 VARIADIC: Final = "__VA_ARGS__"
@@ -67,7 +67,7 @@ class Macro:
         parts: the replacement of the body.
         expanded: the indices of the arguments that must be expanded.
         pastes: whether its body contains `##`.
-        place: the place of its definition.
+        position: the position of its definition.
         dynamic: for `__LINE__` and the like, the function that returns its value.
     """
 
@@ -78,7 +78,7 @@ class Macro:
     parts: tuple[Part, ...]
     expanded: tuple[int, ...]
     pastes: bool
-    place: Place
+    position: Position
     dynamic: Callable[[Token], Token] | None = None
 
     def same_as(self, other: Macro) -> bool:
@@ -116,10 +116,10 @@ def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
     """Parse the tokens after `#define`; return None if they are not a definition."""
     name = tokens[0]
     if name.kind != NAME:
-        report.error(name.place, f"macro name must be an identifier, not '{shown(name.text)}'")
+        report.error(name.position, f"macro name must be an identifier, not '{shown(name.text)}'")
         return None
     if name.text in RESERVED:
-        report.error(name.place, f"'{name.text}' cannot be the name of a macro")
+        report.error(name.position, f"'{name.text}' cannot be the name of a macro")
         return None
     if len(tokens) > 1 and tokens[1].text == "(" and not tokens[1].spaced:
         signature = _read_parameters(tokens, report)
@@ -130,7 +130,9 @@ def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
         parameters, variadic, start = None, False, 1
         if len(tokens) > 1 and not tokens[1].spaced:
             report.warning(
-                tokens[1].place, "missing white space after the macro's name", flag="missing-space"
+                tokens[1].position,
+                "missing white space after the macro's name",
+                flag="missing-space",
             )
     reader = _BodyReader(tokens[start:], parameters, variadic, report)
     parts = reader.read()
@@ -144,7 +146,7 @@ def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
         parts,
         tuple(sorted(reader.expanded)),
         any(part.pasted for part in parts),
-        name.place,
+        name.position,
     )
 
 
@@ -171,17 +173,17 @@ def _read_parameters(
             variadic, expected = True, "')'"  # GNU: a name for the variadic parameter
         elif token.kind == NAME and "parameter" in expected:
             if token.text in names or token.text in (VARIADIC, OPTIONAL):
-                report.error(token.place, f"'{shown(token.text)}' cannot be a parameter here")
+                report.error(token.position, f"'{shown(token.text)}' cannot be a parameter here")
                 return None
             names[token.text] = None
             expected = "',' or ')'"
         else:
             report.error(
-                token.place,
+                token.position,
                 f"expected {expected} in the macro's parameters, found '{shown(token.text)}'",
             )
             return None
-    report.error(tokens[-1].place, "missing ')' in the macro's parameters")
+    report.error(tokens[-1].position, "missing ')' in the macro's parameters")
     return None
 
 
@@ -215,7 +217,7 @@ class _BodyReader:
             if token.text in PASTE and token.kind == PUNCTUATOR:
                 if not parts or index + 1 == end:
                     self.report.error(
-                        token.place, f"'{token.text}' cannot be at either end of a macro's body"
+                        token.position, f"'{token.text}' cannot be at either end of a macro's body"
                     )
                     return None
                 pasted = True
@@ -243,14 +245,14 @@ class _BodyReader:
                 option = self._read_option(index + 1, end, pasted)
                 return None if option is None else (replace(option[0], quoted=True), option[1])
             if follower.text not in self.numbers:
-                self.report.error(token.place, "'#' is not followed by a parameter of the macro")
+                self.report.error(token.position, "'#' is not followed by a parameter of the macro")
                 return None
             return Part("string", token, self.numbers[follower.text], pasted), index + 2
         number = self.numbers.get(token.text)
         if number is None:
             if token.text in (VARIADIC, OPTIONAL):
                 self.report.warning(
-                    token.place, f"'{token.text}' is not allowed here", flag="stray-token"
+                    token.position, f"'{token.text}' is not allowed here", flag="stray-token"
                 )
             return Part("token", token, pasted=pasted), index + 1
         if index + 1 < end and self.body[index + 1].text in PASTE:
@@ -268,7 +270,7 @@ class _BodyReader:
         token = self.body[index]
         close = _closing(self.body, index + 1, end)
         if close is None:
-            self.report.error(token.place, f"'{OPTIONAL}' must be followed by parentheses")
+            self.report.error(token.position, f"'{OPTIONAL}' must be followed by parentheses")
             return None
         inside = self._read(index + 2, close, in_option=True)
         if inside is None:

@@ -47,8 +47,8 @@ _MAX_LISTED: Final = 1000
 _VENDORS: Final = "nclient.h"
 
 
-def header_of_ours(name: str, folders: Sequence[Path]) -> str:
-    """Return the name of our header for a name that is not the name of a file.
+def bundled_header(name: str, folders: Sequence[Path]) -> str:
+    """Return the name of the bundled header that an unknown header name means.
 
     Programs for other systems use other letter case, and include the standard headers and the
     vendor's by the path of their installation.

@@ -1,11 +1,11 @@
 r"""The preprocessed program, with a map back to the user's files.
 
->>> places = Places()
->>> text = places.add("a.c", "  int speed = FAST;")
+>>> source_map = SourceMap()
+>>> text = source_map.add("a.c", "  int speed = FAST;")
 >>> writer = Writer()
 >>> writer.line("  int x;", text.start)
 >>> writer.tokens([Token("name", "speed", 6, False), Token("number", "200", 14, True)])
->>> program = writer.finish(places)
+>>> program = writer.finish(source_map)
 >>> program.text, str(program.location(1, 3)), str(program.location(2, 7))
 ('  int x;\nspeed 200\n', 'a.c:1:3', 'a.c:1:15')
 """
@@ -19,16 +19,16 @@ from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.preprocess.macros import Macro
-from crs_cc.frontend.preprocess.source_text import Place, Places
+from crs_cc.frontend.preprocess.source_text import Position, SourceMap
 from crs_cc.frontend.preprocess.tokens import NAME, NUMBER, PUNCTUATOR, Token
 
 
 @dataclass(frozen=True, slots=True)
 class _TokenLine:
-    """The columns of the tokens in a line of output, and the places that they come from."""
+    """The columns of the tokens in a line of output, and the positions that they come from."""
 
     columns: list[int]
-    places: list[Place]
+    positions: list[Position]
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +46,7 @@ class Preprocessed:
     Attributes:
         text: the program, for the parser.
         macros: the macros at its end, by name.
-        uses: the macros that were replaced, by place.
+        uses: the macros that were replaced, by position.
         weak: the names of `#pragma weak`, wherever in the program it is.
         more: preprocesses another text, given its name and content, after the last line.
         is_complete: whether all files were read to their ends. If not, what follows in the program
@@ -55,10 +55,10 @@ class Preprocessed:
 
     text: str
     _rows: list[str]
-    _lines: list[Place | _TokenLine]
-    _places: Places
+    _lines: list[Position | _TokenLine]
+    _source_map: SourceMap
     macros: Mapping[str, Macro] = field(default_factory=dict)
-    uses: Mapping[Place, Sequence[Macro]] = field(default_factory=dict)
+    uses: Mapping[Position, Sequence[Macro]] = field(default_factory=dict)
     weak: Mapping[str, WeakName] = field(default_factory=dict)
     more: Callable[[str, str], Preprocessed] | None = None
     is_complete: bool = True
@@ -66,7 +66,7 @@ class Preprocessed:
     @property
     def files(self) -> tuple[str, ...]:
         """The names of the files that were read, as in messages."""
-        return tuple(text.name for text in self._places.texts)
+        return tuple(text.name for text in self._source_map.texts)
 
     def location(self, line: int, column: int) -> Location:
         """Return the location in the user's files of a position in `text`.
@@ -80,24 +80,26 @@ class Preprocessed:
             outside the text is moved to the nearest one inside.
         """
         if not self._lines:
-            return Location(self._places.texts[-1].name)
+            return Location(self._source_map.texts[-1].name)
         if line > len(self._lines):
             line, column = len(self._lines), 1 << 30
         row = max(line, 1) - 1
         mapped = self._lines[row]
         if isinstance(mapped, _TokenLine):
             index = bisect_right(mapped.columns, max(column, 1)) - 1
-            return self._places.location(mapped.places[index])
+            return self._source_map.location(mapped.positions[index])
         offset = min(max(column, 1) - 1, len(self._rows[row]))
-        return self._places.location(mapped + offset)
+        return self._source_map.location(mapped + offset)
 
     def macro_uses(self) -> dict[Location, Sequence[Macro]]:
         """Return the macros that were replaced, by the location of the call."""
-        return {self._places.location(place): macros for place, macros in self.uses.items()}
+        return {
+            self._source_map.location(position): macros for position, macros in self.uses.items()
+        }
 
     def definition(self, macro: Macro) -> Location:
         """Return the location of a macro's definition."""
-        return self._places.location(macro.place)
+        return self._source_map.location(macro.position)
 
 
 _AS_SPACE: Final = str.maketrans("\v\f", "  ")
@@ -108,13 +110,13 @@ class Writer:
     """Collects the output."""
 
     _rows: list[str] = field(default_factory=list)
-    _lines: list[Place | _TokenLine] = field(default_factory=list)
+    _lines: list[Position | _TokenLine] = field(default_factory=list)
 
-    def line(self, text: str, place: Place) -> None:
+    def line(self, text: str, position: Position) -> None:
         """Write a line of the source unchanged."""
         is_literal = '"' in text or "'" in text  # which may contain such characters
         self._rows.append(text.rstrip() if is_literal else text.rstrip().translate(_AS_SPACE))
-        self._lines.append(place)
+        self._lines.append(position)
 
     def tokens(self, tokens: Sequence[Token]) -> None:
         """Write a line of tokens."""
@@ -133,7 +135,7 @@ class Writer:
             column += len(token.text)
             before = token
         self._rows.append("".join(parts))
-        self._lines.append(_TokenLine(columns, [token.place for token in tokens]))
+        self._lines.append(_TokenLine(columns, [token.position for token in tokens]))
 
     def tail(self, size: int) -> str:
         """Return about the last characters that were written."""
@@ -145,10 +147,10 @@ class Writer:
                 break
         return "\n".join(reversed(parts))
 
-    def finish(self, places: Places) -> Preprocessed:
+    def finish(self, source_map: SourceMap) -> Preprocessed:
         """Return the program."""
         text = "\n".join([*self._rows, ""]) if self._rows else ""
-        return Preprocessed(text, self._rows, self._lines, places)
+        return Preprocessed(text, self._rows, self._lines, source_map)
 
 
 _LONGER: Final = (

@@ -18,11 +18,11 @@ from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.macros import Macro, read_definition
 from crs_cc.frontend.preprocess.options import STANDARDS
 from crs_cc.frontend.preprocess.report import Report
-from crs_cc.frontend.preprocess.source_text import Places
+from crs_cc.frontend.preprocess.source_text import SourceMap
 from crs_cc.frontend.preprocess.tokens import tokenise
 
 ORIGIN: Final = "<built-in>"
-"""The name of the file that they are in; its only character is at place 0."""
+"""The name of the file that they are in; its only character is at position 0."""
 
 _ONES: Final = (
     "__CRS__ __STDC__ __STDC_HOSTED__ __STDC_NO_THREADS__ "
@@ -139,12 +139,12 @@ _NOT_RESERVED: Final = ("linux", "unix", "i386")
 
 @cache
 def predefined_macros(standard: str = "gnu17") -> tuple[Macro, ...]:
-    """Return the macros with constant values; all are defined at place 0.
+    """Return the macros with constant values; all are defined at position 0.
 
     Args:
         standard: a key of `STANDARDS`.
     """
-    report = Report(Diagnostics(), Places())
+    report = Report(Diagnostics(), SourceMap())
     macros = []
     for line in (*_definitions(), *_of_standard(standard)):
         tokens = [token.moved(0, token.spaced) for token in tokenise(line, 0)]

@@ -32,7 +32,7 @@ from crs_cc.frontend.preprocess.output import Preprocessed, Writer
 from crs_cc.frontend.preprocess.predefined import ORIGIN, predefined_macros
 from crs_cc.frontend.preprocess.regular_file import Refusal, read_regular_file
 from crs_cc.frontend.preprocess.report import Report, StopError
-from crs_cc.frontend.preprocess.source_text import Place, Places, decode, is_binary
+from crs_cc.frontend.preprocess.source_text import Position, SourceMap, decode, is_binary
 from crs_cc.frontend.preprocess.spelling import is_plain, respell
 from crs_cc.frontend.preprocess.state import State
 from crs_cc.frontend.preprocess.tokens import Token, tokenise
@@ -98,8 +98,8 @@ class _Run:
 
     def __init__(self, folder: Path, options: Options, diagnostics: Diagnostics) -> None:
         self.folder = folder
-        report = Report(diagnostics, Places())
-        report.places.add(ORIGIN, "")
+        report = Report(diagnostics, SourceMap())
+        report.source_map.add(ORIGIN, "")
         self.state = State(report, Headers(folder, options, diagnostics.digests))
         self.state.strict = options.is_strict
         self.state.is_c23 = is_c23(options.standard)
@@ -138,12 +138,12 @@ class _Run:
             read()
         except ExhaustedError as error:
             hint = "macros that use each other twice double the text at every step"
-            place = report.places.location(error.place)
-            report.diagnostics.error(place, "macro expansion is too large", hint)
+            location = report.source_map.location(error.position)
+            report.diagnostics.error(location, "macro expansion is too large", hint)
             report.is_complete = False
         except StopError:  # the reason is in the diagnostics
             report.is_complete = False
-        return replace(self.writer.finish(report.places), is_complete=report.is_complete)
+        return replace(self.writer.finish(report.source_map), is_complete=report.is_complete)
 
     def _read_all(self) -> None:
         while self.state.readers:
@@ -176,12 +176,12 @@ class _Run:
             assert not isinstance(found, Refusal), found.text
             self.state.include(found, self.state.reader.text.start)
 
-    def _next_line(self) -> tuple[str, Place] | None:
+    def _next_line(self) -> tuple[str, Position] | None:
         """Return the next line of the innermost file that is not a directive, None at its end."""
         state = self.state
         while (line := state.reader.next_line()) is not None:
-            text, place = line
-            if ("#" in text or "%:" in text) and run_directive(state, text, place):
+            text, position = line
+            if ("#" in text or "%:" in text) and run_directive(state, text, position):
                 self.writer.tokens(state.pending)
                 state.pending.clear()
                 continue
@@ -192,13 +192,13 @@ class _Run:
     def _close_file(self) -> None:
         conditionals.close_all(self.state.readers.pop(), self.state.report)
 
-    def _write(self, text: str, place: Place) -> None:
+    def _write(self, text: str, position: Position) -> None:
         """Preprocess a line, with the following ones that it needs, and write the result."""
         untouched = self.state.watched.isdisjoint(_WORD.findall(text))
         if untouched and is_plain(text) and not self.gnu.is_open:
-            self.writer.line(text, place)
+            self.writer.line(text, position)
             return
-        tokens = tokenise(text, place)
+        tokens = tokenise(text, position)
         if not untouched:
             depth = len(self.state.readers)
             tokens = self.state.expand(tokens, lambda: self._more(depth))
@@ -216,4 +216,4 @@ class _Run:
                 return None
             self._close_file()
         tokens = tokenise(*line)
-        return [tokens[0].moved(tokens[0].place, spaced=True), *tokens[1:]]
+        return [tokens[0].moved(tokens[0].position, spaced=True), *tokens[1:]]

@@ -1,7 +1,7 @@
 r"""An open source file: the current line, and the open conditional groups.
 
->>> from crs_cc.frontend.preprocess.source_text import Places
->>> text = Places().add("a.c", "int a;\nint b;")
+>>> from crs_cc.frontend.preprocess.source_text import SourceMap
+>>> text = SourceMap().add("a.c", "int a;\nint b;")
 >>> reader = Reader(text, "a.c", Path("."))
 >>> reader.next_line(), reader.next_line(), reader.next_line()
 (('int a;', 0), ('int b;', 7), None)
@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from crs_cc.frontend.preprocess.includes import Header
-from crs_cc.frontend.preprocess.source_text import Place, SourceText
+from crs_cc.frontend.preprocess.source_text import Position, SourceText
 
 
 @dataclass(slots=True)
@@ -22,17 +22,17 @@ class Conditional:
 
     Attributes:
         directive: the directive at its start, such as `#ifdef`.
-        place: the place of that directive.
+        position: the position of that directive.
         active: whether the lines of its current part are used.
         done: whether no later part can be used: one was, or the whole group is skipped.
-        else_place: the place of its `#else`.
+        else_position: the position of its `#else`.
     """
 
     directive: str
-    place: Place
+    position: Position
     active: bool
     done: bool
-    else_place: Place | None = None
+    else_position: Position | None = None
 
 
 @dataclass(slots=True)
@@ -47,7 +47,7 @@ class Reader:
         presumed_name: the value of `__FILE__`: `name`, which `#line` can change.
         line_offset: the difference of `__LINE__` from the line number, which `#line` can change.
         conditionals: the open groups, the innermost last.
-        place: the place of the next line.
+        position: the position of the next line.
     """
 
     text: SourceText
@@ -57,25 +57,25 @@ class Reader:
     presumed_name: str = ""
     line_offset: int = 0
     conditionals: list[Conditional] = field(default_factory=list)
-    place: Place = 0
+    position: Position = 0
     _index: int = 0
 
     def __post_init__(self) -> None:
         self.presumed_name = self.name
-        self.place = self.text.start
+        self.position = self.text.start
 
     @property
     def skipping(self) -> bool:
         """Whether the current lines are skipped."""
         return bool(self.conditionals) and not self.conditionals[-1].active
 
-    def next_line(self) -> tuple[str, Place] | None:
-        """Return the next logical line and its place, None at the end of the file."""
+    def next_line(self) -> tuple[str, Position] | None:
+        """Return the next logical line and its position, None at the end of the file."""
         lines = self.text.lines
         if self._index >= len(lines):
             return None
         line = lines[self._index]
-        place = self.place
+        position = self.position
         self._index += 1
-        self.place = place + len(line) + 1
-        return line, place
+        self.position = position + len(line) + 1
+        return line, position

@@ -1,8 +1,8 @@
 """Messages of the preprocessor, up to a limit.
 
->>> places = Places()
->>> text = places.add("a.c", "int a;")
->>> report = Report(Diagnostics(), places)
+>>> source_map = SourceMap()
+>>> text = source_map.add("a.c", "int a;")
+>>> report = Report(Diagnostics(), source_map)
 >>> report.error(text.start + 4, "'a' is wrong")
 >>> report.diagnostics.messages[0].render()
 "a.c:1:5: error: 'a' is wrong"
@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Final, NoReturn
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.frontend.preprocess.source_text import Place, Places
+from crs_cc.frontend.preprocess.source_text import Position, SourceMap
 
 MAX_ERRORS: Final = 100
 MAX_WARNINGS: Final = 100
@@ -30,35 +30,35 @@ class Report:
 
     Attributes:
         diagnostics: receives the messages.
-        places: maps a place to a location.
+        source_map: maps a position to a location.
         is_complete: whether all text was read.
     """
 
     diagnostics: Diagnostics
-    places: Places
+    source_map: SourceMap
     is_complete: bool = True
     _errors: int = 0
     _warnings: int = 0
 
-    def error(self, place: Place, text: str, hint: str = "") -> None:
+    def error(self, position: Position, text: str, hint: str = "") -> None:
         """Record an error; raise StopError if there are too many."""
-        self.diagnostics.error(self.places.location(place), text, hint)
+        self.diagnostics.error(self.source_map.location(position), text, hint)
         self._errors += 1
         if self._errors >= MAX_ERRORS:
-            self.fatal(place, f"too many errors ({MAX_ERRORS}), stopping now")
+            self.fatal(position, f"too many errors ({MAX_ERRORS}), stopping now")
 
-    def warning(self, place: Place, text: str, hint: str = "", *, flag: str) -> None:
+    def warning(self, position: Position, text: str, hint: str = "", *, flag: str) -> None:
         """Record a warning, unless there are too many; `flag` is its name."""
         self._warnings += 1
         if self._warnings <= MAX_WARNINGS:
-            self.diagnostics.warning(self.places.location(place), text, hint, flag=flag)
+            self.diagnostics.warning(self.source_map.location(position), text, hint, flag=flag)
 
-    def note(self, place: Place, text: str) -> None:
+    def note(self, position: Position, text: str) -> None:
         """Record a note to the preceding warning, if that was recorded."""
         if self._warnings <= MAX_WARNINGS:
-            self.diagnostics.add("note", self.places.location(place), text)
+            self.diagnostics.add("note", self.source_map.location(position), text)
 
-    def fatal(self, place: Place, text: str, hint: str = "") -> NoReturn:
+    def fatal(self, position: Position, text: str, hint: str = "") -> NoReturn:
         """Record an error after which preprocessing cannot continue; raise StopError."""
-        self.diagnostics.error(self.places.location(place), text, hint)
+        self.diagnostics.error(self.source_map.location(position), text, hint)
         raise StopError

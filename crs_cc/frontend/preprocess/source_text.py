@@ -1,15 +1,15 @@
 r"""The text of a file after translation phases 1 to 3, with a map back to the original.
 
 Lines with a continuation are joined, and comments become white space of the same length (C17
-5.1.1.2). The result is split into logical lines. A *place* is a single number: the offset of a
-character in the concatenated texts of a run. It is cheap to store, and `Places` maps it to a file,
-line and column on demand.
+5.1.1.2). The result is split into logical lines. A *position* is a single number: the offset of a
+character in the concatenated texts of a run. It is cheap to store, and `SourceMap` maps it to a
+file, line and column on demand.
 
->>> places = Places()
->>> text = places.add("a.c", "int a; /* two\nlines */ int \\\n  b;\n")
+>>> positions = SourceMap()
+>>> text = positions.add("a.c", "int a; /* two\nlines */ int \\\n  b;\n")
 >>> text.lines
 ['int a;       \x0b         int   b;', '']
->>> str(places.location(text.lines[0].index("b")))
+>>> str(positions.location(text.lines[0].index("b")))
 'a.c:3:3'
 """
 
@@ -22,7 +22,7 @@ from typing import Final
 
 from crs_cc.core.source import Location
 
-Place = int
+Position = int
 
 _COMMENT_OR_QUOTE: Final = re.compile(
     r"""//[^\n]*
@@ -75,33 +75,33 @@ class SourceText:
 
     Attributes:
         name: the file name, for messages.
-        start: the place of its first character.
-        size: the number of its places.
+        start: the position of its first character.
+        size: the number of its positions.
         lines: its logical lines, without comments. A newline inside a comment is a vertical tab.
         line_starts: the offset of each line of the file in the logical text.
-        unclosed_comment: the place of a comment without end.
+        unclosed_comment: the position of a comment without end.
     """
 
     name: str
-    start: Place
+    start: Position
     size: int
     lines: list[str]
     line_starts: list[int]
-    unclosed_comment: Place | None
+    unclosed_comment: Position | None
 
-    def location(self, place: Place) -> Location:
-        """Return the line and column of a place in this file."""
-        offset = min(place - self.start, self.size)
+    def location(self, position: Position) -> Location:
+        """Return the line and column of a position in this file."""
+        offset = min(position - self.start, self.size)
         line = bisect_right(self.line_starts, offset)
         return Location(self.name, line, offset - self.line_starts[line - 1] + 1)
 
 
 @dataclass(slots=True)
-class Places:
+class SourceMap:
     """All texts of a run, concatenated."""
 
     texts: list[SourceText] = field(default_factory=list)
-    _starts: list[Place] = field(default_factory=list)
+    _starts: list[Position] = field(default_factory=list)
 
     def add(self, name: str, content: str) -> SourceText:
         """Append the content of a file with newlines as line ends."""
@@ -120,9 +120,9 @@ class Places:
         self._starts.append(start)
         return text
 
-    def location(self, place: Place) -> Location:
-        """Return the file, line and column of a place."""
-        return self.texts[bisect_right(self._starts, place) - 1].location(place)
+    def location(self, position: Position) -> Location:
+        """Return the file, line and column of a position."""
+        return self.texts[bisect_right(self._starts, position) - 1].location(position)
 
 
 def _join_lines(content: str) -> tuple[str, list[int]]:

@@ -102,7 +102,7 @@ def _odd(token: Token, report: Report) -> str | None:
     if token.text in _DIGRAPHS:
         return _DIGRAPHS[token.text]
     if token.kind == PUNCTUATOR:
-        report.error(token.place, f"stray '{token.text}' in the program")
+        report.error(token.position, f"stray '{token.text}' in the program")
     elif token.kind == UNCLOSED:
         quote = token.text[0]
         hint = "close the string at the end of the line and open it again on the next"
@@ -110,7 +110,7 @@ def _odd(token: Token, report: Report) -> str | None:
         if wrong:
             hint = f"write {quote} instead of {wrong}"
         report.error(
-            token.place,
+            token.position,
             f"missing terminating {quote} on this line",
             hint if quote == '"' or wrong else "",
         )
@@ -118,7 +118,7 @@ def _odd(token: Token, report: Report) -> str | None:
         character = token.text[0]
         wanted = _TYPOGRAPHY.get(character)
         hint = f"write {wanted}" if wanted is not None else ""
-        report.error(token.place, f"unexpected character '{shown(character)}'", hint)
+        report.error(token.position, f"unexpected character '{shown(character)}'", hint)
     return None
 
 
@@ -148,7 +148,7 @@ def _number(token: Token, report: Report) -> str:
         problem = f"'{shown(text[start.end() :])}' cannot end the number {shown(start.group())}"
     else:
         problem = f"'{shown(text)}' is not a number"
-    report.error(token.place, problem, hint)
+    report.error(token.position, problem, hint)
     return "0"
 
 
@@ -160,7 +160,7 @@ def _quoted(token: Token, report: Report) -> str:
         if size == 0 or size > 4:
             problem = "empty character constant" if size == 0 else "character constant is too long"
             hint = "" if size == 0 else 'use double quotes for a string: "..."'
-            report.error(token.place, problem, hint)
+            report.error(token.position, problem, hint)
             return "'0'"
 
     def known(match: re.Match[str]) -> str:
@@ -170,7 +170,7 @@ def _quoted(token: Token, report: Report) -> str:
         if "\udc80" <= character <= "\udcff":
             return f"\\{ord(character) - 0xDC00:03o}"  # the byte as it is in the file
         report.warning(
-            token.place,
+            token.position,
             f"unknown escape sequence '\\{shown(character)}'",
             flag="unknown-escape-sequence",
         )

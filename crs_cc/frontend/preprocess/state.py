@@ -1,11 +1,11 @@
 """The state of a preprocessor run: macros, open files, and remaining limits.
 
 >>> from crs_cc.frontend.preprocess.macros import read_definition
->>> from crs_cc.frontend.preprocess.source_text import Places
+>>> from crs_cc.frontend.preprocess.source_text import SourceMap
 >>> from crs_cc.frontend.preprocess.tokens import tokenise
 >>> from crs_cc.frontend.preprocess.options import Options
 >>> from crs_cc.core.source import Diagnostics
->>> state = State(Report(Diagnostics(), Places()), Headers(Path("."), Options()))
+>>> state = State(Report(Diagnostics(), SourceMap()), Headers(Path("."), Options()))
 >>> state.define(read_definition(tokenise("SPEED 200", 0), state.report))
 >>> [token.text for token in state.expand(tokenise("vm(SPEED)", 0))]
 ['vm', '(', '200', ')']
@@ -29,7 +29,7 @@ from crs_cc.frontend.preprocess.reader import Reader
 from crs_cc.frontend.preprocess.regular_file import Refusal
 from crs_cc.frontend.preprocess.report import Report
 from crs_cc.frontend.preprocess.source_text import (
-    Place,
+    Position,
     SourceText,
     decode,
     is_binary,
@@ -64,7 +64,7 @@ class State:
         kept_macros: the stack of `#pragma push_macro` for each name.
         weak: the names of `#pragma weak`.
         pending: tokens from a directive, to be added to the program.
-        uses: the macros that the program uses, by place.
+        uses: the macros that the program uses, by position.
     """
 
     report: Report
@@ -93,10 +93,10 @@ class State:
         known = self.macros.get(macro.name)
         if known is not None and not known.same_as(macro):
             self.report.warning(
-                macro.place, f"'{macro.name}' macro redefined", flag="macro-redefined"
+                macro.position, f"'{macro.name}' macro redefined", flag="macro-redefined"
             )
-            if known.place:
-                self.report.note(known.place, "previous definition is here")
+            if known.position:
+                self.report.note(known.position, "previous definition is here")
         self.macros[macro.name] = macro
         self.watched.add(macro.name)
 
@@ -114,7 +114,7 @@ class State:
         macros = ChainMap({DEFINED.name: DEFINED}, self.macros)
         return expand(tokens, macros, self.budget, self.report)
 
-    def include(self, header: Header, place: Place) -> None:
+    def include(self, header: Header, position: Position) -> None:
         """Open a header, to be read next.
 
         Raises:
@@ -123,38 +123,40 @@ class State:
         if header.file in self.once:
             return
         if len(self.readers) > MAX_DEPTH:
-            self.report.fatal(place, f"#include nested more than {MAX_DEPTH} deep")
+            self.report.fatal(position, f"#include nested more than {MAX_DEPTH} deep")
         text = self._texts.get(header.file)
         if text is None:
             content = header.read()
             if isinstance(content, Refusal):
-                self.report.error(place, f"'{header.path}' {content.text}", content.hint)
+                self.report.error(position, f"'{header.path}' {content.text}", content.hint)
                 return
             if is_binary(content):
-                self.report.error(place, f"'{header.path}' is not a text file")
+                self.report.error(position, f"'{header.path}' is not a text file")
                 return
             text = self._texts[header.file] = self.add_text(
                 self.headers.options.name(header.path), decode(content)
             )
-        self.open(text, header.path.parent, header, place)
+        self.open(text, header.path.parent, header, position)
 
     def add_text(self, name: str, content: str) -> SourceText:
         """Record the text of a file, so that messages can show its lines."""
         self.report.diagnostics.lines[name] = printable(content).split("\n")
         if self.strict:
             content = without_trigraphs(content)
-        text = self.report.places.add(name, content)
+        text = self.report.source_map.add(name, content)
         if text.unclosed_comment is not None:
             self.report.error(text.unclosed_comment, "unterminated comment: missing '*/'")
         return text
 
-    def open(self, text: SourceText, folder: Path, header: Header | None, place: Place) -> None:
+    def open(
+        self, text: SourceText, folder: Path, header: Header | None, position: Position
+    ) -> None:
         """Start to read a text; raise StopError if there is too much source."""
         self.characters_left -= text.size + FILE_COST
         self.budget.grow(text.size)
         if self.characters_left < 0:
             self.report.fatal(
-                place, f"more than {MAX_CHARACTERS >> 20} million characters of source"
+                position, f"more than {MAX_CHARACTERS >> 20} million characters of source"
             )
         name = PurePath(text.name).name if header is None else header.name
         if header is not None and header.is_beside:

@@ -2,7 +2,7 @@ r"""Preprocessing tokens (C17 6.4), split by one regular expression.
 
 >>> [token.text for token in tokenise(r'x+++=L"a\"b"[0x1e+2]', 0)]
 ['x', '++', '+=', 'L"a\\"b"', '[', '0x1e+2', ']']
->>> [(token.kind, token.place, token.spaced) for token in tokenise("f (.5)", 100)][:3]
+>>> [(token.kind, token.position, token.spaced) for token in tokenise("f (.5)", 100)][:3]
 [('name', 100, False), ('punctuator', 102, True), ('number', 103, False)]
 """
 
@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.frontend.preprocess.source_text import Place, printable
+from crs_cc.frontend.preprocess.source_text import Position, printable
 
 NAME: Final = "name"
 NUMBER: Final = "number"
@@ -61,7 +61,7 @@ class Token:
     Attributes:
         kind: one of the constants above.
         text: its spelling.
-        place: its place in the source, or that of the macro call that it comes from.
+        position: its position in the source, or that of the macro call that it comes from.
         spaced: whether it follows white space.
         painted: whether it is the name of a macro inside its own expansion, which is not
             replaced again (C17 6.10.3.4).
@@ -69,28 +69,28 @@ class Token:
 
     kind: str
     text: str
-    place: Place
+    position: Position
     spaced: bool
     painted: bool = False
 
-    def moved(self, place: Place, spaced: bool) -> Token:
-        """Return the same token at another place."""
-        return Token(self.kind, self.text, place, spaced, self.painted)
+    def moved(self, position: Position, spaced: bool) -> Token:
+        """Return the same token at another position."""
+        return Token(self.kind, self.text, position, spaced, self.painted)
 
     def respelled(self, text: str) -> Token:
         """Return the same token in another spelling."""
-        return Token(self.kind, text, self.place, self.spaced, self.painted)
+        return Token(self.kind, text, self.position, self.spaced, self.painted)
 
 
-def tokenise(line: str, place: Place) -> list[Token]:
-    """Split a logical line, whose first character is at a place, into tokens."""
+def tokenise(line: str, position: Position) -> list[Token]:
+    """Split a logical line, whose first character is at a position, into tokens."""
     tokens = []
     end = 0
     for match in _TOKEN.finditer(line):
         start, stop = match.span()
         kind = match.lastgroup
         assert kind is not None
-        tokens.append(Token(kind, match.group(), place + start, start != end))
+        tokens.append(Token(kind, match.group(), position + start, start != end))
         end = stop
     return tokens
 

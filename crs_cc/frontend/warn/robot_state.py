@@ -19,7 +19,7 @@ from crs_cc.frontend.check.tree_parts import walk
 _STATE: Final = "State"
 _HEADER: Final = "Nclient.h"
 
-_ASK_NOTHING: Final = frozenset({
+_WITHOUT_REQUESTS: Final = frozenset({
     "abs", "fabs", "fflush", "fprintf", "fputs", "getpid", "gettimeofday", "labs", "nanosleep",
     "printf", "putc", "putchar", "puts", "rand", "sleep", "sprintf", "sqrt", "time", "usleep",
 })  # fmt: skip
@@ -59,14 +59,14 @@ def warn_state(unit: Unit) -> None:
     state = unit.externals.get(_STATE)
     if not isinstance(state, ObjectSymbol) or not state.location.file.endswith(_HEADER):
         return
-    asking = _Asking(unit)
+    requesting = _RequestingFunctions(unit)
     for function in unit.functions:
         readings = _readings(function, state)
         for node in walk(function.body):
             if isinstance(node, tree.Binary) and node.op in COMPARISONS:
                 _warn_range(unit, node, state, readings)
             elif isinstance(node, tree.Loop):
-                _warn_loop(unit, node, state, asking)
+                _warn_loop(unit, node, state, requesting)
 
 
 def _element(value: Any, state: ObjectSymbol) -> int | None:
@@ -153,8 +153,8 @@ def _kind(
 # Loops
 
 
-class _Asking:
-    """Which functions of a file may ask the robot."""
+class _RequestingFunctions:
+    """The functions of a file that may post requests to the robot."""
 
     def __init__(self, unit: Unit) -> None:
         self._bodies = {each.symbol: each.body for each in unit.functions}
@@ -167,29 +167,31 @@ class _Asking:
             for node in walk(each.body)
         )
 
-    def may_ask(self, nodes: list[Any]) -> bool:
-        """Return whether statements or expressions call a function that may ask the robot."""
+    def may_request(self, nodes: list[Any]) -> bool:
+        """Return whether statements or expressions call a function that may post a request."""
         return self._has_handlers or any(
-            isinstance(node, tree.Call | tree.ComputedGoto) and self._asks(node)
+            isinstance(node, tree.Call | tree.ComputedGoto) and self._is_request(node)
             for node in walk(nodes)
         )
 
-    def _asks(self, node: Any) -> bool:
+    def _is_request(self, node: Any) -> bool:
         if not isinstance(node, tree.Call) or not isinstance(node.callee, tree.FunctionName):
             return True
         symbol = node.callee.symbol
         if symbol not in self._bodies:
-            return symbol.name not in _ASK_NOTHING
+            return symbol.name not in _WITHOUT_REQUESTS
         if symbol not in self._known:
             self._known[symbol] = False  # what it calls recursively adds nothing
-            self._known[symbol] = self.may_ask(self._bodies[symbol])
+            self._known[symbol] = self.may_request(self._bodies[symbol])
         return self._known[symbol]
 
 
-def _warn_loop(unit: Unit, loop: tree.Loop, state: ObjectSymbol, asking: _Asking) -> None:
+def _warn_loop(
+    unit: Unit, loop: tree.Loop, state: ObjectSymbol, requesting: _RequestingFunctions
+) -> None:
     condition = next((each for each in _ends(loop) if _depends_on(each, state)), None)
     inside = [*(each for each in (loop.condition, loop.step) if each is not None), *loop.body]
-    if condition is None or asking.may_ask(inside) or _changes(inside, state):
+    if condition is None or requesting.may_request(inside) or _changes(inside, state):
         return
     text = "this loop waits for 'State' to change, but asks the robot for nothing"
     hint = "call gs, or another function that reads sensors, in the loop"

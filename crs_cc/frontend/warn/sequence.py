@@ -114,10 +114,10 @@ class _Order:
             elif symbol in using.reads:
                 self._warn(symbol, place, "unsequenced modification and access to")
 
-    def _warn(self, symbol: ObjectSymbol, place: Location, what: str) -> None:
+    def _warn(self, symbol: ObjectSymbol, location: Location, what: str) -> None:
         if symbol not in self._mentioned:
             self._mentioned.add(symbol)
-            self._unit.warning(place, f"{what} '{symbol.name}'", flag="sequence-point")
+            self._unit.warning(location, f"{what} '{symbol.name}'", flag="sequence-point")
 
 
 def _joined(effects: list[_Effects]) -> _Effects:

@@ -111,10 +111,10 @@ def _has_effect(value: tree.Expression) -> bool:
     return isinstance(value, _EFFECTS)
 
 
-def _is_macro(unit: Unit, place: Location) -> bool:
+def _is_macro(unit: Unit, location: Location) -> bool:
     """Return whether there is a name in capitals at a location: probably a macro without effect."""
-    line = unit.diagnostics.lines.get(place.file, [])[place.line - 1 : place.line]
-    return bool(line) and re.match(r"[A-Z][A-Z0-9_]+\b", line[0][place.column - 1 :]) is not None
+    line = unit.diagnostics.lines.get(location.file, [])[location.line - 1 : location.line]
+    return bool(line) and re.match(r"[A-Z][A-Z0-9_]+\b", line[0][location.column - 1 :]) is not None
 
 
 def _warn_call(unit: Unit, call: tree.Call) -> None:

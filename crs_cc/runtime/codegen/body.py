@@ -11,7 +11,7 @@ from crs_cc.ir.program import Function, Parameter
 from crs_cc.ir.value_type import MEMORY_SIZE
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.registers import Registers
-from crs_cc.runtime.codegen.scalar_replacement import Member, Readable
+from crs_cc.runtime.codegen.scalar_replacement import Member, ReadCheck
 
 
 @dataclass(slots=True)
@@ -62,5 +62,5 @@ class Body:
             if size < parameter.size or any(each.register not in used for each in members):
                 return True
         return any(
-            isinstance(it, Readable) for block in self.function.blocks for it in block.instructions
+            isinstance(it, ReadCheck) for block in self.function.blocks for it in block.instructions
         )

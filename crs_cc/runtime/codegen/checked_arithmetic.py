@@ -47,7 +47,7 @@ class CheckedArithmetic:
         elif self.traps_overflow and op == "mul":
             self._product(it, kind)
 
-    def follow(self, it: Instruction) -> None:
+    def after(self, it: Instruction) -> None:
         """Note results that are known to be small."""
         target = writes(it)
         if target is None:

@@ -68,12 +68,12 @@ class _StoredStates:
     Attributes:
         states: code that pushes them.
         joined: code that combines them with those on the stack, valid if both are.
-        doubt: code that makes the i32 on the stack not zero if the value may be uninitialised.
+        uninitialised: code that makes the i32 on the stack not zero if the value may be that.
     """
 
     states: list[Instr]
     joined: list[Instr] = field(default_factory=list)
-    doubt: list[Instr] = field(default_factory=list)
+    uninitialised: list[Instr] = field(default_factory=list)
 
     @property
     def is_initialised(self) -> bool:
@@ -184,7 +184,7 @@ class CheckedMemory(CheckedPointers):
             self._test_readable(found, site, at, changing, is_const=it.is_const)
         elif not accessible:
             bits = shadow.ACCESSIBLE if changing is None else shadow.WRITABLE
-            self._test(found, shadow.lacks(bits, size), site, at)
+            self._test(found, shadow.any_without(bits, size), site, at)
         if changing is not None and flag is None and not (unjudged and accessible):
             self.facts.writable.add(where, size, valued=False)
         self.proved.add(where, size, valued=flag is None and not unjudged)
@@ -210,15 +210,15 @@ class CheckedMemory(CheckedPointers):
         """
         size, code = site.size, self.writer.code
         if is_const:
-            self._test(found, shadow.lacks(shadow.READABLE, size), site, at)
+            self._test(found, shadow.any_without(shadow.READABLE, size), site, at)
             return
         local = WIDE_STATES if size == 8 else STATES
-        code += [*found, ("local.tee", local), *shadow.not_usual(size), UNLIKELY]
+        code += [*found, ("local.tee", local), *shadow.not_all_valid(size), UNLIKELY]
         states: list[Instr] = [("local.get", local)]
-        self._test(states, shadow.lacks(shadow.READABLE, size), site, at)
+        self._test(states, shadow.any_without(shadow.READABLE, size), site, at)
         if changing is not None:
             written = Site("memory", changing.location, "write", size)
-            self._test(states, shadow.lacks(shadow.WRITABLE, size), written, at)
+            self._test(states, shadow.any_without(shadow.WRITABLE, size), written, at)
         code.append(("end",))
 
     def _set_flag(self, flag: Register, found: list[Instr], site: Site, at: _At | None) -> None:
@@ -236,11 +236,15 @@ class CheckedMemory(CheckedPointers):
             writer.pop(flag)
             self._taken.add(flag)
         local = WIDE_STATES if site.size == 8 else STATES
-        writer.code += [*found, ("local.tee", local), *shadow.not_usual(site.size), UNLIKELY]
+        writer.code += [*found, ("local.tee", local), *shadow.not_all_valid(site.size), UNLIKELY]
         states: list[Instr] = [("local.get", local)]
         if at is not None:
-            self._test(states, shadow.lacks(shadow.ACCESSIBLE, site.size), site, at)
-        writer.code += [writer.value(flag), *states, *shadow.lacks(shadow.READABLE, site.size)]
+            self._test(states, shadow.any_without(shadow.ACCESSIBLE, site.size), site, at)
+        writer.code += [
+            writer.value(flag),
+            *states,
+            *shadow.any_without(shadow.READABLE, site.size),
+        ]
         writer.code.append(("i32.or",))
         writer.pop(flag)
         writer.code.append(("end",))
@@ -280,8 +284,8 @@ class CheckedMemory(CheckedPointers):
             return _StoredStates([none, value, push, ("select",)], [], [push, ("i32.or",)])
         if assigned is not None:
             push = self.writer.value(assigned)
-            doubt = [push, ("i32.eqz",), ("i32.or",)]
-            return _StoredStates([value, none, push, ("select",)], [], doubt)
+            uninitialised = [push, ("i32.eqz",), ("i32.or",)]
+            return _StoredStates([value, none, push, ("select",)], [], uninitialised)
         return _StoredStates([value])
 
     def _last_use(self, register: Register | None, it: Store) -> Register:
@@ -303,8 +307,8 @@ class CheckedMemory(CheckedPointers):
         site = Site("memory", it.location, "write", size)
         self._exclude_last_bytes(push, site)
         code += [push, shadow.load(size, offset), ("local.tee", local), *given.joined]
-        code += [*shadow.not_usual(size), *given.doubt, UNLIKELY]
-        self._test([("local.get", local)], shadow.lacks(shadow.WRITABLE, size), site, at)
+        code += [*shadow.not_all_valid(size), *given.uninitialised, UNLIKELY]
+        self._test([("local.get", local)], shadow.any_without(shadow.WRITABLE, size), site, at)
         code += [push, *given.states, shadow.store(size, offset), ("end",)]
 
     def check_range(
@@ -326,7 +330,7 @@ class CheckedMemory(CheckedPointers):
         few = inline_ranges.short(size, inline_ranges.MOST_COPIED)
         if few:
             push = writer.value(address)
-            for test in shadow.some_lack(bits, push, few):
+            for test in shadow.any_in_range_without(bits, push, few):
                 writer.code += test
                 writer.fail_if(Site("memory", location, access, few), [push])
             return
@@ -358,7 +362,7 @@ class CheckedMemory(CheckedPointers):
             writer, site = self.writer, Site("memory", location, "read", few)
             push = writer.value(address)
             self._exclude_last_bytes(push, site)
-            for test in shadow.some_lack(shadow.READABLE, push, few):
+            for test in shadow.any_in_range_without(shadow.READABLE, push, few):
                 writer.code += test
                 writer.fail_if(site, [push])
             self.proved.add(self.places.of(address, 0), few, valued=True)
@@ -399,7 +403,7 @@ class CheckedMemory(CheckedPointers):
     def check_message(self, address: Operand, location: Location) -> None:
         """Check that the message of a request is accessible, its first word alone as elsewhere."""
         push, size = self.writer.value(address), MESSAGE.itemsize
-        first = [push, shadow.load(8, 0), *shadow.lacks(shadow.WRITABLE, 8)]
+        first = [push, shadow.load(8, 0), *shadow.any_without(shadow.WRITABLE, 8)]
         for test in (first, inline_ranges.some_clear(SHADOW, push, size, shadow.WRITABLE)):
             self.writer.code += test
             self.writer.fail_if(Site("memory", location, "read", size), [push])

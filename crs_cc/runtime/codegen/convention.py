@@ -69,7 +69,7 @@ class Convention:
         """Whether the function is its own general form."""
         return self.type == TYPE_CALL
 
-    def suits(self, call: Call) -> bool:
+    def matches(self, call: Call) -> bool:
         """Return whether a call passes just the parameters, and takes the result."""
         right = call_shape(call) == self.shape and not self.variadic
         return right and (call.result is None or call.result.type == self.result)
@@ -93,7 +93,7 @@ def convention_of(function: Function) -> Convention:
     )
 
 
-def called_otherwise(program: Program, conventions: dict[str, Convention]) -> set[str]:
+def needing_general_form(program: Program, conventions: dict[str, Convention]) -> set[str]:
     """Return the functions that some call by name needs the general form of."""
     return {
         call.callee
@@ -101,7 +101,7 @@ def called_otherwise(program: Program, conventions: dict[str, Convention]) -> se
         for block in function.blocks
         if isinstance(call := block.terminator, Call)
         and isinstance(call.callee, str)
-        and not conventions[call.callee].suits(call)
+        and not conventions[call.callee].matches(call)
     }
 
 

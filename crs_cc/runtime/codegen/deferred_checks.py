@@ -55,7 +55,7 @@ class _Flow:
     judged: set[Load] = field(default_factory=set)
     passed: set[Register] = field(default_factory=set)
 
-    def follow(self, it: Instruction) -> None:
+    def update(self, it: Instruction) -> None:
         """Follow values through an instruction."""
         used, made = reads(it), None
         if isinstance(it, Passed):
@@ -91,10 +91,10 @@ class _Flow:
             if not whole or MEMORY_SIZE[load.memory] != MEMORY_SIZE[it.memory]:
                 self.changed.add(load)
 
-    def end(self, alive: int) -> None:
+    def end(self, live: int) -> None:
         """Check the values that are live after the block."""
         for register, (load, _) in self.values.items():
-            if alive >> register.index & 1:
+            if live >> register.index & 1:
                 self.judged.add(load)
 
 
@@ -151,12 +151,12 @@ class DeferredChecks:
         """Return whether the loaded value is unused."""
         return load in self._unused
 
-    def _find(self, block: Block, alive: int) -> None:
+    def _find(self, block: Block, live: int) -> None:
         flow = _Flow()
         self.changing.update(_changing(block))
         for it in all_instructions(block):
-            flow.follow(it)
-        flow.end(alive)
+            flow.update(it)
+        flow.end(live)
         for load, stores in flow.stores.items():
             if load in flow.judged:
                 continue
@@ -184,18 +184,18 @@ class DeferredChecks:
     def _most(self, block: Block) -> int:
         """Return the maximum charge for the states and flags of a block live at once [bytes]."""
         size = most = 0
-        alive: set[Register] = set()
+        live: set[Register] = set()
         for it in block.instructions:
             if isinstance(it, Load):
                 register = self.states_of(it) or self.flag_of(it)
-                if register is not None and register not in alive:
-                    alive.add(register)
+                if register is not None and register not in live:
+                    live.add(register)
                     size += CHARGES[register.type]
                     most = max(most, size)
             elif isinstance(it, Store):
                 register = self.copied_by(it) or self.converted_for(it)
-                if register in alive and self._last[register] is it:
-                    alive.remove(register)
+                if register in live and self._last[register] is it:
+                    live.remove(register)
                     size -= CHARGES[register.type]
         return most
 

@@ -30,7 +30,7 @@ from crs_cc.ir.instruction import (
 from crs_cc.ir.program import Function, Parameter, renumber
 from crs_cc.ir.value_type import MemoryType
 from crs_cc.runtime.codegen.body import Body
-from crs_cc.runtime.codegen.scalar_replacement import Readable, Writable
+from crs_cc.runtime.codegen.scalar_replacement import ReadCheck, WriteCheck
 
 _EXTENSIONS: Final[dict[MemoryType, str]] = {"i8": "i32.extend8_s", "i16": "i32.extend16_s"}
 _MASKS: Final[dict[MemoryType, int]] = {"u8": 255, "u16": 65535}
@@ -130,7 +130,7 @@ class _Expansion:
                 copy.terminator = renumber(copy.terminator, copied.__getitem__)
         block.terminator = Jump(call.location, copied[body.function.blocks[0]])
         for it in (it for each in [block, *copied.values()] for it in each.instructions):
-            if isinstance(it, Readable | Writable):
+            if isinstance(it, ReadCheck | WriteCheck):
                 self.made.checks.setdefault(it, call)
 
     def _renamed(self, it: Instruction, names: dict[Register, Register], body: Body) -> Instruction:
@@ -185,7 +185,7 @@ def _passed(
             Load(location, names[each.register], value, each.offset, each.memory, True)
             for each in body.members[parameter]
         ]
-        return [Readable(location, value, argument.size), *loads]
+        return [ReadCheck(location, value, argument.size), *loads]
     assert isinstance(place, Register)
     target = names[place]
     if argument.memory == parameter.memory:

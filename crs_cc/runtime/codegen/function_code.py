@@ -63,7 +63,7 @@ from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.rotation import rotated_loops
 from crs_cc.runtime.codegen.selection import Selector
-from crs_cc.runtime.codegen.stop_marks import begin, going_on, has_statements, stop_if_marked
+from crs_cc.runtime.codegen.stop_marks import begin, has_statements, self_resuming, stop_if_marked
 from crs_cc.runtime.codegen.struct_registers import with_structs_in_registers
 from crs_cc.runtime.codegen.structuring import emit
 from crs_cc.runtime.codegen.switches import lower_switch
@@ -211,7 +211,7 @@ class _FunctionCode:
         """Return the code from an entry on."""
         body = emit(entry, self.activation.failed()) + self.activation.epilogue()
         body = self.in_frame(body) if self.homes else body
-        return (going_on(body) if self.steps else body) + self.activation.no_value()
+        return (self_resuming(body) if self.steps else body) + self.activation.no_value()
 
     def code(self, body: list[Instr]) -> Code:
         """Return the code with the types of its parameters and locals."""
@@ -343,7 +343,7 @@ class _FunctionCode:
         if call in self.inlined.calls:
             then = self.target(call.then)
             self.inlined.write(node, call, then, self.memory, self._fail_again)
-            self.memory.follow(call)
+            self.memory.after(call)
             return
         self.pass_arguments(call)
         after = Node()
@@ -356,7 +356,7 @@ class _FunctionCode:
         """Return how a call is made; None for the general form of a function."""
         name = call.callee
         found = self.names.conventions.get(name) if isinstance(name, str) else None
-        return found if found is not None and found.suits(call) else None
+        return found if found is not None and found.matches(call) else None
 
     def pass_arguments(self, call: Call) -> None:
         """Store the arguments that are passed in memory, and the header."""
@@ -407,7 +407,7 @@ class _FunctionCode:
             if self.shadowed:
                 check_value(self.writer, call)
             self._take_result(call, value)
-            self.selector.follow(call)
+            self.selector.after(call)
         end = self.behind(after, call) if self.steps else after
         end.jump(self.target(call.then))
 
@@ -476,13 +476,13 @@ class _FunctionCode:
         node.code += [writer.value(jump.buffer), (LANDING, landing), ("i32.store", MEMORY, 0)]
         writer.push(zero)
         writer.pop(jump.result)
-        selector.follow(jump)
+        selector.after(jump)
         node.jump(after)
         selector.forget()
         writer.code = landed.code
         writer.load_at(SP, self.frame.jump_value, "i32")
         writer.pop(jump.result)
-        selector.follow(jump)
+        selector.after(jump)
         landed.jump(after)
 
     def long_jump(self, node: Node, jump: LongJump) -> None:

@@ -181,7 +181,7 @@ class InlinedCalls:
             if body.has_effects:  # it may have stored values that are not there
                 memory.proved.forget_values()
             for (argument, _), known in zip(passed, places, strict=True):
-                memory.learn(argument, known, own)
+                memory.add_callee_facts(argument, known, own)
 
     def _pass_values(self, call: Call, body: Body) -> None:
         """Move arguments to the registers of parameters."""

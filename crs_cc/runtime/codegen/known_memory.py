@@ -109,16 +109,18 @@ class KnownMemory(PlainMemory):
             callee.proved.add_all(target, self.proved, (root, distance))
             callee.facts.writable.add_all(target, self.facts.writable, (root, distance))
 
-    def learn(self, argument: Operand, place: tuple[Root | None, int], callee: KnownMemory) -> None:
+    def add_callee_facts(
+        self, argument: Operand, place: tuple[Root | None, int], callee: KnownMemory
+    ) -> None:
         """Add what an inlined function knows of the bytes at an address that it was passed."""
         if isinstance(argument, Register):
             where = self.places.of(argument, 0)
             self.proved.add_all(where, callee.proved, place)
             self.facts.writable.add_all(where, callee.facts.writable, place)
 
-    def follow(self, it: Instruction) -> None:
+    def after(self, it: Instruction) -> None:
         """Update known facts after an instruction."""
-        self.places.follow(it)
+        self.places.update(it)
 
     def _inside(self, base: Base, offset: int, size: int) -> bool:
         """Return whether an access is known to be inside a named object."""

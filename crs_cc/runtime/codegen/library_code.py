@@ -38,7 +38,7 @@ def generate_shared(function: Function, names: Symbols, build: Build) -> tuple[C
         _TEMPLATES[key] = None
         return generate(function, names, build)
     template = _TEMPLATES[key]
-    if template is None or not template.suits(names):
+    if template is None or not template.matches(names):
         template = _TEMPLATES[key] = _template(function, names, build)
     return template.link(names, build.watch)
 
@@ -107,7 +107,7 @@ class _Answers(dict[str, Any]):
     def __missing__(self, key: str) -> Any:
         return self.get(key, self._default)
 
-    def suit(self, other: Mapping[str, Any]) -> bool:
+    def matches(self, other: Mapping[str, Any]) -> bool:
         return all(other.get(key, self._default) == answer for key, answer in self.items())
 
 
@@ -123,7 +123,7 @@ class _Tables(dict[Shape, int]):
         self.asked[shape] = found = shape in self._real
         return _Unknown(("table", shape)) if found else default
 
-    def suit(self, other: Mapping[Shape, int]) -> bool:
+    def matches(self, other: Mapping[Shape, int]) -> bool:
         return all((shape in other) == found for shape, found in self.asked.items())
 
 
@@ -144,7 +144,7 @@ class _Valueless(set[str]):
         self._is_some = found = bool(self._real)
         return found
 
-    def suit(self, other: set[str]) -> bool:
+    def matches(self, other: set[str]) -> bool:
         return self._is_some in {None, bool(other)} and all(
             (name in other) == found for name, found in self._asked.items()
         )
@@ -171,7 +171,7 @@ class _Bodies(Bodies):
         for call in calls_of(function) if function is not None else ():
             self._ask(str(call.callee))
 
-    def suit(self, other: Bodies) -> bool:
+    def matches(self, other: Bodies) -> bool:
         return all(other.small.get(name) is function for name, function in self._asked.items())
 
 
@@ -204,16 +204,16 @@ class _Recorder(Symbols):
     def call_number(self, site: CallSite) -> int:
         return _Unknown(_CALL, super().call_number(site))
 
-    def suits(self, names: Symbols) -> bool:
+    def matches(self, names: Symbols) -> bool:
         """Return whether another program gives the same answers."""
         return (
-            self._sizes.suit(names.sizes)
-            and self._parameters.suit(names.parameters)
-            and self._conventions.suit(names.conventions)
-            and self._constants.suit(names.constants)
-            and self._tables.suit(names.tables)
-            and self._valueless.suit(names.without_value)
-            and self._bodies.suit(names.bodies)
+            self._sizes.matches(names.sizes)
+            and self._parameters.matches(names.parameters)
+            and self._conventions.matches(names.conventions)
+            and self._constants.matches(names.constants)
+            and self._tables.matches(names.tables)
+            and self._valueless.matches(names.without_value)
+            and self._bodies.matches(names.bodies)
         )
 
 
@@ -235,8 +235,8 @@ class _Template:
     places: list[tuple[int, Instr, _Symbol, int, Instr]]
     encoded: list[tuple[bytes, list[int]]]
 
-    def suits(self, names: Symbols) -> bool:
-        return self.asked.suits(names)
+    def matches(self, names: Symbols) -> bool:
+        return self.asked.matches(names)
 
     def link(self, names: Symbols, watch: int) -> tuple[Code, FunctionInfo]:
         """Return the code with the numbers of a program, and add its sites."""

@@ -29,9 +29,9 @@ from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
 from crs_cc.runtime.codegen.convention import (
     Convention,
-    called_otherwise,
     convention_of,
     general_form,
+    needing_general_form,
 )
 from crs_cc.runtime.codegen.indices import (
     BEGUN_GLOBAL,
@@ -58,7 +58,7 @@ from crs_cc.runtime.layout import (
     red_zone,
     round_up,
 )
-from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, pointed_functions
+from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, address_taken_functions
 from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, FuncType, Instr, Module
 
 _TWO_I32: Final[FuncType] = (("i32", "i32"), ("i32",))
@@ -90,7 +90,7 @@ def compile_program(
     Raises:
         CompileError: the program's objects do not fit into a robot's memory.
     """
-    pointers = pointed_functions(program)
+    pointers = address_taken_functions(program)
     own = _checks() if checked else [_outside()]
     names = _symbols(program, pointers, len(own), checked=checked, trap_overflow=trap_overflow)
     addresses = names.addresses
@@ -285,7 +285,7 @@ def _general_forms(
     conventions: dict[str, Convention],
 ) -> dict[str, int]:
     """Return the index of the general form of each function that is called in it."""
-    wanted = {ROOT, *pointers, *called_otherwise(program, conventions)}
+    wanted = {ROOT, *pointers, *needing_general_form(program, conventions)}
     following = itertools.count(max(numbers.values()) + 1)
     return {
         name: number if conventions[name].is_general else next(following)

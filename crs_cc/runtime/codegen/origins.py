@@ -49,10 +49,10 @@ def part_in(state: int) -> int | None:
     return state >> _SHIFT & _PART if state & 1 and not state >> 7 else None
 
 
-def begin(slot: Slot, offset: int, place: Location, names: Symbols) -> list[Instr]:
+def begin(slot: Slot, offset: int, location: Location, names: Symbols) -> list[Instr]:
     """Make a slot at SP + `offset` accessible, without value, in a function at some location."""
     sp: Instr = ("local.get", SP)
-    if slot.variable is None or in_library(place):
+    if slot.variable is None or in_library(location):
         return shadow.fill(sp, offset, slot.size, ByteState.WITHOUT_VALUE)
     number = FIRST_VARIABLE + names.origin_number(slot.variable)
     if slot.size > inline_ranges.MOST_FILLED:

@@ -35,7 +35,7 @@ from crs_cc.runtime.codegen import indices, inline_ranges, same_object, shadow
 from crs_cc.runtime.codegen.indices import ADDRESS, FP, MEMORY, OUTSIDE, SHADOW, SP
 from crs_cc.runtime.codegen.inline_ranges import short
 from crs_cc.runtime.codegen.memory_instructions import LOADS, STORES
-from crs_cc.runtime.codegen.scalar_replacement import Readable, Writable
+from crs_cc.runtime.codegen.scalar_replacement import ReadCheck, WriteCheck
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
@@ -65,7 +65,7 @@ class PlainMemory:
     def before(self, it: Instruction) -> None:
         """Check the registers that an instruction reads."""
 
-    def follow(self, it: Instruction) -> None:
+    def after(self, it: Instruction) -> None:
         """Update known facts after an instruction."""
 
     def place(self, base: Base, offset: int) -> tuple[Instr, int]:
@@ -152,11 +152,11 @@ class PlainMemory:
     ) -> None:
         """Check that `size` bytes at `address` are accessible."""
 
-    def writable(self, it: Writable) -> None:
+    def writable(self, it: WriteCheck) -> None:
         """Check that a struct can be written."""
         self.check_range(it.target, Constant("i32", it.size), it.location, "write")
 
-    def readable(self, it: Readable) -> None:
+    def readable(self, it: ReadCheck) -> None:
         """Check that a struct can be passed, and charge for it."""
         size = Constant("i32", it.size)
         self.check_passed(it.target, size, it.location)

@@ -11,7 +11,7 @@ from collections.abc import Container, Sequence
 from typing import Final
 
 from crs_cc.ir.instruction import Block, Call, Register, Request, SetJump, Statement
-from crs_cc.ir.liveness import Liveness, alive_before, all_instructions, reads, writes
+from crs_cc.ir.liveness import Liveness, all_instructions, live_before, reads, writes
 from crs_cc.ir.loops import loop_headers
 from crs_cc.ir.program import Function
 
@@ -49,10 +49,10 @@ class Registers:
         """
         self.headers = loop_headers(function)
         self._last: dict[Block, list[list[Register]]] = {}
-        alive = 0
+        live = 0
         for block in function.blocks:
             if block in self.headers:
-                alive |= liveness.at_start(block)
+                live |= liveness.at_start(block)
             end = block.terminator
             is_inlined = isinstance(end, Call) and end in inlined
             if isinstance(end, Call | Request | SetJump) and not is_inlined:
@@ -60,15 +60,15 @@ class Registers:
                 result = writes(end)  # known only when the function continues
                 if result is not None and not (debug and isinstance(end, Call)):
                     behind &= ~(1 << result.index)
-                alive |= behind
+                live |= behind
                 kept = [end.callee] if isinstance(end, Call) else reads(end)
                 for register in kept:
-                    alive |= 1 << register.index if isinstance(register, Register) else 0
+                    live |= 1 << register.index if isinstance(register, Register) else 0
             if debug:
-                before = alive_before(block, liveness)
+                before = live_before(block, liveness)
                 for instruction, bits in zip(block.instructions, before, strict=False):
-                    alive |= bits if isinstance(instruction, Statement) else 0
-        saved = [each for each in function.registers if alive >> each.index & 1 or each.variable]
+                    live |= bits if isinstance(instruction, Statement) else 0
+        saved = [each for each in function.registers if live >> each.index & 1 or each.variable]
         self.saved = list(dict.fromkeys([*saved, *more]))
         shared = [each for each in function.registers if liveness.shared >> each.index & 1]
         self.lasting = dict.fromkeys([*self.saved, *shared])
@@ -78,15 +78,15 @@ class Registers:
     def _most(self, block: Block) -> int:
         """Return the maximum charge for the registers of a block that are live at once [bytes]."""
         size = most = 0
-        alive: set[Register] = set()
+        live: set[Register] = set()
         for instruction, last in zip(all_instructions(block), self.last_uses(block), strict=True):
             target = writes(instruction)
-            if target is not None and target not in alive and target not in self.lasting:
-                alive.add(target)
+            if target is not None and target not in live and target not in self.lasting:
+                live.add(target)
                 size += CHARGES[target.type]
             most = max(most, size)
             for register in last:
-                alive.discard(register)
+                live.discard(register)
                 size -= CHARGES[register.type]
         return most
 

@@ -55,7 +55,7 @@ _UNKNOWN: Final = Variable("", INT, Location(""))
 
 
 @dataclass(slots=True, eq=False)
-class Writable(Instruction):
+class WriteCheck(Instruction):
     """A check that `size` bytes at `target` can be written; unchecked builds have none."""
 
     target: Register
@@ -63,7 +63,7 @@ class Writable(Instruction):
 
 
 @dataclass(slots=True, eq=False)
-class Readable(Instruction):
+class ReadCheck(Instruction):
     """A check that a struct of `size` bytes at `target` can be passed by value."""
 
     target: Register
@@ -95,7 +95,7 @@ class Replaced:
 
 
 @dataclass(slots=True, eq=False)
-class Partly:
+class PartiallyReplaced:
     """A function without some of its slots.
 
     Attributes:
@@ -122,7 +122,9 @@ def replace_slots(function: Function, fuel: Mapping[Block, int]) -> Replaced | N
         return None
 
 
-def replace_some(function: Function, fuel: Mapping[Block, int], *, checked: bool) -> Partly | None:
+def replace_some(
+    function: Function, fuel: Mapping[Block, int], *, checked: bool
+) -> PartiallyReplaced | None:
     """Return a function without those slots that need no memory; None if all do.
 
     Args:
@@ -144,7 +146,7 @@ def replace_some(function: Function, fuel: Mapping[Block, int], *, checked: bool
             kept.add(error.slot)
         else:
             homes = {made: place for place, made in replacement.registers.items()}
-            return Partly(replaced.function, replaced.fuel, homes)
+            return PartiallyReplaced(replaced.function, replaced.fuel, homes)
     return None
 
 
@@ -184,7 +186,7 @@ def _check_lifetime(
     """Refuse the use of an address whose object has ended, which is an error to be found."""
     if isinstance(it, Lifetime) and not it.begins:
         ended.update(each for each, (slot, _) in holding.items() if slot is it.slot)
-    used = [it.target] if isinstance(it, Readable | Writable) else reads(it)
+    used = [it.target] if isinstance(it, ReadCheck | WriteCheck) else reads(it)
     for register in used:
         if register in ended and register in holding:
             raise NotReplaceableError(holding[register][0])
@@ -272,7 +274,7 @@ class _Replacement:
 
     # -- what is done with slots -----------------------------------------------------------------
 
-    def _look(self, block: Block, alive: int) -> None:
+    def _look(self, block: Block, live: int) -> None:
         """Collect the uses of slots in a block, and which registers hold their addresses."""
         holding = dict(self.held)
         ended: set[Register] = set()
@@ -290,7 +292,7 @@ class _Replacement:
                         continue
                     holding[target] = it.base, it.offset
         for each, (slot, _) in holding.items():
-            if alive >> each.index & 1 and each not in self.held:
+            if live >> each.index & 1 and each not in self.held:
                 raise NotReplaceableError(slot)
 
     def _refuse(self, slot: Slot | None) -> None:
@@ -327,7 +329,7 @@ class _Replacement:
                 self.uses.access(slot, start + it.offset, it.memory)
                 self.places[it] = {base: holding[base]}
                 return isinstance(it, Load) or it.source not in holding
-            case Readable(target=base) | Writable(target=base) if base in holding:
+            case ReadCheck(target=base) | WriteCheck(target=base) if base in holding:
                 self.places[it] = {base: holding[base]}
                 return True
             case Move(result=target, source=Register()):
@@ -428,7 +430,7 @@ class _Replacement:
                 made = self.registers[target, at - start + to]
                 yield Move(it.location, made, self.registers[source, at])
             return
-        yield Writable(it.location, it.target, size)
+        yield WriteCheck(it.location, it.target, size)
         for at, memory in rows:
             yield Store(it.location, it.target, at - start, self.registers[source, at], memory)
 

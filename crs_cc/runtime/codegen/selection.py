@@ -32,7 +32,7 @@ from crs_cc.ir.instruction import (
 )
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
-from crs_cc.runtime.codegen.scalar_replacement import Readable, Writable
+from crs_cc.runtime.codegen.scalar_replacement import ReadCheck, WriteCheck
 from crs_cc.runtime.codegen.watchpoints import Watchpoints
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.sites import Site
@@ -78,10 +78,10 @@ class Selector:
         if self._watching is not None:
             self._watching.before(instruction)
 
-    def follow(self, instruction: Instruction) -> None:
+    def after(self, instruction: Instruction) -> None:
         """Write the code after an instruction that has a result, terminators included."""
         if self._watching is not None:
-            self._watching.follow(instruction)
+            self._watching.after(instruction)
 
     def select(self, instruction: Instruction) -> None:
         """Write the code of one instruction that is not a terminator."""
@@ -90,10 +90,10 @@ class Selector:
             getattr(self._memory, access)(instruction)
         else:
             _SELECT[type(instruction)](self, instruction)
-        self._memory.follow(instruction)
+        self._memory.after(instruction)
         if self._arithmetic is not None:
-            self._arithmetic.follow(instruction)
-        self.follow(instruction)
+            self._arithmetic.after(instruction)
+        self.after(instruction)
 
     def move(self, it: Move) -> None:
         """Write `result = source`."""
@@ -190,7 +190,7 @@ _ACCESS: Final[dict[type[Instruction], str]] = {
     Lifetime: "lifetime",
     Seal: "seal",
     State: "state",
-    Writable: "writable",
-    Readable: "readable",
+    WriteCheck: "writable",
+    ReadCheck: "readable",
 }
 """The method of `PlainMemory` for each memory instruction."""

@@ -53,12 +53,12 @@ def repeated(state: int, size: int) -> Instr:
     return (f"{kind(size)}.const", int.from_bytes([state] * size, "little", signed=True))
 
 
-def not_usual(size: int) -> list[Instr]:
+def not_all_valid(size: int) -> list[Instr]:
     """Replace states on the stack by whether some byte is not writable and initialised."""
     return [repeated(ByteState.WITH_VALUE, size), (f"{kind(size)}.ne",)]
 
 
-def lacks(bits: int, size: int) -> list[Instr]:
+def any_without(bits: int, size: int) -> list[Instr]:
     """Replace states on the stack by whether some byte lacks some of these bits."""
     mask = repeated(bits, size)
     if size == 1 and bits == READABLE:
@@ -79,20 +79,20 @@ def fill(base: Instr, offset: int, size: int, state: int) -> list[Instr]:
     return inline_ranges.fill(SHADOW, base, offset, size, state) if size else []
 
 
-def some_lack(bits: int, base: Instr, size: int) -> list[list[Instr]]:
+def any_in_range_without(bits: int, base: Instr, size: int) -> list[list[Instr]]:
     """Return tests that push whether some of `size` bytes at an address lacks some of these bits.
 
     The first word is tested alone: those after it may be beyond the last address, where looking
     them up is a trap that does not say where.
     """
     step, offsets = inline_ranges.words(size)
-    first = [base, load(step, offsets[0]), *lacks(bits, step)]
+    first = [base, load(step, offsets[0]), *any_without(bits, step)]
     if len(offsets) == 1:
         return [first]
     code = [base, load(step, offsets[1])]
     for at in offsets[2:]:
         code += [base, load(step, at), (f"{kind(step)}.and",)]
-    return [first, [*code, *lacks(bits, step)]]
+    return [first, [*code, *any_without(bits, step)]]
 
 
 # Runtime functions called by checked code

@@ -46,7 +46,7 @@ from crs_cc.runtime.codegen.body import Body
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.expansion import Expanded, expand
 from crs_cc.runtime.codegen.registers import Registers
-from crs_cc.runtime.codegen.scalar_replacement import Readable, Writable, replace_slots
+from crs_cc.runtime.codegen.scalar_replacement import ReadCheck, WriteCheck, replace_slots
 from crs_cc.runtime.codegen.signatures import ends_without_value
 from crs_cc.runtime.codegen.value_numbering import KnownBytes, ValueNumbers
 
@@ -56,7 +56,7 @@ MOST_WORK: Final = 60
 _ENDS: Final = (Jump, Branch, Switch, Return, Stop, Call)
 _INLINED: Final = (
     Statement, Move, Unary, Binary, Load, Store, Address, Bounds, SameObject,
-    Passed, Writable, Readable,
+    Passed, WriteCheck, ReadCheck,
 )  # fmt: skip
 _SHIFTS: Final = frozenset({"shl", "shr_s", "shr_u"})
 _DIVISIONS: Final = frozenset({"div_s", "div_u", "rem_s", "rem_u"})
@@ -173,9 +173,9 @@ class Bodies:
                 if fails and has_changed:
                     return False
                 body.can_fail |= fails
-                body.can_fail_inside |= fails and not isinstance(it, Readable | Writable)
+                body.can_fail_inside |= fails and not isinstance(it, ReadCheck | WriteCheck)
                 has_changed |= changes
-                places.follow(it)
+                places.update(it)
             body.has_effects |= has_changed
             for target in block.successors():
                 changed[target] |= has_changed
@@ -184,7 +184,7 @@ class Bodies:
     def _fails(self, it: Instruction, places: ValueNumbers, written: KnownBytes) -> bool:
         """Return whether an instruction can fail, given what was written before in its block."""
         match it:
-            case Writable(target=target, size=size) | Readable(target=target, size=size):
+            case WriteCheck(target=target, size=size) | ReadCheck(target=target, size=size):
                 written.add(places.of(target, 0), size, valued=False)
                 return self.checked
             case Load(base=Register()):

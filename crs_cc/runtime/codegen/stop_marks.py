@@ -88,7 +88,7 @@ def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: b
     ]  # fmt: skip
 
 
-def going_on(body: list[Instr]) -> list[Instr]:
+def self_resuming(body: list[Instr]) -> list[Instr]:
     """Return the code of a function that resumes itself at a site if its test says so.
 
     Args:

@@ -16,7 +16,7 @@ from typing import Final
 from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen.expansion import expand_some
 from crs_cc.runtime.codegen.inlined_calls import inlined_calls
-from crs_cc.runtime.codegen.scalar_replacement import Partly, replace_some
+from crs_cc.runtime.codegen.scalar_replacement import PartiallyReplaced, replace_some
 from crs_cc.runtime.codegen.small_functions import Bodies
 
 MOST_BLOCKS: Final = 300
@@ -24,7 +24,7 @@ MOST_SLOTS: Final = 16
 """Functions with more are left as they are: each slot that stays in memory is found by a pass."""
 
 
-def with_structs_in_registers(function: Function, bodies: Bodies | None) -> Partly:
+def with_structs_in_registers(function: Function, bodies: Bodies | None) -> PartiallyReplaced:
     """Return a function with structs in registers; unchanged in debug builds.
 
     Args:
@@ -36,10 +36,10 @@ def with_structs_in_registers(function: Function, bodies: Bodies | None) -> Part
         replaced = _replaced(function, bodies)
         if replaced is not None:
             return replaced
-    return Partly(function, {block: block.fuel for block in function.blocks}, {})
+    return PartiallyReplaced(function, {block: block.fuel for block in function.blocks}, {})
 
 
-def _replaced(function: Function, bodies: Bodies) -> Partly | None:
+def _replaced(function: Function, bodies: Bodies) -> PartiallyReplaced | None:
     """Return a function with structs in registers; None if there are none."""
     calls = inlined_calls(function.blocks, bodies)
     while True:

@@ -9,7 +9,7 @@ and a second `a[i]` are known to be adjacent.
 >>> a, i, b = (Register(n, "i32") for n in range(3))
 >>> places = ValueNumbers()
 >>> before = places.of(a, 4)
->>> places.follow(Binary(Location("x.c"), b, "i32.add", a, Constant("i32", 4)))
+>>> places.update(Binary(Location("x.c"), b, "i32.add", a, Constant("i32", 4)))
 >>> places.of(b, 0) == before
 True
 """
@@ -66,7 +66,7 @@ class ValueNumbers:
         root, distance = self._origin(base)
         return root, distance + offset
 
-    def follow(self, it: Instruction) -> None:
+    def update(self, it: Instruction) -> None:
         """Update the values after an instruction."""
         target = writes(it)
         if target is None or target.type != "i32":

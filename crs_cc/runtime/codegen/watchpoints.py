@@ -132,7 +132,7 @@ class Watchpoints:
                 for each in (each for each in it.arguments if each.memory is None):
                     self._report(each.value, Constant("i32", each.size), READ)
 
-    def follow(self, it: Instruction) -> None:
+    def after(self, it: Instruction) -> None:
         """Report the variable that an instruction has written."""
         result = writes(it)
         if result is not None:

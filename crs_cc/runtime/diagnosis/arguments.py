@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from crs_cc.ir.types import CType
-from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.inspect import StoppedProgram
 from crs_cc.runtime.layout import RESULT, argument_offsets
 from crs_cc.runtime.sites import call_site
 
 
-def variable_argument(stopped: Stopped, address: int) -> tuple[int, CType] | None:
+def variable_argument(stopped: StoppedProgram, address: int) -> tuple[int, CType] | None:
     """Return the number, from 1, and the type of the variable argument at an address, if known."""
     for each in stopped.stack:
         info = stopped.compiled.info(each.function)

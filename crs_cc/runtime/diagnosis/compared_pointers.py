@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from crs_cc.core.source import Location
-from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.inspect import StoppedProgram
 from crs_cc.runtime.diagnosis.object_text import object_name
 from crs_cc.runtime.diagnosis.objects import Objects
 from crs_cc.runtime.layout import STACK_TOP
@@ -25,7 +25,7 @@ class ComparedPointers:
 
 
 def compared_pointers(
-    stopped: Stopped, location: Location, pointers: tuple[int, int]
+    stopped: StoppedProgram, location: Location, pointers: tuple[int, int]
 ) -> ComparedPointers:
     """Return a comparison of two pointers.
 

@@ -12,7 +12,7 @@ from typing import Final
 
 from crs_cc.ir.instruction import Call, Register, Slot, Variable
 from crs_cc.ir.names import in_library
-from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.inspect import StoppedProgram
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.layout import NULL_SIZE
 
@@ -26,7 +26,7 @@ MOST: Final = 5000
 """Maximum number of possible calls to consider."""
 
 
-def returned_local(stopped: Stopped, address: int) -> Object | None:
+def returned_local(stopped: StoppedProgram, address: int) -> Object | None:
     """Return the variable that was at an address; None if none or several are possible."""
     found: dict[Variable | None, Object] = {}
     for number, (callee, fp) in enumerate(_calls(stopped, address)):
@@ -40,7 +40,7 @@ def returned_local(stopped: Stopped, address: int) -> Object | None:
     return next(iter(found.values())) if len(found) == 1 else None
 
 
-def _calls(stopped: Stopped, address: int) -> Iterator[tuple[str, int]]:
+def _calls(stopped: StoppedProgram, address: int) -> Iterator[tuple[str, int]]:
     """Yield functions that may have had an address in their frames, and their frame pointers."""
     frames = [(each.function, each.fp, FARTHEST_CALL) for each in stopped.stack]
     above = [each for each in frames if each[1] > address]
@@ -61,7 +61,7 @@ def _local(place: Register | Slot, address: int, function: str) -> Object | None
     return Object("local", address, size, name, variable.location, variable, function, "ended")
 
 
-def _callees(stopped: Stopped, caller: str) -> list[str]:
+def _callees(stopped: StoppedProgram, caller: str) -> list[str]:
     blocks = stopped.program.functions[caller].blocks
     calls = (each.terminator for each in blocks)
     names = (call.callee for call in calls if isinstance(call, Call))

@@ -13,7 +13,7 @@ import numpy as np
 from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.names import in_library
 from crs_cc.runtime.diagnosis.dead_frames import returned_local
-from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.inspect import StoppedProgram
 from crs_cc.runtime.diagnosis.objects import MARGIN, Object, find_object
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_TOP
 from crs_cc.runtime.sites import Access
@@ -22,7 +22,7 @@ _WITH_SOME_VALUE: Final = 0x80
 
 
 def diagnose(
-    stopped: Stopped, address: int, size: int, access: Access
+    stopped: StoppedProgram, address: int, size: int, access: Access
 ) -> tuple[str, int, Object | None]:
     """Return the kind of error, the first offending byte, and the object there or nearest to it.
 
@@ -56,7 +56,7 @@ def diagnose(
     return kind, first, find_object(stopped, first)
 
 
-def _kind(stopped: Stopped, address: int, found: Object | None) -> str:
+def _kind(stopped: StoppedProgram, address: int, found: Object | None) -> str:
     """Return the kind of error of an access to an inaccessible byte."""
     if found is not None and found.distance(address) == 0 and found.state != "alive":
         return "use after scope" if found.state == "ended" else "use after free"
@@ -76,6 +76,6 @@ def _is_in_library(found: Object) -> bool:
     return found.location is not None and in_library(found.location)
 
 
-def _deepest(stopped: Stopped) -> int:
+def _deepest(stopped: StoppedProgram) -> int:
     """Return the lowest address that the stack has reached."""
     return NULL_SIZE + int(np.argmax(stopped.memory[NULL_SIZE:STACK_TOP] != 0))

@@ -82,7 +82,7 @@ class Case:
             return None
         return pointer_in(self.expression, self.find, self.variables.read)
 
-    def pointed_object(self) -> Object | None:
+    def pointee(self) -> Object | None:
         """Return the object that the dereferenced pointer points to, if it does.
 
         What the index or member of an access leaves is this object, whichever is next to it.
@@ -175,7 +175,7 @@ def _wild(case: Case) -> Explanation:
 
 
 def _out_of_bounds(case: Case) -> Explanation:
-    failure, found = case.failure, case.pointed_object() or case.failure.object
+    failure, found = case.failure, case.pointee() or case.failure.object
     if failure.array is not None:
         return _index(failure, *failure.array)
     if found is None:
@@ -281,20 +281,20 @@ def _uninitialised(case: Case) -> Explanation:
 
 def _invalid_free(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
-    who = case.callee.function if case.callee else "free"
+    callee = case.callee.function if case.callee else "free"
     if found is None or found.distance(failure.value):
-        return Explanation(f"{who} is passed {failure.value:#x}, which malloc never returned")
+        return Explanation(f"{callee} is passed {failure.value:#x}, which malloc never returned")
     offset = failure.value - found.address
     if found.kind == "heap block":
-        text = f"{who} is passed a pointer to offset {offset} in {object_name(found)}"
+        text = f"{callee} is passed a pointer to offset {offset} in {object_name(found)}"
         return Explanation(f"{text}, not to its start", object_notes(found))
-    text = f"{who} is passed a pointer to {object_name(found)}, which malloc never returned"
+    text = f"{callee} is passed a pointer to {object_name(found)}, which malloc never returned"
     return Explanation(text, object_notes(found, failure.value if offset else None, "it points"))
 
 
 def _overlap(case: Case) -> Explanation:
-    who = case.callee.function if case.callee else "a copy"
-    text = f"the source and destination of {who} overlap in {object_name(case.failure.object)}"
+    callee = case.callee.function if case.callee else "a copy"
+    text = f"the source and destination of {callee} overlap in {object_name(case.failure.object)}"
     return Explanation(text, object_notes(case.failure.object))
 
 
@@ -360,9 +360,9 @@ def _mismatched(case: Case) -> Explanation:
     for each in stopped.program.functions.values() if stopped else ():
         if stopped and stopped.compiled.addresses.get(each.name) == pointer and each.ctype:
             name = plain_name(each.name)
-            who = f"'{case.called}' points to '{name}', which" if case.called else f"'{name}'"
+            subject = f"'{case.called}' points to '{name}', which" if case.called else f"'{name}'"
             note = f"it is {spell(each.ctype, name)}, defined at {each.location}"
-            return Explanation(f"{who} has a different type", (note,), shows_values=False)
+            return Explanation(f"{subject} has a different type", (note,), shows_values=False)
     return Explanation("the pointer's type is not that of the function called")
 
 
@@ -411,7 +411,7 @@ def _shift(case: Case) -> Explanation:
     return Explanation(f"the shift count is {value:,}")
 
 
-def _says(text: str, *, shows_callee: bool = True) -> Callable[[Case], Explanation]:
+def _constant_text(text: str, *, shows_callee: bool = True) -> Callable[[Case], Explanation]:
     return lambda _case: Explanation(text, shows_callee=shows_callee)
 
 
@@ -434,14 +434,14 @@ EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
     "no value returned": _no_value,
     "mismatched call": _mismatched,
     "shift out of range": _shift,
-    "signed overflow": _says("the result does not fit in its type"),
-    "division overflow": _says("the quotient does not fit in its type"),
+    "signed overflow": _constant_text("the result does not fit in its type"),
+    "division overflow": _constant_text("the quotient does not fit in its type"),
     "bad function pointer": _bad_function,
     "stack overflow": _stack,
-    "corrupted stack": _says("the program has overwritten its call stack"),
-    "abort called": _says("", shows_callee=False),
-    "unhandled signal": _says("", shows_callee=False),
+    "corrupted stack": _constant_text("the program has overwritten its call stack"),
+    "abort called": _constant_text("", shows_callee=False),
+    "unhandled signal": _constant_text("", shows_callee=False),
     "assertion failed": _assertion,
-    "internal trap": _says("a bug in crs, please report it"),
+    "internal trap": _constant_text("a bug in crs, please report it"),
 }
 """The function that explains each kind of error."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from crs_cc.core.source import Location
 from crs_cc.ir.types import ArrayType, CType
-from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.sites import Access
 
@@ -37,7 +37,7 @@ class Failure:
     access: Access = ""
     size: int = 0
     object: Object | None = None
-    stopped: Stopped | None = None
+    stopped: StoppedProgram | None = None
     array: tuple[ArrayType, int] | None = None
     other: Object | None = None
     ctype: CType | None = None

@@ -40,7 +40,7 @@ class StackFrame:
 
 
 @dataclass(frozen=True, slots=True)
-class Stopped:
+class StoppedProgram:
     """A suspended or failed program, for inspection.
 
     Attributes:
@@ -137,7 +137,7 @@ class CallStack(Sequence[StackFrame]):
         self._numbers.append(number)
 
 
-def renewed(known: CallStack | None, memory: ByteArray, compiled: Compiled) -> CallStack:
+def refreshed(known: CallStack | None, memory: ByteArray, compiled: Compiled) -> CallStack:
     """Return the active calls of a stopped program.
 
     Args:

@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from crs_cc.ir.names import in_library
 from crs_cc.runtime.diagnosis import heap
-from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.inspect import StoppedProgram
 from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP, argument_offsets
 from crs_cc.runtime.link import HEAP_SYMBOLS
 from crs_cc.runtime.sites import CallSite
@@ -39,7 +39,7 @@ class LostBlocks:
     allocated: tuple[CallSite, ...]
 
 
-def lost_blocks(stopped: Stopped) -> tuple[LostBlocks, ...]:
+def lost_blocks(stopped: StoppedProgram) -> tuple[LostBlocks, ...]:
     """Return the blocks that are lost, by place, in the order of their addresses."""
     addresses = stopped.compiled.addresses
     blocks = [each for each in heap.blocks(stopped.memory, addresses) if each.in_use]
@@ -53,13 +53,13 @@ def lost_blocks(stopped: Stopped) -> tuple[LostBlocks, ...]:
     return tuple(LostBlocks(tuple(sizes), sites) for sites, sizes in places.items())
 
 
-def _calls(stopped: Stopped, numbers: Sequence[int]) -> tuple[CallSite, ...]:
+def _calls(stopped: StoppedProgram, numbers: Sequence[int]) -> tuple[CallSite, ...]:
     sites = stopped.compiled.call_sites
     calls = (sites[number - 1] for number in numbers if number <= len(sites))
     return tuple(each for each in calls if not in_library(each.location))
 
 
-def _unreached(stopped: Stopped, blocks: Sequence[heap.Block]) -> Iterator[heap.Block]:
+def _unreached(stopped: StoppedProgram, blocks: Sequence[heap.Block]) -> Iterator[heap.Block]:
     starts = np.array([each.address for each in blocks])
     ends = starts + np.maximum(1, [each.size for each in blocks])
     is_reached = np.zeros(len(blocks), np.bool_)
@@ -71,7 +71,7 @@ def _unreached(stopped: Stopped, blocks: Sequence[heap.Block]) -> Iterator[heap.
     return (block for block, reached in zip(blocks, is_reached, strict=True) if not reached)
 
 
-def _roots(stopped: Stopped) -> Iterator[npt.NDArray[np.uint32]]:
+def _roots(stopped: StoppedProgram) -> Iterator[npt.NDArray[np.uint32]]:
     heap_start = stopped.compiled.addresses[HEAP_SYMBOLS[0]]
     yield stopped.memory[STACK_TOP:heap_start].view("<u4")
     for each in stopped.stack:
@@ -82,7 +82,7 @@ def _roots(stopped: Stopped) -> Iterator[npt.NDArray[np.uint32]]:
             yield stopped.memory[each.fp - info.frame.size : end].view("<u4")
 
 
-def _content(stopped: Stopped, block: heap.Block) -> npt.NDArray[np.uint32]:
+def _content(stopped: StoppedProgram, block: heap.Block) -> npt.NDArray[np.uint32]:
     whole = block.size - block.size % _WORD
     return stopped.memory[block.address : block.address + whole].view("<u4")
 

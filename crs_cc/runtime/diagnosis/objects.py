@@ -19,7 +19,7 @@ from crs_cc.ir.names import in_library
 from crs_cc.ir.program import Data, Program
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.diagnosis import heap
-from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.inspect import StoppedProgram
 from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 from crs_cc.runtime.link import HEAP_SYMBOLS
 from crs_cc.runtime.sites import CallSite, arguments_size
@@ -75,7 +75,7 @@ class Object:
 class Objects:
     """The objects of a stopped program, for lookup by address; the program must stay stopped."""
 
-    def __init__(self, stopped: Stopped) -> None:
+    def __init__(self, stopped: StoppedProgram) -> None:
         self._stopped = stopped
 
     @cached_property
@@ -114,7 +114,7 @@ def _is_of_library(found: Object) -> bool:
     return found.location is not None and in_library(found.location)
 
 
-def find_object(stopped: Stopped, address: int) -> Object | None:
+def find_object(stopped: StoppedProgram, address: int) -> Object | None:
     """Return the object at an address, or else the nearest one; None if none is near."""
     return Objects(stopped).at(address)
 
@@ -132,7 +132,7 @@ def _around(each: list[_Placed], address: int) -> list[_Placed]:
     return each[max(0, behind - _NEIGHBOURS) : behind + 1]
 
 
-def of_variable(stopped: Stopped, variable: Variable) -> Object:
+def of_variable(stopped: StoppedProgram, variable: Variable) -> Object:
     """Return a variable of the innermost function as an object, at its spill slot."""
     address, function = 0, ""
     if stopped.stack:
@@ -144,7 +144,7 @@ def of_variable(stopped: Stopped, variable: Variable) -> Object:
     return Object("local", address, size, name, location, variable, function)
 
 
-def _locals(stopped: Stopped) -> Iterator[Object]:
+def _locals(stopped: StoppedProgram) -> Iterator[Object]:
     """Return the slots in the frames of the active calls, and variable arguments."""
     for each in stopped.stack:
         info = stopped.compiled.info(each.function)

@@ -14,7 +14,7 @@ from crs_cc.ir.instruction import Variable
 from crs_cc.ir.names import in_library
 from crs_cc.runtime.codegen.origins import FIRST_VARIABLE, WORD, part_in, part_of
 from crs_cc.runtime.diagnosis.heap import blocks
-from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.inspect import StoppedProgram
 from crs_cc.runtime.link import ROOT
 from crs_cc.runtime.sites import CallSite
 
@@ -25,7 +25,7 @@ _Parts: TypeAlias = Mapping[int, int]
 _SCALAR: Final = 8
 
 
-def origin_of(stopped: Stopped, address: int, size: int) -> Origin | None:
+def origin_of(stopped: StoppedProgram, address: int, size: int) -> Origin | None:
     """Return the variable, or the call that allocated the block, that bytes come from.
 
     Args:
@@ -42,7 +42,7 @@ def origin_of(stopped: Stopped, address: int, size: int) -> Origin | None:
     return None
 
 
-def _known(stopped: Stopped) -> dict[int, Origin]:
+def _known(stopped: StoppedProgram) -> dict[int, Origin]:
     """Return all possible origins by their numbers.
 
     What the library allocates before `main` has values: the arguments.
@@ -57,7 +57,7 @@ def _known(stopped: Stopped) -> dict[int, Origin]:
     return known
 
 
-def _evidence(stopped: Stopped, address: int, size: int) -> Iterator[_Parts]:
+def _evidence(stopped: StoppedProgram, address: int, size: int) -> Iterator[_Parts]:
     """Yield evidence for the number, the strongest first: of a word, of all bytes, of one."""
     first = address & -WORD
     for start in (first, *range(max(0, address - WORD + 1), address + 1)):
@@ -66,7 +66,7 @@ def _evidence(stopped: Stopped, address: int, size: int) -> Iterator[_Parts]:
     yield _parts(stopped, range(address, address + 1))
 
 
-def _parts(stopped: Stopped, addresses: range, *, whole: bool = False) -> _Parts:
+def _parts(stopped: StoppedProgram, addresses: range, *, whole: bool = False) -> _Parts:
     """Return the parts in the states of some bytes; none if the whole is wanted, and one lacks."""
     states = stopped.shadow[addresses.start : addresses.stop].tolist()
     parts = {at: part_in(state) for at, state in zip(addresses, states, strict=False)}

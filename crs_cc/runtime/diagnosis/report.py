@@ -18,7 +18,7 @@ from crs_cc.runtime.diagnosis.active_call import ActiveCall
 from crs_cc.runtime.diagnosis.explain import Case, Explanation, explain
 from crs_cc.runtime.diagnosis.expression_text import names_in
 from crs_cc.runtime.diagnosis.failure import Failure
-from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.diagnosis.variables import Variables
 
@@ -63,13 +63,13 @@ def report(failure: Failure) -> ErrorReport:
     return _Reporter(failure, failure.stopped).report()
 
 
-def current_call(stopped: Stopped) -> ActiveCall | None:
+def current_call(stopped: StoppedProgram) -> ActiveCall | None:
     """Return the innermost active call in the user's files, if any."""
     frame = next((each for each in stopped.stack if not _is_library(each)), None)
     return None if frame is None else _call(frame, stopped, Variables(stopped))
 
 
-def library_call(stopped: Stopped) -> ActiveCall | None:
+def library_call(stopped: StoppedProgram) -> ActiveCall | None:
     """Return the library function called by the user's code, with the location of the call."""
     for frame, caller in itertools.pairwise(stopped.stack):
         if _is_library(frame) and not _is_library(caller):
@@ -85,7 +85,7 @@ def _sentence(failure: Failure, explained: Explanation) -> str:
 class _Reporter:
     """Builds the report of one failure."""
 
-    def __init__(self, failure: Failure, stopped: Stopped) -> None:
+    def __init__(self, failure: Failure, stopped: StoppedProgram) -> None:
         self.failure = failure
         self.stopped = stopped
         self.variables = Variables(stopped)
@@ -116,10 +116,10 @@ class _Reporter:
             failure.object,
         )
 
-    def line(self, place: Location) -> str:
+    def line(self, location: Location) -> str:
         """Return the source line at a location."""
-        lines = self.stopped.lines.get(place.file, ())
-        return lines[place.line - 1] if 0 < place.line <= len(lines) else ""
+        lines = self.stopped.lines.get(location.file, ())
+        return lines[location.line - 1] if 0 < location.line <= len(lines) else ""
 
     def call(self, frame: StackFrame) -> ActiveCall:
         """Return an active call with its arguments."""
@@ -157,7 +157,7 @@ class _Reporter:
         )
 
 
-def _call(frame: StackFrame, stopped: Stopped, variables: Variables) -> ActiveCall:
+def _call(frame: StackFrame, stopped: StoppedProgram, variables: Variables) -> ActiveCall:
     arguments = [
         (each.variable.name, _brief(variables.show(each))) for each in variables.arguments(frame)
     ]
@@ -171,27 +171,27 @@ def _brief(value: str) -> str:
     return "{...}" if value.startswith("{") and len(value) > LONGEST_STRUCT else value
 
 
-def _expression(line: str, place: Location) -> tuple[Location, str]:
+def _expression(line: str, location: Location) -> tuple[Location, str]:
     """Return the location and the text of the expression there, at least one token."""
-    place = replace(place, last=place.last or place.column)
-    start = max(0, place.column - 1)
-    return place, line[start : start + len(underline(line, place))]
+    location = replace(location, last=location.last or location.column)
+    start = max(0, location.column - 1)
+    return location, line[start : start + len(underline(line, location))]
 
 
-def _narrowed(place: Location, expression: str, blamed: str) -> tuple[Location, str]:
+def _narrowed(location: Location, expression: str, blamed: str) -> tuple[Location, str]:
     """Return location and text of the variable at fault in an expression, if there is one."""
     found = re.search(rf"\b{re.escape(blamed)}\b", expression) if blamed else None
     if found is None:
-        return place, expression
-    column = place.column + found.start()
-    return replace(place, column=column, last=column), blamed
+        return location, expression
+    column = location.column + found.start()
+    return replace(location, column=column, last=column), blamed
 
 
 def _is_library(frame: StackFrame) -> bool:
     return in_library(frame.location)
 
 
-def _shown_frames(stopped: Stopped) -> list[StackFrame]:
+def _shown_frames(stopped: StoppedProgram) -> list[StackFrame]:
     """Return the user's functions, and the library functions called directly by them."""
     rows: list[StackFrame] = []
     for frame, caller in zip(stopped.stack, [*stopped.stack[1:], None], strict=True):

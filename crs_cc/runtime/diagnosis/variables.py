@@ -8,7 +8,7 @@ from typing import NamedTuple
 from crs_cc.ir.instruction import Slot, Variable, plain_states
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.types import ArrayType, CType, VoidType
-from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 from crs_cc.runtime.diagnosis.objects import Objects
 from crs_cc.runtime.diagnosis.values import Values, place_name
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
@@ -35,7 +35,7 @@ class Variables:
         objects: looks up the object at an address.
     """
 
-    def __init__(self, stopped: Stopped) -> None:
+    def __init__(self, stopped: StoppedProgram) -> None:
         self._stopped = stopped
         self.objects = Objects(stopped)
         addresses = stopped.compiled.addresses

@@ -16,7 +16,7 @@ from pathlib import Path, PurePosixPath
 from typing import Final
 
 from crs_cc.core.file_names import from_text
-from crs_cc.core.host_system import open_below
+from crs_cc.core.host_system import open_beneath
 from crs_cc.core.input_files import note
 
 _LONGEST: Final = 4096
@@ -49,7 +49,7 @@ def read_below(folder: Path, name: str, ending: str, most: int) -> bytes:
 
 
 def _read(folder: Path, parts: tuple[str, ...], most: int) -> bytes:
-    with os.fdopen(open_below(folder, parts, os.O_RDONLY), "rb") as file:
+    with os.fdopen(open_beneath(folder, parts, os.O_RDONLY), "rb") as file:
         if os.fstat(file.fileno()).st_size > most:
             raise ValueError(f"larger than {most} bytes")
         return file.read(most)

@@ -252,9 +252,9 @@ def _without_position(message: str, line: int) -> str:
     return re.sub(rf" line {line}\b", "", text)
 
 
-def _syntax_message(place: Location, text: str, diagnostics: Diagnostics) -> Diagnostic:
+def _syntax_message(location: Location, text: str, diagnostics: Diagnostics) -> Diagnostic:
     shown = Diagnostics(lines=diagnostics.lines)
-    shown.error(place, f"not well-formed XML: {text}")
+    shown.error(location, f"not well-formed XML: {text}")
     return shown.messages[0]
 
 

@@ -213,7 +213,7 @@ class Level:
         obstacles, plane = self.outlook.obstacles, self.outlook.plane(place)
         viewers, start, end, length_m = obstacles.segments_near(place)
         away, along = start - place.take(viewers), end - start
-        share = segment.nearest_share(-away.real, -away.imag, along.real, along.imag)
+        share = segment.nearest_fraction(-away.real, -away.imag, along.real, along.imag)
         foot = away + share * along
         keep = self._is_high(plane, viewers, foot, obstacles.segment_objects(place))
         return (viewers, start, end, length_m), keep, self._ground(place, plane)

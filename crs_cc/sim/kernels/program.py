@@ -101,7 +101,7 @@ class Kernels:
 
         instance = KernelInstance(executable(checked=checked))
         self._place, self._memory = int(instance.message[0]), instance.memory.data
-        self._resume, self._resume_aside = instance.resume, instance.resume_aside
+        self._resume, self._resume_aside = instance.resume, instance.resume_without_gil
         sizes = _ARENA if is_arena else _WORLD if holds_world else _AT_ONCE
         third, robots, bodies, kinds = sizes
         self.call(SETUP, third, robots, bodies, kinds)

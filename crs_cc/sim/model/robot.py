@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final, Self
 
-from crs_cc.core.distinct import for_each
+from crs_cc.core.distinct import map_distinct
 from crs_cc.sim.model.axis import Axis
 from crs_cc.sim.model.sensors import (
     USUAL_BOARD,
@@ -176,4 +176,4 @@ class RobotModel:
 
 def devices_of(models: Sequence[RobotModel], name: str) -> list[Any | None]:
     """Return a device of each robot, None for those that lack it."""
-    return for_each(models, lambda model: model.device(name))
+    return map_distinct(models, lambda model: model.device(name))

@@ -34,7 +34,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, any_of
-from crs_cc.core.gc_pause import without_collector
+from crs_cc.core.gc_pause import gc_paused
 from crs_cc.sim.geometry.clearance import clearance_m
 from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene
@@ -362,7 +362,7 @@ class Physics:
         self._room_m -= need_m
         return self._room_m >= 0.0
 
-    @without_collector()
+    @gc_paused()
     def _make_space(self) -> None:
         mass_kg, position_m = self._drive_force.mass_kg, self._start.position_m
         is_whole = not self._leaves_some_out

@@ -8,7 +8,7 @@ from typing import Final, Self
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
-from crs_cc.core.distinct import for_each
+from crs_cc.core.distinct import map_distinct
 from crs_cc.sim.model.registry import devices, sensor_count
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
@@ -37,7 +37,7 @@ class TimerState:
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
         """Return timers as set in the robots' definitions."""
-        periods = for_each([robot.model for robot in world.robots], _periods_s)
+        periods = map_distinct([robot.model for robot in world.robots], _periods_s)
         period_s = np.array(periods, dtype=np.float64).reshape(-1, sensor_count())
         next_s = np.where(period_s > 0.0, 0.0, np.inf)
         none = np.zeros_like(period_s)

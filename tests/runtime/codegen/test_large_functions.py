@@ -12,7 +12,7 @@ from collections.abc import Callable
 import pytest
 import wasmtime
 
-from crs_cc.core.gc_pause import without_collector
+from crs_cc.core.gc_pause import gc_paused
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
@@ -144,7 +144,7 @@ def test_a_large_function_is_compiled_sooner_than_a_smaller_one_without_the_limi
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """It takes a quarter of the time of one of three eighths of its size."""
-    with without_collector():
+    with gc_paused():
         large_s = least_s(sums(400))
         switch_limits_off(monkeypatch)
         assert 2 * large_s < least_s(sums(150))

@@ -99,7 +99,7 @@ class Shapes:
     def nearest(self, place: ComplexArray | complex) -> ComplexArray:
         """Return the point on each segment that is nearest to a point."""
         across, along = place - self.start, self.end - self.start
-        share = segment.nearest_share(across.real, across.imag, along.real, along.imag)
+        share = segment.nearest_fraction(across.real, across.imag, along.real, along.imag)
         return np.asarray(self.start + share * along)
 
     def take(self, which: IndexArray) -> Shapes:

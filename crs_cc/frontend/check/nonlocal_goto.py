@@ -20,7 +20,7 @@ _BUFFER: Final = ArrayType(UINT, 4)
 _WORDS: Final = PointerType(UINT)
 
 
-def escape(state: FunctionState, jump: tree.Goto) -> Expression | None:
+def nonlocal_goto(state: FunctionState, jump: tree.Goto) -> Expression | None:
     """Return the jump out of a nested function; None if no function around it has the label.
 
     Only labels that are declared with `__label__` are known before they are reached.
