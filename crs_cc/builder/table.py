@@ -136,7 +136,7 @@ ROWS: Final = (
         Field("into", str, "The parent element, such as define[table]. Default: the world.", ""),
         Field("text", str, "The text content.", ""),
     ), attributes=True),
-    Operation("set", "Set attributes of elements; an empty one is removed.", "some",
+    Operation("set", "Set attributes of elements; an empty value removes one.", "some",
               attributes=True),
     Operation("text", "Set the text of an element, such as the number of a sensor.", "one",
               (Field("text", str, "The text.", required=True),)),

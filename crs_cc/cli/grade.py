@@ -187,7 +187,7 @@ def grade(
     ]
     submissions = _submissions([Path(name) for name in files if not is_world(name)])
     if excel and csv is None:
-        raise click.UsageError("--excel is about the table: add --csv FILE.")
+        raise click.UsageError("--excel requires --csv FILE.")
     for path in (csv, html):
         _check_target(path)
     if runs is not None:

@@ -59,7 +59,7 @@ def sweep() -> None:
     required=True,
     type=click.Path(file_okay=False, path_type=Path),
     metavar="DIR",
-    help="The folder of the results: rows.jsonl while it runs, then the table runs.csv.",
+    help="Folder for the results: rows.jsonl during the sweep, then the table runs.csv.",
 )
 @click.option(
     "--jobs",
@@ -72,11 +72,13 @@ def sweep() -> None:
     "--dask",
     default="",
     metavar="ADDRESS",
-    help="Run on the Dask cluster with this scheduler, such as tcp://hall:8786, instead of on this "
-    "machine (extra 'cluster').",
+    help="Run on the Dask cluster with this scheduler, such as tcp://hall:8786, instead of on "
+    "this machine (requires the 'cluster' extra).",
 )
 @click.option("--resume", is_flag=True, help="Continue an interrupted sweep.")
-@click.option("--parquet", is_flag=True, help="Write runs.parquet as well (extra 'arrow').")
+@click.option(
+    "--parquet", is_flag=True, help="Also write runs.parquet (requires the 'arrow' extra)."
+)
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only.")
 def run_sweep(
     *,
@@ -90,11 +92,11 @@ def run_sweep(
 ) -> int:
     """Run an experiment over all combinations of its parameters, with all its seeds.
 
-    EXPERIMENT.toml names a world, programs and what is varied; docs/experiments.md describes it.
-    Everything is checked and compiled before the first run. Each run is a row of DIR/runs.csv with
-    its parameters, seed, status, goals and measures; a failed run is a row with its error, and
-    is recorded for crs debug in DIR/failed. The table does not depend on --jobs or --dask, nor on
-    interruptions.
+    EXPERIMENT.toml names a world, programs and the parameters to vary; docs/experiments.md
+    describes it. Everything is checked and compiled before the first run. Each run is a row of
+    DIR/runs.csv with its parameters, seed, status, goals and measures; a failed run is a row with
+    its error, and is recorded for crs debug in DIR/failed. The table does not depend on --jobs or
+    --dask, nor on interruptions.
 
     The exit status is 0 if no run failed, otherwise 1.
     """

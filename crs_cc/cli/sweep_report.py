@@ -44,7 +44,7 @@ def report(*, folder: Path, measure: str, replays: bool) -> int:
 
     The report has medians with quartiles and bootstrap confidence intervals over the seeds, tests
     and effect sizes, figures, and replays of the runs with the smallest, the median and the largest
-    value. The extra 'analysis' is required.
+    value. Requires the 'analysis' extra.
     """
     if not all(map(find_spec, _NEEDED)):
         raise click.UsageError(

@@ -69,9 +69,7 @@ def copy(file: Path, names: tuple[str, ...]) -> int:
 @world.command(name="import", short_help="Insert a plan: SVG, PNG, Stage or SDF.")
 @click.argument("file", type=click.Path(path_type=Path))
 @click.argument("plan", type=click.Path(path_type=Path))
-@click.option(
-    "--scale", metavar="LENGTH", help="Size of a pixel, or of a unit of SVG, such as 5cm."
-)
+@click.option("--scale", metavar="LENGTH", help="Size of a pixel, or of an SVG unit, such as 5cm.")
 @click.option("--thickness", metavar="LENGTH", default="10cm", help="Thickness of walls.")
 @click.option("--x", metavar="LENGTH", default="0", help="Position of the plan's x = 0.")
 @click.option("--y", metavar="LENGTH", default="0", help="Position of the plan's y = 0.")
@@ -79,8 +77,8 @@ def import_(file: Path, plan: Path, **given: Any) -> int:
     """Insert the walls and objects of a plan into a world, or create a new world from them.
 
     A plan is an SVG drawing (lines, polylines, polygons, rectangles, circles, paths of straight
-    segments), a PNG picture whose dark pixels are walls, a world of Stage (.world), or SDF with
-    boxes and cylinders. Whatever is omitted is listed. A new world gets an area that fits the plan.
+    segments), a PNG picture whose dark pixels are walls, a Stage world (.world), or SDF with boxes
+    and cylinders. Whatever is omitted is listed. A new world gets an area that fits the plan.
     """
     from crs_cc.cli.edit_world import imported
 

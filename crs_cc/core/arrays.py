@@ -48,3 +48,13 @@ def any_of(flags: BoolArray) -> bool:
 def all_of(flags: BoolArray) -> bool:
     """Return whether all flags are set, in a fraction of the time of `flags.all()`."""
     return b"\0" not in flags.tobytes()
+
+
+def copied(records: Records) -> Records:
+    """Return a copy of records, not field by field as their own method copies them.
+
+    >>> copied(np.zeros(2, [("a", "<i4"), ("b", "u1", 300)])).dtype.names
+    ('a', 'b')
+    """
+    whole = records.view(np.dtype((np.void, records.dtype.itemsize)))
+    return whole.copy().view(records.dtype)

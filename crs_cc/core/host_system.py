@@ -275,7 +275,7 @@ def open_terminal() -> tuple[int, str, Callable[[], None]]:
 
         ours, theirs = os.openpty()
     except (ImportError, AttributeError):
-        raise OSError(errno.ENOSYS, "this system has no pseudo terminals") from None
+        raise OSError(errno.ENOSYS, "this system has no pseudoterminals") from None
     tty.setraw(theirs)
 
     def close() -> None:

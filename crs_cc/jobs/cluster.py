@@ -257,7 +257,7 @@ def _run_beside(module: str, task: Task, sources: str) -> Outcome:
 
 def _require_same(sources: str) -> None:
     if sources != _sources():
-        raise RuntimeError("a worker has another version of crs, Python or wasmtime")
+        raise RuntimeError("a worker has a different version of crs, Python or wasmtime")
 
 
 @cache

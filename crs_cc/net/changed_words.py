@@ -99,7 +99,7 @@ class KnownRows:
             has_wanted |= is_wanted
             rest = rest[used:]
         if rest:
-            raise ValueError("changes of another size than announced")
+            raise ValueError("changes of a size other than announced")
         for kernel, count in self._parts:
             kernel.enter(count)
         return has_wanted

@@ -189,7 +189,7 @@ class DistantFleet(Fleet):
 
     def restore(self, _robot: int, _snapshot: Snapshot) -> None:
         """Raise ValueError: a run on hosts goes forward only."""
-        raise ValueError("a run whose programs are on other hosts cannot go back")
+        raise ValueError("a run whose programs are on other hosts cannot be rewound")
 
     def report(self, robot: int) -> ErrorReport:
         """Return the report of a program's error, which its host has made."""

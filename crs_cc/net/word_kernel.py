@@ -42,7 +42,7 @@ _BEGIN: Final = struct.Struct("<iid")
 """The head of a turn that begins, see `partner.TURN`."""
 _MOST: Final = ROWS * (1 + WORDS) * WORD_BYTES
 """Of a content [bytes]."""
-TOO_LONG: Final = "changes of another size than announced"
+TOO_LONG: Final = "changes of a size other than announced"
 ERRORS: Final = (
     "",
     "changes end early",

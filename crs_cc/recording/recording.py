@@ -110,7 +110,7 @@ class Recording:
     def _read_metadata(self) -> None:
         metadata = self._mcap.metadata
         if topics.RUN not in metadata:
-            raise self._mcap.error("not a recording of crs", "make one with crs run --record")
+            raise self._mcap.error("not a crs recording", "make one with crs run --record")
         with self.errors():
             self.description = RunDescription.of(metadata[topics.RUN])
             rosters = [each for name, each in metadata.items() if name.startswith(topics.ROSTER)]

@@ -15,13 +15,14 @@ from crs_cc.robot_api.row import OURS, Function, Group
 SENSORS: Final = Group("Sensors", (
     Function(
         "int crs_period(int sensor, int ms)",
-        "sets the period of a sensor (`CRS_SENSOR_GPS`, ...), starting now; 0: measure on"
-        " request. The shortest period is that of its rate",
+        "sets the period of a sensor (`CRS_SENSOR_GPS`, ...), starting now; 0 means on request. "
+        "The shortest period is the one that its rate allows",
         units="ms", posts=("PERIOD",), source=(OURS,),
     ),
     Function(
         "int crs_age(int sensor)",
-        "returns the age of a sensor's current measurement, -1 if there is none, or no such sensor",
+        "returns the age of a sensor's current measurement, -1 if there is none, or if there is "
+        "no such sensor",
         units="ms", posts=("AGE",), source=(OURS,),
     ),
 ))  # fmt: skip
@@ -29,8 +30,8 @@ SENSORS: Final = Group("Sensors", (
 MESSAGES: Final = Group("Messages", (
     Function(
         "int crs_send(int to, int type, const void *data, int size)",
-        "sends a message to a robot, by its number; FALSE also for more than 248 bytes, or if too"
-        " many messages are waiting; TRUE does not guarantee delivery",
+        "sends a message to the robot with this number; also FALSE for more than 248 bytes, or "
+        "if too many messages are waiting; TRUE does not guarantee delivery",
         units="-, -, -, byte", posts=("SEND",), source=(OURS,),
     ),
     Function(
@@ -52,7 +53,8 @@ MESSAGES: Final = Group("Messages", (
         "int crs_receive(struct crs_message *message, int milliseconds)",
         "removes the message that arrived first from the inbox; FALSE if there is none",
         units="-, ms", posts=("RECEIVE",),
-        waits="for a message: 0 not at all, CRS_FOREVER without limit", source=(OURS,),
+        waits="for a message for up to this time: 0 for no time, CRS_FOREVER without limit",
+        source=(OURS,),
     ),
     Function(
         "int crs_message_count(void)", "returns the number of messages in the inbox",

@@ -27,9 +27,10 @@ CONNECTION: Final = Group("Connection", (
         under_ndirect="also reads the model, the device and its baud rate or port, prints to"
                       " stdout how it is connected, and returns TRUE; a Scout's mask is fixed,"
                       " without infrared and laser",
-        chosen="The robot number is ignored: a program's robot is the one it runs on; every host"
-               " name and port is accepted. Nclient ignores the device and its speed; Ndirect sets"
-               " the line to the baud rate, and uses the robot's model instead of the argument.",
+        chosen="The robot number is ignored: a program's robot is the one it runs on; every host "
+               "name and port is accepted. Nclient ignores the device and its speed; Ndirect "
+               "sets the line to the baud rate, but uses the robot's model instead of the "
+               "argument.",
     ),
     Function(
         "int create_robot(long robot_id)", "the same without the greeting and the mask",
@@ -50,11 +51,11 @@ CONNECTION: Final = Group("Connection", (
         "int quit_server(void)",
         "stops the server: from then on all functions return FALSE with State[STATE_ERROR] 111",
         posts=("QUIT_SERVER",), source=_BOTH, under_ndirect=_NOTHING,
-        chosen="It stops for this program only; its robot continues its motion.",
+        chosen="The server stops for this program only; the program's robot continues its motion.",
     ),
     Function(
         "int real_robot(void)", "requests a real robot", posts=("REAL_ROBOT",), source=_BOTH,
-        under_ndirect=_NOTHING, chosen="There is no real robot: no effect.",
+        under_ndirect=_NOTHING, chosen="There is no real robot, so the call has no effect.",
     ),
     Function(
         "int simulated_robot(void)", "requests a simulated robot", posts=("SIMULATED_ROBOT",),
@@ -82,9 +83,9 @@ MOTION: Final = Group("Motion", (
         "int pr(int trans, int steer, int turret)",
         "starts a relative move and returns", units=_LENGTHS,
         refreshes=ALL, posts=("PR",), source=_BOTH,
-        chosen="It starts from the current speed; if that is too fast to stop in time, the axis"
-               " reverses. A blocked move continues when the path is free; until then its motors"
-               " keep working, and `ws` waits.",
+        chosen="The move starts from the current speed; if that is too fast to stop in time, the "
+               "axis reverses. A blocked move continues when the path is free; until then its "
+               "motors keep working, and `ws` waits.",
     ),
     Function(
         "int pa(int trans, int steer, int turret)", "returns FALSE, sends nothing",
@@ -111,12 +112,13 @@ MOTION: Final = Group("Motion", (
     Function(
         "int st(void)", "stops the axes and holds them",
         refreshes=ALL, posts=("ST",),
-        chosen="It brakes with the acceleration of `ac`, then holds with the wheels' grip.",
+        chosen="The robot brakes with the acceleration of `ac`, and then holds with the wheels' "
+        "grip.",
     ),
     Function(
         "int lp(void)", "makes the motors limp", refreshes=ALL, posts=("LP",),
-        chosen="The wheels coast (`roll-out`), and roll and count when the robot is pushed along"
-               " them; steering and turret stop.",
+        chosen="The wheels coast (`roll-out`); when the robot is pushed along them, they roll, "
+        "and the encoders count; steering and turret stop.",
     ),
     Function(
         "int ws(unsigned char trans, unsigned char steer, unsigned char turret,"
@@ -132,17 +134,17 @@ MOTION: Final = Group("Motion", (
         refreshes=ALL, posts=("DP",),
     ),
     Function(
-        "int da(int th, int tu)", "sets heading and turret angle of the odometry", units="0.1 deg",
-        refreshes=ALL, posts=("DA",),
+        "int da(int th, int tu)", "sets the heading and the turret angle of the odometry",
+        units="0.1 deg", refreshes=ALL, posts=("DA",),
     ),
     Function(
         "int zr(void)", "sets the odometry to 0; a Nomad turns steering and turret to their zero"
                         " positions",
         refreshes=ALL, posts=("ZR",), source=(HEADER, "RWI", "CARMEN"),
         waits="for these turns, at most 120 s",
-        chosen="A Scout does not move. A Nomad stops, and turns the shorter way, at the speeds of"
-               " `sp`, until wheels and turret point to the front of the base; `conf_tm` is"
-               " inactive until then.",
+        chosen="A Scout does not move. A Nomad stops, and turns in the shorter direction, at the "
+               "speeds of `sp`, until wheels and turret point to the front of the base; "
+               "`conf_tm` is inactive until then.",
     ),
 ))  # fmt: skip
 
@@ -174,8 +176,8 @@ CONFIGURATION: Final = Group("Configuration", (
         posts=("CONF_CP",),
         under_ndirect=f"{_NO_SENSOR}; on a Nomad 200 prints `compass calibration score x: 0 y: 0 z:"
                       " 0` and leaves State",
-        chosen="It is initially off, and keeps its last reading while it is off. The program"
-               " continues during the calibration; `ws` waits for it.",
+        chosen="The compass is initially off, and keeps its last reading while it is off. The "
+               "program continues during the calibration; `ws` waits for it.",
     ),
     Function(
         "int conf_ls(unsigned int mode, unsigned int threshold, unsigned int width,"
@@ -198,7 +200,7 @@ CONFIGURATION: Final = Group("Configuration", (
     Function(
         "int conf_tm(unsigned char timeout)",
         "stops the motion if no command arrives for this time; 0 for never; the argument is"
-        " truncated to a byte, 1000 is 232", units="s", refreshes=ALL, posts=("CONF_TM",),
+        " truncated to a byte: 1000 becomes 232", units="s", refreshes=ALL, posts=("CONF_TM",),
         chosen="The value before the first call is a parameter, `timeout`.",
     ),
     Function(
@@ -229,7 +231,7 @@ READING: Final = Group("Reading", (
     Function(
         "int get_ir(void)", "reads the infrared sensors", refreshes="STATE_IR_*",
         posts=("GET_IR",), under_ndirect=_NO_SENSOR, source=_BOTH,
-        chosen="A reading is the distance of a white surface in inches, 15 for nothing near; a"
+        chosen="A reading is the distance to a white surface in inches, 15 for nothing near; a"
                " surface that reflects a quarter appears twice as far away.",
     ),
     Function(
@@ -256,21 +258,22 @@ READING: Final = Group("Reading", (
     Function(
         "int get_cp(void)", "reads the compass", refreshes="STATE_COMPASS", posts=("GET_CP",),
         under_ndirect=_NO_SENSOR, source=_BOTH,
-        chosen="It turns with the turret; angles are counter-clockwise from the world's x axis.",
+        chosen="The compass turns with the turret; angles are counter-clockwise from the world's "
+        "x axis.",
     ),
     Function(
         "int get_ls(void)", "reads the laser's points", refreshes="Laser",
         posts=("GET_LS", "LASER_PAGE"), under_ndirect=_NO_SENSOR, source=_BOTH,
-        chosen="Points are in the frame of the turret, which carries the laser; directions"
-               " without an object in range have none. It returns points in every mode, `get_sg`"
-               " segments.",
+        chosen="Points are in the frame of the turret, which carries the laser; directions "
+               "without an object in range have no point. It returns points in every mode, "
+               "`get_sg` segments.",
     ),
     Function(
         "int get_bp(void)", "reads the bumpers", refreshes="STATE_BUMPER", posts=("GET_BP",),
         source=_BOTH,
-        chosen="Each switch of a Scout sets one bit; `<bumpers>` of the robot definition defines"
-               " the layout. A switch is pressed from the timestep after a contact begins, while"
-               " it lasts.",
+        chosen="Each switch of a Scout sets one bit; `<bumpers>` in the robot definition defines "
+        "the layout. A switch is pressed from the timestep after a contact begins, for as long "
+        "as the contact lasts.",
     ),
     Function(
         "int get_sg(void)", "reads the laser's segments", refreshes="Laser",

@@ -21,13 +21,14 @@ def _polygon(name: str, does: str, request: str, more: str = "", chosen: str = "
 WORLD: Final = Group("World", (
     _polygon("add_obstacle", "adds a polygon of obs[0] vertices, counter-clockwise, to the world",
              "ADD_OBSTACLE",
-             chosen="Rejected: sides that touch, a polygon on a robot, a program's 101st polygon"
-                    " and a world's 501st. All programs change the same world; a change takes"
-                    " effect at the next timestep, when the program continues."),
+             chosen="These are rejected: a polygon whose sides touch, a polygon on a robot, a "
+                    "program's 101st polygon, and a world's 501st. All programs change the same "
+                    "world; a change takes effect at the next timestep, when the program "
+                    "continues."),
     _polygon("add_Obs", "the same", "ADD_OBSTACLE"),
     _polygon("delete_obstacle", "removes a polygon", "DELETE_OBSTACLE",
-             chosen="Any corner may come first. Fixed boxes and polygons of the world file can"
-                    " also be removed."),
+             chosen="Any corner may come first. Fixed boxes and polygons from the world file "
+             "can also be removed."),
     _polygon("delete_Obs", "the same", "DELETE_OBSTACLE"),
     _polygon("move_obstacle", "moves a polygon, and updates obs", "MOVE_OBSTACLE",
              ", long dx, long dy", chosen="Like `delete_obstacle` and `add_obstacle`."),
@@ -35,8 +36,8 @@ WORLD: Final = Group("World", (
     Function(
         "int new_world(void)", "removes all obstacles", posts=("NEW_WORLD",),
         under_ndirect=_NOTHING, source=_BOTH,
-        chosen="Only the walls around the area and the robots remain; it also removes objects of"
-               " the world file.",
+        chosen="Only the walls around the area and the robots remain; objects from the world "
+        "file are also removed.",
     ),
     Function(
         "int place_robot(int x, int y, int th, int tu)",
@@ -60,8 +61,8 @@ WORLD: Final = Group("World", (
         "predicts the readings of the sensors at another pose: state[1] to state[32], 0 after"
         " that, and the laser", units="as State", posts=("PREDICT", "LASER_PAGE"),
         under_ndirect=_NOTHING, source=_BOTH,
-        chosen="Without errors, for all sonars and infrared sensors, including inactive ones; the"
-               " laser as configured; `laser` may be NULL.",
+        chosen="The prediction has no errors, and covers all sonars and infrared sensors, "
+        "including inactive ones, and the laser as configured; `laser` may be NULL.",
     ),
     Function(
         "int motion_check(long type, double a1, double a2, double a3, double a4, double a5,"
@@ -78,8 +79,8 @@ WORLD: Final = Group("World", (
         "int get_robot_conf(long *conf)", "asks the user to select a position in the window",
         units="0.1 in, 0.1 in, 0.1 deg, 0.1 deg", posts=("GET_CONF",),
         under_ndirect=_NOTHING, source=_BOTH,
-        chosen="Programs that crs compiles have no user to ask: FALSE. For linked programs,"
-               " the page of `crs serve` asks.",
+        chosen="Programs that crs compiles have no user to ask, so the call returns FALSE. For "
+        "linked programs, the page of `crs serve` asks the user.",
     ),
 ))  # fmt: skip
 
@@ -111,9 +112,10 @@ GRAPHICS: Final = Group("Window", (
         "draws a part of the ellipse in the rectangle with the upper left corner (x_0, y_0);"
         " modes are those of a line", units="0.1 in, 0.1 deg",
         posts=("DRAW",), under_ndirect=_NOTHING,
-        source=_BOTH, chosen="From the first angle to the second, counter-clockwise from x.",
+        source=_BOTH,
+        chosen="The arc is drawn from the first angle to the second, counter-clockwise from x.",
     ),
-    _refresh("refresh_all", "everything below"),
+    _refresh("refresh_all", "everything that the functions below erase"),
     _refresh("refresh_all_traces", "the robot's paths"),
     _refresh("refresh_actual_trace", "its true path"),
     _refresh("refresh_encoder_trace", "its path according to odometry"),
@@ -122,7 +124,7 @@ GRAPHICS: Final = Group("Window", (
     _refresh("refresh_infrared_sensor", "the readings of the infrared sensors"),
     _refresh("refresh_sonar_sensor", "the readings of the sonars"),
     _refresh("refresh_laser_sensor", "the readings of the laser"),
-    _refresh("refresh_client_graphics", "the drawings of programs"),
+    _refresh("refresh_client_graphics", "the drawings by programs"),
 ))  # fmt: skip
 
 
@@ -143,9 +145,9 @@ POSDATA: Final = Group("Position and time of sensor readings", (
     ),
     Function("int posDataCheck(void)", "returns the kinds that were requested", source=_BOTH),
     _position("posInfraredRingGet", "PosData posData[INFRAREDS]", "the data of the infrared ring"),
-    _position("posInfraredGet", "PosData *posData, int infraredNumber", "the data of one"),
+    _position("posInfraredGet", "PosData *posData, int infraredNumber", "the data of one sensor"),
     _position("posSonarRingGet", "PosData posData[SONARS]", "the data of all sonars"),
-    _position("posSonarGet", "PosData *posData, int sonarNumber", "the data of one"),
+    _position("posSonarGet", "PosData *posData, int sonarNumber", "the data of one sonar"),
     _position("posBumperGet", "PosData *posData", "the data of the last bumper contact"),
     _position("posLaserGet", "PosData *posData", "the data of the laser, 30 times a second"),
     _position("posCompassGet", "PosData *posData", "the data of the compass, 10 times a second"),
@@ -178,7 +180,8 @@ PACKETS: Final = Group("User-defined packets", (
     Function(
         "int special_request(unsigned char *user_send_buffer, unsigned char *user_receive_buffer)",
         "sends a packet to the robot and waits for its answer", posts=("SPECIAL",),
-        source=_BOTH, chosen="No simulated robot understands user-defined packets: FALSE.",
+        source=_BOTH,
+        chosen="No simulated robot understands user-defined packets, so the call returns FALSE.",
     ),
     Function(
         "int init_receive_buffer(unsigned short *index)",
@@ -206,17 +209,18 @@ PACKETS: Final = Group("User-defined packets", (
     _stuff("stuff2byteuint", "unsigned short", "two bytes, low byte first,"),
     _stuff("stuff4byteuint", "unsigned long", "four bytes, lowest byte first,"),
     _stuff("stuffdouble", "double", "eight bytes, lowest byte first,"),
-    _extract("signed char", "extractchar", f"one byte, {_SIGNED}"),
-    _extract("signed short", "extract2byteint", f"two bytes, {_SIGNED}"),
-    _extract("signed long", "extract4byteint", f"four bytes, {_SIGNED}"),
+    _extract("signed char", "extractchar", f"one byte, {_SIGNED},"),
+    _extract("signed short", "extract2byteint", f"two bytes, {_SIGNED},"),
+    _extract("signed long", "extract4byteint", f"four bytes, {_SIGNED},"),
     _extract("unsigned char", "extractuchar", "one byte"),
     _extract("unsigned short", "extract2byteuint", "two bytes"),
     _extract("unsigned long", "extract4byteuint", "four bytes"),
     _extract("double", "extractdouble", "eight bytes"),
     Function(
         "long arm_mv(long l_mode, long l_v, long g_mode, long g_v)",
-        "moves lift and gripper of the arm; returns the number in the answer",
-        posts=("SPECIAL",), source=_BOTH, chosen="No simulated robot has this arm: 0.",
+        "moves the lift and the gripper of the arm; returns the number in the answer",
+        posts=("SPECIAL",), source=_BOTH,
+        chosen="No simulated robot has this arm, so the call returns 0.",
     ),
     Function(
         "long arm_ws(short lift, short grip, long timeout, long *time_remain)",

@@ -247,7 +247,7 @@ class _Reader:
         """Return the snapshot, which ends the file."""
         found = self.value()
         if type(found) is not SessionSnapshot or self.at != len(self._content):
-            raise ValueError("not a snapshot of a session")
+            raise ValueError("not a session snapshot")
         return found
 
     def value(self, depth: int = 0) -> Any:

@@ -129,7 +129,7 @@ def test_workers_of_another_version_run_no_program(
     dask: Dask, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(cluster, "_sources", lambda: "another")
-    with pytest.raises(ClusterError, match="a worker has another version of crs"):
+    with pytest.raises(ClusterError, match="a worker has a different version of crs"):
         Session(programs="int main(void) { return 7; }", hosts=dask.address.replace("tls", "dask"))
 
 

@@ -85,7 +85,7 @@ def test_a_cluster_with_another_version_runs_nothing(
     tmp_path: Path, dask: LocalCluster, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(cluster, "_sources", lambda: "another")
-    with pytest.raises(ClusterError, match="a worker has another version of crs"):
+    with pytest.raises(ClusterError, match="a worker has a different version of crs"):
         Sweep(write(tmp_path), tmp_path / "out").run(1, dask=dask.scheduler_address)
     assert not (tmp_path / "out").exists()
 

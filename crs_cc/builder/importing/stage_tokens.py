@@ -54,7 +54,7 @@ class _Parser:
         while place < len(text):
             found = _TOKEN.match(text, place)
             if found is None or len(self._tokens) > MAX_TOKENS:
-                raise ValueError("not a world of Stage" if found is None else "too large")
+                raise ValueError("not a Stage world" if found is None else "too large")
             place = found.end()
             if found.lastindex:
                 self._tokens.append((found[found.lastindex], found.lastindex == 2))

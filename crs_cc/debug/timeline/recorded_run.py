@@ -438,7 +438,7 @@ class RecordedRun:
             ValueError: there is no such program or memory; nothing is written.
         """
         if not 0 <= robot < len(self.programs):
-            raise ValueError("a change of the memory of a robot that does not exist")
+            raise ValueError("a change to the memory of a robot that does not exist")
         write(patches, self.stopped(robot).memory, self.stopped(robot).shadow)
 
     def _look_anew(self) -> None:

@@ -22,28 +22,65 @@ otherwise a few robots that send without end would make every message examine al
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records, all_of
 from crs_cc.core.keyed_random import KeyedUniform
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.comms.inbox import Transit
 from crs_cc.sim.comms.loss import burst_states
 from crs_cc.sim.comms.message_log import Fate, note
 from crs_cc.sim.comms.outages import is_shut
-from crs_cc.sim.geometry.cell_list import CellList, expand
+from crs_cc.sim.geometry.cell_list import expand
 from crs_cc.sim.geometry.line_of_sight import Sight
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels.hearing import Heard, Hearing
+from crs_cc.sim.kernels.sight_field import MANY
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.messages import EVERYBODY, NO_GROUP, RECEPTION
 from crs_cc.sim.state.random_streams import MESSAGES
 
 _AT_ONCE: Final = 256  # messages per batch, which bounds memory
+_TRIED: Final = 3  # objects whose effect is computed before they are counted
 _STEP, _LOSS, _JITTER, _BYTE = range(4)  # purposes of random numbers
+
+
+class _Batch(NamedTuple):
+    """Messages that are transmitted at once; arrays have a row for each, (k,).
+
+    Attributes:
+        packets: the messages, of dtype `PACKET`.
+        sender: their senders.
+        is_to_several: whether each is for all, or for a group.
+        range_m: the range of its channel.
+        walls: by how much an object reduces that.
+        said: what `Hearing` is told, (k, 6).
+        places_m: where all robots are, (robots, 2).
+    """
+
+    packets: Records
+    sender: IndexArray
+    is_to_several: BoolArray
+    range_m: FloatArray
+    walls: FloatArray
+    said: FloatArray
+    places_m: FloatArray
+
+    @classmethod
+    def of(cls, packets: Records, channels: Channels, places_m: FloatArray) -> Self:
+        """Return the messages of a batch."""
+        sender, channel = packets["sender"].astype(np.intp), packets["channel"].astype(np.intp)
+        group: Int32Array = packets["group"]
+        bits = np.uint32(1) << np.maximum(group, 0).astype(np.uint32)
+        range_m, said = channels.range_m[channel], np.empty((len(packets), 6))
+        said[:, :2], said[:, 2], said[:, 3] = places_m[sender], range_m, sender
+        said[:, 4], said[:, 5] = packets["to"], np.where(group == NO_GROUP, 0, bits)
+        several = packets["to"] == EVERYBODY
+        return cls(packets, sender, several, range_m, channels.walls[channel], said, places_m)
 
 
 class ChannelModel:
@@ -53,6 +90,7 @@ class ChannelModel:
         self._channels = channels
         self._chances = KeyedUniform(seed, MESSAGES)
         self._scene: Scene | None = None
+        self._hearing: Hearing | None = None
 
     def transmit(self, state: EnvState, scene: Scene, packets: Records, end_s: float) -> None:
         """Transmit messages to their receivers, at the end of the cycle in which they were sent.
@@ -65,100 +103,77 @@ class ChannelModel:
         """
         if scene is not self._scene:
             self._scene, self._sight = scene, Sight(scene)
-        place = state.x_m + 1j * state.y_m
+        if self._hearing is None:
+            self._hearing = Hearing()
+        places_m = np.column_stack([state.x_m, state.y_m])
+        self._hearing.place(places_m, state.presence.present)
         transit = Transit(state.messages)
         for first in range(0, len(packets), _AT_ONCE):
             batch = packets[first : first + _AT_ONCE]
-            packet, receiver = self._reached(state, place, batch, transit.full())
-            transit.add(*self._sent_on(batch, packet, receiver, end_s))
+            sent = _Batch.of(batch, self._channels, places_m)
+            reached = self._reached(state, sent, self._hearing, transit.full())
+            transit.add(*self._sent_on(batch, *reached, end_s))
         transit.set_out()
 
     def _reached(
-        self, state: EnvState, place: ComplexArray, packets: Records, full: BoolArray
+        self, state: EnvState, sent: _Batch, hearing: Hearing, full: BoolArray
     ) -> tuple[IndexArray, IndexArray]:
         """Return pairs of message and receiver in range; robots that are `full` do not receive.
 
         Record the fate of the others.
         """
-        channels, messages = self._channels, state.messages
-        packet, receiver = self._pairs(state, place, packets, ~full)
+        messages, packets = state.messages, sent.packets
+        heard = hearing.pairs(sent.said, full, messages.groups)
+        packet, receiver, distance_m, is_missed = heard
         fate = np.full(len(packet), int(Fate.DELIVERED), dtype=np.int8)
-        fate[is_shut(messages, packets, packet, receiver)] = Fate.SHUT
-        fate[~state.presence.present[receiver]] = Fate.ABSENT
-        channel = packets["channel"][packet]
-        start, end = place[packets["sender"][packet]], place[receiver]
-        distance_m, range_m = exact.magnitude(end - start), channels.range_m[channel]
-        open_ = fate == Fate.DELIVERED
-        fate[open_ & (distance_m > range_m)] = Fate.RANGE
-        seen = np.flatnonzero((fate == Fate.DELIVERED) & (channels.walls[channel] < 1.0))
-        if len(seen):
-            bodies = state.bodies
-            objects = self._sight.between(
-                bodies.position_m, bodies.angle_rad, start[seen], end[seen]
-            )
-            reach_m = range_m[seen] * exact.power(
-                channels.walls[channel[seen]], objects.astype(np.float64)
-            )
-            fate[seen[distance_m[seen] > reach_m]] = Fate.BLOCKED
+        if len(messages.shuts):
+            fate[is_shut(messages, packets, packet, receiver)] = Fate.SHUT
+        if not all_of(state.presence.present):
+            fate[~state.presence.present[receiver]] = Fate.ABSENT
+        if not all_of(sent.is_to_several):
+            is_far = distance_m > sent.range_m[packet]
+            fate[is_far & (fate == Fate.DELIVERED)] = Fate.RANGE
+        if (sent.walls < 1.0).any():
+            self._block(state, sent, heard, fate)
         self._lose(state, packets, packet, receiver, fate)
-        lost = fate != Fate.DELIVERED
-        note(messages, fate[lost], packets[packet[lost]], packets["begins_s"][packet[lost]],
-             receiver[lost])  # fmt: skip
+        lost = np.flatnonzero(fate != Fate.DELIVERED)
+        begins_s: FloatArray = packets["begins_s"]
+        which = packet[lost]
+        note(messages, fate[lost], packets, begins_s[which], receiver[lost], which=which)
         unreached = np.bincount(packet, minlength=len(packets)) == 0
-        if full.any():
-            missed = self._reach(state, place, packets, full)
-            note(messages, Fate.INBOX, packets[missed], packets["begins_s"][missed])
-            unreached &= ~missed
-        note(messages, Fate.RANGE, packets[unreached], packets["begins_s"][unreached])
-        return packet[~lost], receiver[~lost]
+        note(messages, Fate.INBOX, packets[is_missed], begins_s[is_missed])
+        unreached &= ~is_missed
+        note(messages, Fate.RANGE, packets[unreached], begins_s[unreached])
+        if not len(lost):
+            return packet, receiver
+        reached = np.flatnonzero(fate == Fate.DELIVERED)
+        return packet[reached], receiver[reached]
 
-    def _pairs(
-        self,
-        state: EnvState,
-        place: ComplexArray,
-        packets: Records,
-        hears: BoolArray,
-    ) -> tuple[IndexArray, IndexArray]:
-        """Return pairs of message and receiver, sorted by message and then by receiver.
-
-        Broadcasts and messages to groups go to the robots with `hears`, (robots,).
-        """
-        robots = np.flatnonzero(hears & state.presence.present)
-        to: Int32Array = packets["to"]
-        on: Int32Array = packets["channel"]
-        senders: Int32Array = packets["sender"]
-        one = np.flatnonzero(to != EVERYBODY)
-        found = [(one, to[one].astype(np.intp))]
-        for channel in np.unique(on[to == EVERYBODY]).tolist():
-            many = np.flatnonzero((to == EVERYBODY) & (on == channel))
-            from_ = place[senders[many]]
-            reach_m = float(self._channels.range_m[channel])
-            cells = CellList(place[robots].real, place[robots].imag, reach_m)
-            sender, hearer = cells.near(from_.real, from_.imag)
-            packet, receiver = many[sender], robots[hearer]
-            near = exact.magnitude(place[receiver] - from_[sender]) <= reach_m
-            near &= _is_meant(state, packets[packet], receiver)
-            found.append((packet[near], receiver[near]))
-        packet, receiver = (np.concatenate(part) for part in zip(*found, strict=True))
-        order = np.lexsort([receiver, packet])
-        return packet[order], receiver[order]
-
-    def _reach(
-        self,
-        state: EnvState,
-        place: ComplexArray,
-        packets: Records,
-        which: BoolArray,
-    ) -> BoolArray:
-        """Return which broadcasts and group messages have any of the robots `which` in range."""
-        robots = np.flatnonzero(which & state.presence.present)
-        channel: Int32Array = packets["channel"]
-        senders: Int32Array = packets["sender"]
-        range_m = self._channels.range_m[channel]
-        away = place[robots] - place[senders][:, None]
-        near = exact.magnitude(away) <= range_m[:, None]
-        near &= _is_meant(state, packets[:, None], robots)
-        return np.asarray((packets["to"] == EVERYBODY) & near.any(axis=1))
+    def _block(
+        self, state: EnvState, sent: _Batch, heard: Heard, fate: npt.NDArray[np.int8]
+    ) -> None:
+        """Set the fate of pairs that objects are between, where these matter."""
+        packet, receiver, distance_m, _ = heard
+        seen = np.flatnonzero((fate == Fate.DELIVERED) & (sent.walls < 1.0).take(packet))
+        if not len(seen):
+            return
+        if len(seen) < len(packet):
+            packet, receiver, distance_m = packet[seen], receiver[seen], distance_m[seen]
+        enough = np.full(len(seen), MANY)
+        # The range decreases with each object.
+        for number in range(_TRIED, 0, -1):
+            reach_m = sent.range_m * exact.power(sent.walls, float(number))
+            np.putmask(enough, distance_m > reach_m.take(packet), number)
+        bodies, place = state.bodies, sent.places_m.view(np.complex128)[:, 0]
+        start, end = place.take(sent.sender.take(packet)), place.take(receiver)
+        objects = self._sight.between(bodies.position_m, bodies.angle_rad, start, end, enough)
+        blocked = objects >= enough
+        rest = np.flatnonzero((enough == MANY) & (objects > _TRIED))
+        if len(rest):
+            walls, range_m = sent.walls[packet[rest]], sent.range_m[packet[rest]]
+            reach_m = range_m * exact.power(walls, objects[rest].astype(np.float64))
+            blocked[rest] = distance_m[rest] > reach_m
+        fate[seen[blocked]] = Fate.BLOCKED
 
     def _lose(
         self,
@@ -170,8 +185,10 @@ class ChannelModel:
     ) -> None:
         channels, bad = self._channels, state.messages.bursts
         channel: Int32Array = packets["channel"]
-        lossy = (channels.loss > 0.0) | (channels.burst_begin > 0.0)
-        reached = np.flatnonzero((fate == Fate.DELIVERED) & lossy[channel[packet]])
+        lossy = ((channels.loss > 0.0) | (channels.burst_begin > 0.0))[channel]
+        if not lossy.any():
+            return
+        reached = np.flatnonzero((fate == Fate.DELIVERED) & lossy[packet])
         if not len(reached):
             return
         chain = receiver[reached] * len(channels) + channel[packet[reached]]
@@ -196,13 +213,14 @@ class ChannelModel:
     ) -> tuple[Records, Records]:
         """Return messages, also corrupted copies, and the arrivals of those that were not lost."""
         channels = self._channels
-        channel: Int32Array = packets["channel"][packet]
+        channel: Int32Array = packets["channel"]
         begins_s: FloatArray = packets["begins_s"]
         sent_s = begins_s + channels.duration_s(packets)
-        arrives_s = sent_s[packet] + channels.delay_s[channel]
-        names = packets["sender"][packet], packets["number"][packet], receiver
-        if channels.jitter_s.any():
-            arrives_s += channels.jitter_s[channel] * self._chances.draw(_JITTER, *names)
+        arrives_s = (sent_s + channels.delay_s[channel]).take(packet)
+        jitter_s = channels.jitter_s[channel]
+        if jitter_s.any():
+            names = packets["sender"][packet], packets["number"][packet], receiver
+            arrives_s += jitter_s.take(packet) * self._chances.draw(_JITTER, *names)
         coming = np.zeros(len(packet), RECEPTION)
         coming["receiver"], coming["packet"] = receiver, packet
         coming["arrives_s"] = np.maximum(arrives_s, end_s)
@@ -210,9 +228,12 @@ class ChannelModel:
 
     def _corrupted(self, packets: Records, coming: Records) -> Records:
         """Return the messages, followed by the corrupted copies that arrive instead."""
-        packet: Int32Array = coming["packet"]
         channel: Int32Array = packets["channel"]
-        share = self._channels.corruption[channel[packet]]
+        corruption = self._channels.corruption[channel]
+        if not corruption.any():
+            return packets
+        packet: Int32Array = coming["packet"]
+        share = corruption[packet]
         noisy = np.flatnonzero(share)
         if not len(noisy):
             return packets
@@ -230,11 +251,3 @@ class ChannelModel:
         coming["packet"][noisy[changed]] = len(packets) + np.arange(len(changed))
         coming["corrupted"][noisy[changed]] = True
         return np.concatenate([packets, copies])
-
-
-def _is_meant(state: EnvState, packets: Records, receiver: IndexArray) -> BoolArray:
-    """Return whether broadcasts address robots: sent by another one, and to a group of theirs."""
-    group: Int32Array = packets["group"]
-    bit = np.uint32(1) << np.maximum(group, 0).astype(np.uint32)
-    meant = (group == NO_GROUP) | (state.messages.groups[receiver] & bit != 0)
-    return np.asarray(meant & (receiver != packets["sender"]))

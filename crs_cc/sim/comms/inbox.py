@@ -12,7 +12,16 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array, Records
+from crs_cc.core.arrays import (
+    BoolArray,
+    FloatArray,
+    IndexArray,
+    Int32Array,
+    Int64Array,
+    Records,
+    all_of,
+    any_of,
+)
 from crs_cc.sim.comms.message_log import Fate, note
 from crs_cc.sim.geometry.cell_list import expand
 from crs_cc.sim.state.messages import ARRIVED, COMING, GONE, MessageState
@@ -20,6 +29,7 @@ from crs_cc.sim.state.messages import ARRIVED, COMING, GONE, MessageState
 INBOX: Final = 64
 COMING_MOST: Final = 256
 
+_SHORT: Final = 1 << 16
 _NONE: Final = np.zeros(0, dtype=np.intp)
 
 
@@ -55,8 +65,8 @@ class Transit:
         if (self.held + more > COMING_MOST).any():
             many = self.held[receiver] + _rank(receiver) >= COMING_MOST
             late, coming = coming[many], coming[~many]
-            note(self._messages, Fate.INBOX, packets[late["packet"]], late["arrives_s"],
-                 late["receiver"])  # fmt: skip
+            note(self._messages, Fate.INBOX, packets, late["arrives_s"], late["receiver"],
+                 which=late["packet"])  # fmt: skip
             more = np.bincount(coming["receiver"], minlength=len(self.held))
         if not len(coming):
             return
@@ -73,7 +83,8 @@ class Transit:
             messages.packets = np.concatenate(self._packets)
             messages.receptions = np.concatenate(self._receptions)
         table = messages.receptions
-        messages.receptions = table[np.lexsort([table["arrives_s"], table["receiver"]])]
+        order = _order(table["receiver"], table["arrives_s"], len(messages.sent))
+        messages.receptions = table.take(order)
 
 
 class Inboxes:
@@ -81,7 +92,8 @@ class Inboxes:
 
     As the rows of a robot are sorted by arrival, those that it has taken come first, then those in
     its inbox, then those on their way. Where these begin is remembered as long as the table is the
-    same one, so that the work for one message does not grow with the number of others.
+    same one, with copies of its columns, so that the work for one message does not grow with the
+    number of others.
     """
 
     def __init__(self) -> None:
@@ -89,25 +101,31 @@ class Inboxes:
         self._head: IndexArray = _NONE  # no row before it is left
         self._coming: IndexArray = _NONE  # no row before it is on its way
         self._end: IndexArray = _NONE
+        self._arrives_s: FloatArray = np.zeros(0)
+        self._packet: IndexArray = _NONE
 
     def _rows(self, messages: MessageState) -> Records:
         """Return the receptions, after finding the rows of each robot."""
         table, robots = messages.receptions, len(messages.sent)
         if table is not self._table or len(self._end) != robots:
             self._table = table
-            receiver = np.ascontiguousarray(table["receiver"])
-            bounds = np.searchsorted(receiver, np.arange(robots + 1))
-            self._head, self._coming = bounds[:-1].copy(), bounds[:-1].copy()
-            self._end = bounds[1:]
-            on_way: Int32Array = receiver[table["status"] == COMING]
-            self._coming = self._end - np.bincount(on_way, minlength=robots)
+            receiver = table["receiver"].astype(np.intp)
+            self._arrives_s = np.ascontiguousarray(table["arrives_s"])
+            self._packet = table["packet"].astype(np.intp)
+            self._end = np.cumsum(np.bincount(receiver, minlength=robots))
+            self._head = np.concatenate([[0], self._end[:-1]])[:robots]
+            on_way = np.bincount(receiver[table["status"] == COMING], minlength=robots)
+            self._coming = self._end - on_way
         return table
 
     def _heads(self, messages: MessageState, rows: IndexArray) -> tuple[IndexArray, BoolArray]:
         """Return the first row that is left of each robot, (k,), and which robots have one."""
-        table = self._rows(messages)
-        status, head, end = table["status"], self._head[rows], self._end[rows]
-        left = np.flatnonzero(head < end)
+        status = self._rows(messages)["status"]
+        head, end = self._head.take(rows), self._end.take(rows)
+        is_left = head < end
+        if all_of(is_left) and not any_of(status[head] == GONE):
+            return head, is_left
+        left = np.flatnonzero(is_left)
         while len(left := left[status[head[left]] == GONE]):
             head[left] += 1
             left = left[head[left] < end[left]]
@@ -123,25 +141,31 @@ class Inboxes:
             by_s: the time of each, (k,).
         """
         table = self._rows(messages)
-        first, end = self._coming[rows], self._end[rows]
+        first, end = self._coming.take(rows), self._end.take(rows)
         some = np.flatnonzero(first < end)
-        some = some[table["arrives_s"][first[some]] <= by_s[some]]
+        if not len(some):
+            return
+        some = some[self._arrives_s[first[some]] <= by_s[some]]
         if not len(some):
             return
         rows, by_s, first = rows[some], by_s[some], first[some]
         owner, place = expand(first, end[some] - first)
-        arrived = table["arrives_s"][place] <= by_s[owner]
-        self._coming[rows] = first + np.bincount(owner[arrived], minlength=len(rows))
-        arrived &= table["status"][place] == COMING
-        owner, place = owner[arrived], place[arrived]
-        fits = self.count(messages, rows)[owner] + _rank(owner) < INBOX
+        come = np.flatnonzero(self._arrives_s.take(place) <= by_s.take(owner))
+        owner, place = owner.take(come), place.take(come)
+        before = self.count(messages, rows)
+        self._coming[rows] = first + np.bincount(owner, minlength=len(rows))
+        came = table.take(place)
+        coming = came["status"] == COMING
+        if not all_of(coming):
+            owner, place, came = owner[coming], place[coming], came[coming]
+        more = np.bincount(owner, minlength=len(rows))
+        rank = np.arange(len(owner)) + (before - np.cumsum(more) + more).take(owner)
+        fits = rank < INBOX
         table["status"][place] = np.where(fits, ARRIVED, GONE)
-        came = table[place]
         fate = np.where(came["corrupted"], int(Fate.CORRUPTED), int(Fate.DELIVERED))
         fate = np.where(fits, fate, int(Fate.INBOX)).astype(np.int8)
-        came_as: Int32Array = came["packet"]
-        packets = messages.packets[came_as]
-        note(messages, fate, packets, came["arrives_s"], came["receiver"])
+        note(messages, fate, messages.packets, came["arrives_s"], came["receiver"],
+             which=self._packet.take(place))  # fmt: skip
 
     def count(self, messages: MessageState, rows: IndexArray) -> Int64Array:
         """Return the number of messages in the inboxes of robots, shape (k,)."""
@@ -155,41 +179,67 @@ class Inboxes:
     ) -> tuple[IndexArray, Records, FloatArray]:
         """Take the first message of every inbox; return which have one, the messages and times."""
         head, left = self._heads(messages, rows)
-        table = self._rows(messages)
-        have = np.flatnonzero(left)
-        have = have[table["status"][head[have]] == ARRIVED]
-        taken = head[have]
-        table["status"][taken] = GONE
-        packet: Int32Array = table["packet"][taken]
-        return have, messages.packets[packet], table["arrives_s"][taken]
+        status = self._rows(messages)["status"]
+        if all_of(left) and all_of(status[head] == ARRIVED):
+            have, takers = np.arange(len(rows)), rows
+        else:
+            have = np.flatnonzero(left)
+            have = have[status[head[have]] == ARRIVED]
+            head, takers = head[have], rows[have]
+        status[head] = GONE
+        self._head[takers] = head + 1
+        packets = messages.packets.take(self._packet.take(head))
+        return have, packets, self._arrives_s.take(head)
 
     def first_s(self, messages: MessageState, rows: IndexArray) -> FloatArray:
         """Return when each robot's first message arrives or has arrived, infinite for none."""
         head, left = self._heads(messages, rows)
+        if all_of(left):
+            return self._arrives_s.take(head)
         first_s = np.full(len(rows), np.inf)
-        first_s[left] = messages.receptions["arrives_s"][head[left]]
+        first_s[left] = self._arrives_s[head[left]]
         return first_s
 
 
 def clear(messages: MessageState, present: BoolArray) -> None:
     """Remove the messages to robots that are not `present` in the world."""
-    table = messages.receptions
-    absent = ~present[table["receiver"]]
+    absent = ~present[messages.receptions["receiver"]]
+    if not absent.any():
+        return
+    table = messages.receptions = messages.receptions.copy()
     late = table[absent & (table["status"] == COMING)]
-    packets = messages.packets[late["packet"]]
-    note(messages, Fate.ABSENT, packets, late["arrives_s"], late["receiver"])
+    note(messages, Fate.ABSENT, messages.packets, late["arrives_s"], late["receiver"],
+         which=late["packet"])  # fmt: skip
     table["status"][absent] = GONE
 
 
 def tidy(messages: MessageState) -> None:
     """Remove messages that can no longer be received."""
-    left = messages.receptions["status"] != GONE
-    table = messages.receptions[left]
-    kept, number = np.unique(table["packet"], return_inverse=True)
-    if len(kept) == len(messages.packets) and left.all():
+    left = np.flatnonzero(messages.receptions["status"] != GONE)
+    packet = messages.receptions["packet"][left]
+    is_kept = np.zeros(len(messages.packets), dtype=np.bool_)
+    is_kept[packet] = True
+    kept = np.flatnonzero(is_kept)
+    if len(kept) == len(messages.packets) and len(left) == len(messages.receptions):
         return
-    table["packet"] = number
-    messages.receptions, messages.packets = table, messages.packets[kept]
+    table = messages.receptions.take(left)
+    table["packet"] = (np.cumsum(is_kept) - 1)[packet]
+    messages.receptions, messages.packets = table, messages.packets.take(kept)
+
+
+def _order(receiver: npt.NDArray[np.integer], arrives_s: FloatArray, robots: int) -> IndexArray:
+    """Return the order by receiver, and then by arrival, of rows in the order in which they came.
+
+    >>> _order(np.array([1, 0, 1, 1]), np.array([2.0, 1.0, 1.0, 1.0]), 2).tolist()
+    [1, 2, 3, 0]
+    """
+    # numpy sorts integers of 16 bits by their digits.
+    key = receiver.astype(np.uint16 if robots <= _SHORT else np.int32)
+    arrives_s = np.ascontiguousarray(arrives_s)
+    if (arrives_s[1:] >= arrives_s[:-1]).all():
+        return np.argsort(key, kind="stable")
+    by_time = np.argsort(arrives_s, kind="stable")
+    return by_time.take(np.argsort(key.take(by_time), kind="stable"))
 
 
 def _rank(owner: npt.NDArray[np.integer]) -> IndexArray:

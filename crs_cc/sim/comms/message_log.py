@@ -15,7 +15,7 @@ from typing import Final, Protocol, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import FloatArray, Records
+from crs_cc.core.arrays import FloatArray, IndexArray, Records
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.events import Event
 from crs_cc.sim.state.messages import EVERYBODY, FATES, NO_GROUP, TRAFFIC, MessageState
@@ -70,6 +70,8 @@ def note(
     packets: Records,
     time_s: FloatArray,
     receivers: npt.NDArray[np.integer] | None = None,
+    *,
+    which: IndexArray | None = None,
 ) -> None:
     """Record the fate of messages.
 
@@ -79,16 +81,23 @@ def note(
         packets: the messages, k of them.
         time_s: the time of each, (k,).
         receivers: the receiving robots, (k,); by default the messages' addressees.
+        which: rows among `packets`, (k,), if there are other ones, or in another order.
     """
-    if not len(packets):
+    if not len(time_s):
         return
-    table = np.zeros(len(packets), TRAFFIC)
-    table["time_s"], table["fate"] = time_s, fate
+    table, keys = np.zeros(len(packets), TRAFFIC), packets["channel"].astype(np.intp) * FATES
     for name in ("channel", "sender", "group", "type", "size", "number"):
         table[name] = packets[name]
-    table["receiver"] = packets["to"] if receivers is None else receivers
-    messages.traffic = np.concatenate([messages.traffic, table])
-    np.add.at(messages.counts, (table["channel"], table["fate"]), 1)
+    table["receiver"] = packets["to"]
+    if which is not None:
+        table, keys = table.take(which), keys.take(which)
+    table["time_s"], table["fate"] = time_s, fate
+    if receivers is not None:
+        table["receiver"] = receivers
+    before = messages.traffic
+    messages.traffic = np.concatenate([before, table]) if len(before) else table
+    counts = messages.counts
+    counts += np.bincount(keys + fate, minlength=counts.size).reshape(counts.shape)
 
 
 def take(messages: MessageState) -> Records:
@@ -97,7 +106,7 @@ def take(messages: MessageState) -> Records:
     if not len(traffic):
         return traffic
     messages.traffic = np.zeros(0, TRAFFIC)
-    return traffic[np.argsort(traffic["time_s"], kind="stable")]
+    return traffic.take(np.argsort(traffic["time_s"], kind="stable"))
 
 
 def events(traffic: Records, channels: Sequence[str], robots: Sequence[str]) -> Iterator[Event]:

@@ -63,10 +63,11 @@ class Messenger:
         have, packets, arrived_s = self._inboxes.take(messages, rows)
         good = np.zeros(len(rows), dtype=np.bool_)
         good[have] = True
+        which = slice(None) if len(have) == len(rows) else have
         for name in ("sender", "to", "group", "type", "channel", "sent_s", "size"):
-            context.put(name, packets[name], good)
-        context.put("arrived_s", arrived_s, good)
-        context.put("content", packets["data"], good)
+            context.put(name, packets[name], which)
+        context.put("arrived_s", arrived_s, which)
+        context.put("content", packets["data"], which)
         return good
 
     def receive_ends_s(self, state: EnvState, rows: IndexArray) -> FloatArray:

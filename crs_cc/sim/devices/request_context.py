@@ -78,7 +78,12 @@ class RequestContext:
         """Write a result into each reply."""
         self.put(name, values)
 
-    def put(self, name: str, values: npt.ArrayLike, where: BoolArray | slice | int = _ALL) -> None:
+    def put(
+        self,
+        name: str,
+        values: npt.ArrayLike,
+        where: BoolArray | IndexArray | slice | int = _ALL,
+    ) -> None:
         """Write a result into some of the replies.
 
         Args:

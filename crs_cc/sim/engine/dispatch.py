@@ -14,14 +14,18 @@ from crs_cc.core.arrays import (
     Records,
     all_of,
     any_of,
+    copied,
 )
 from crs_cc.requests import CODES, MESSAGE, REQUESTS, Request
+from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.devices.waits import when
 from crs_cc.sim.engine.simple_requests import serve_simply
 from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.world_data import WorldData
 
+_MESSAGES: Final = {CODES["SEND"], CODES["RECEIVE"], CODES["MESSAGE_COUNT"]}
+"""Requests that need nothing of robots but that their clocks have reached the time."""
 _NO_WAITS: Final = np.zeros(0, np.intp), np.zeros(0), np.zeros(0, MESSAGE)
 
 
@@ -52,8 +56,12 @@ class Dispatcher:
             self._note(code, (rows, goes_on_s), messages, arguments=arguments, states=states)
             return goes_on_s.copy()
         request, drives = REQUESTS[code], state.drive
-        now_s = np.fmin(np.fmax(clock_s, drives.clock_s[rows]), data.end_s)
-        data.advance_to(rows, now_s, renews=True)
+        reached_s = drives.clock_s[rows]
+        now_s = np.fmin(np.fmax(clock_s, reached_s), data.end_s)
+        if code in _MESSAGES and all_of(now_s == reached_s):
+            drive.renew_deadline(state, rows)
+        else:
+            data.advance_to(rows, now_s, renews=True)
         state.commands[rows] += 1
         context = self._context(request, rows, messages, now_s)
         good = self._handle(context)
@@ -65,7 +73,7 @@ class Dispatcher:
             data.refurnish(moved=code == CODES["PLACE_ROBOT"] and bool(good.any()))
             data.advance_to(rows, goes_on_s)
             context = self._context(request, rows, messages, goes_on_s)
-        if not request.waits:
+        if not request.waits or self._ends_at_once(context, good):
             self._reply(context, good, arguments=arguments)
             return goes_on_s
         waiting = messages[good]
@@ -99,6 +107,19 @@ class Dispatcher:
             self._reply(context, good, arguments=arguments)
             messages[mine] = replies
         return rows, at_s, messages
+
+    def _ends_at_once(self, context: RequestContext, good: BoolArray) -> bool:
+        """End the waits of requests if none has to wait; return whether that was so."""
+        data, state, rows = self._data, self._data.state, context.rows
+        if not all_of(good):
+            return False
+        ends_s = data.waits[context.request.code].ends_s(state, rows)
+        late_s = np.minimum(data.end_s, state.drive.deadline_s[rows])
+        if not all_of((ends_s <= context.at_s) & (ends_s < late_s)):
+            return False
+        state.waits.axes[rows] = False
+        self._finish(context.request, rows, context.messages, ends_s)
+        return True
 
     def _wait(self, request: Request, rows: IndexArray, messages: Records) -> FloatArray:
         """Start to wait; return the ends of the waits that end in this cycle, else infinity.
@@ -196,6 +217,6 @@ class Dispatcher:
                 arguments=arguments,
                 results=messages["result"].copy(),
                 states=states,
-                replies=messages.copy() if REQUESTS[code].traced else None,
+                replies=copied(messages) if REQUESTS[code].traced else None,
             )
         )

@@ -10,7 +10,7 @@
 struct field {
     double segments, circles, pieces;   /* how many */
     double x, y, cell;                  /* corner of the grid, and size of its cells [m] */
-    double columns, rows;
+    double columns, rows, around;       /* a cell lists what is so near to a point of it [m] */
 };
 
 struct box {

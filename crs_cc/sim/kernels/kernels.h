@@ -165,6 +165,18 @@ void __crs_survey(int count, const double *fan, double *robots, double *out, con
    it may have, and gets what it has. `near` gets for each segment whether a disc has less than it needs. */
 void __crs_room(int count, const double *asked, const double *content, double *rooms, int *near);
 
+/* How many objects lie between the ends of each of some lines, two points each, among sorted segments and circles,
+   see sight.c. Their objects are numbered from 0 on. `counts` has how many are enough to be told, and gets how many
+   there are, up to that. */
+void __crs_sight(int count, const double *lines, const double *content, int *counts);
+
+/* Which robots messages are for, from the `first` on, see hearing.c. `told` has the places of all robots and what is
+   known of them, `content` those in the world as sorted circles. `work` gets a bit for each robot, and then the
+   pairs; there is room for some. `missed` gets for each message whether a robot in range is full, and then how many
+   pairs there are. Return before which message the room has ended. */
+int __crs_hear(int first, int count, int robots, int room, const double *told, const double *content,
+               const double *said, double *work, int *missed);
+
 /* Antennae of robots, and the fields that they smell. */
 struct antennae {
     int fields, number;                 /* of fields, and of antennae */

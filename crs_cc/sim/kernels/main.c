@@ -6,7 +6,8 @@
 
 /* Other numbers are those of elementwise functions. */
 enum { SETUP = 99, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
-    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM, SORT, SURVEY, ANTENNAE, TRAILS, ROOM };
+    CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM, SORT, SURVEY, ANTENNAE, TRAILS, ROOM, SIGHT,
+    HEAR };
 
 static int arguments[10];
 static double memory[MEMORY];
@@ -150,6 +151,11 @@ int __crs_start(void)
             survey(n);
         else if (n[0] == ROOM)
             __crs_room(n[1], arena, arena + n[4], arena + n[2], (int *)(arena + n[3]));
+        else if (n[0] == SIGHT)
+            __crs_sight(n[1], arena, arena + n[2], (int *)(arena + n[3]));
+        else if (n[0] == HEAR)
+            n[0] = __crs_hear(n[1], n[2], n[3], n[4], arena, arena + n[5], arena + n[6], arena + n[7],
+                              (int *)(arena + n[8]));
         else if (n[0] == TRAILS)
             n[0] = __crs_trails(n[1], n[2], arena, (long long *)(arena + n[3]));
         else if (n[0] == CALM)

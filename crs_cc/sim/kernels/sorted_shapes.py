@@ -5,7 +5,7 @@
 [0.0, 0.0, 2.0, 5.0, 3.0]
 >>> drum = np.zeros((0, 7)), np.array([[-1.0, 0.0, 3.0, 1.0, 0.5]]), np.zeros((0, 14))
 >>> sort_shapes(Kernels(is_arena=True), 0, drum, grid)
-23
+24
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Grid: TypeAlias = tuple[float, ...]
 """x and y of its corner, the size of its cells [m], the numbers of its columns and rows."""
 
 _MOST_CELLS: Final = 128  # along each side of a grid, see `survey.c`
-_HEAD: Final = struct.Struct("<8d")
+_HEAD: Final = struct.Struct("<9d")
 
 
 def grid_of(points_m: FloatArray, cell_m: float, most: int = _MOST_CELLS * _MOST_CELLS) -> Grid:
@@ -47,13 +47,18 @@ def grid_of(points_m: FloatArray, cell_m: float, most: int = _MOST_CELLS * _MOST
     return left_m, low_m, size_m, wide_m // size_m + 1.0, tall_m // size_m + 1.0
 
 
-def sort_shapes(kernels: Kernels, place: int, tables: Tables, grid: Grid) -> int:
+def sort_shapes(
+    kernels: Kernels, place: int, tables: Tables, grid: Grid, around_m: float = 0.0
+) -> int:
     """Lay shapes into the arena, from a place on, and sort them.
 
-    Return how many numbers they take, with the lists of the cells; 0 if they have no room.
+    Return how many numbers they take, with the lists of the cells; 0 if they have no room. A cell
+    lists the shapes that are `around_m` or less from a point of it, and some more.
     """
     counts = tuple(map(len, tables))
-    content = b"".join([_HEAD.pack(*counts, *grid), *[table.tobytes() for table in tables]])
+    content = b"".join(
+        [_HEAD.pack(*counts, *grid, around_m), *[table.tobytes() for table in tables]]
+    )
     cells, room = int(grid[-1] * grid[-2]), kernels.room - place
     if (len(content) + 4 * (cells + 1 + sum(counts))) // 8 >= room:
         return 0

@@ -1,5 +1,6 @@
 /* Beams among many shapes, which lie in the arena sorted by the cells of a grid, see `beam_field.py`. Each
-   cell lists all shapes whose bounding boxes it meets; those beyond the grid are in cells at its edge. */
+   cell lists all shapes whose bounding boxes it meets, but for segments whose lines pass it; those beyond the
+   grid are in cells at its edge. */
 #include "beams.h"
 #include "grid.h"
 
@@ -35,8 +36,26 @@ static unsigned cells_of(const struct field *field, int shape)
     int range[4];
 
     bound(shape, &box);
+    box.left -= field->around;
+    box.right += field->around;
+    box.low -= field->around;
+    box.high += field->around;
     meet(field, &box, range);
     return range[0] | range[1] << 8 | range[2] << 16 | (unsigned)range[3] << 24;
+}
+
+#define IS_LONG(range) (((range) >> 8 & 255) - ((range) & 255) > 1 && ((range) >> 24) - ((range) >> 16 & 255) > 1)
+
+/* Whether the line of a segment passes a cell further off than `around`; not for cells at the edge. */
+static int passes(const struct field *field, const struct segment *segment, int column, int row)
+{
+    double x = field->x + (column + 0.5) * field->cell - segment->start.x;
+    double y = field->y + (row + 0.5) * field->cell - segment->start.y;
+    double along_x = segment->end.x - segment->start.x, along_y = segment->end.y - segment->start.y;
+    double across = along_x * y - along_y * x, away = field->around + ROOT / 2 * field->cell + ON;
+
+    return column > 0 && column < view.columns - 1 && row > 0 && row < view.rows - 1
+        && across * across > away * away * (along_x * along_x + along_y * along_y);
 }
 
 int __crs_sort(double *content, int room)
@@ -58,9 +77,12 @@ int __crs_sort(double *content, int room)
         for (shape = view.shapes - 1; shape >= 0; shape--) {
             unsigned range = cells[shape];
             int right = range >> 8 & 255, high = range >> 24;
+            int is_long = shape < view.circle && IS_LONG(range);
 
             for (row = range >> 16 & 255; row <= high; row++)
                 for (column = range & 255; column <= right; column++) {
+                    if (is_long && passes(field, &view.segments[shape], column, row))
+                        continue;
                     cell = row * view.columns + column;
                     if (pass == 0)
                         first[cell]++;

@@ -20,8 +20,8 @@ HELD_UP: Final = 3
 (
     SETUP, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
     CHARGES, FINISH, SCAN, SERVE, FIRE, ERRORS, CALM, SORT, SURVEY, ANTENNAE, TRAILS,
-    ROOM,
-) = range(99, 122)  # fmt: skip
+    ROOM, SIGHT, HEAR,
+) = range(99, 124)  # fmt: skip
 """The numbers of kernels, as in `main.c`."""
 
 ROBOTS: Final = 11000

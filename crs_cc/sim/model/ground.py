@@ -1,8 +1,8 @@
 """The ground of a world, flat by default.
 
 Rectangular blocks lie on a floor at height 0: the top of each is a plane that rises along its
-heading, or is level. Where several overlap, the highest one counts. `terrain` computes heights
-and slopes, `ground_elements` reads the blocks from a world file.
+heading, or is level. Where several overlap, the highest one determines the height. `terrain`
+computes heights and slopes, `ground_elements` reads the blocks from a world file.
 
 Units: metres, radians, in the world frame; z upwards from the floor.
 

@@ -47,7 +47,7 @@ function table(page) {
     { keys: ["i"], text: "infrared view", does: () => look.setInfrared(!look.isInfrared) },
     { keys: ["m"], text: "menu of the view", does: () => views.menu.toggle() },
     { keys: ["Escape"], text: "close the menu", does: () => views.menu.close() },
-    { keys: ["r"], text: "start or end a video", does: () => views.video.toggle() },
+    { keys: ["r"], text: "start or stop a video", does: () => views.video.toggle() },
     { keys: ["s"], text: "save a picture", does: () => views.picture() },
     { keys: ["k"], text: "copy a link", does: () => layout.share() },
     { keys: ["t"], text: "light or dark theme", does: () => layout.nextTheme() },

@@ -38,13 +38,13 @@ export class Timeline {
     this.clock = el("output", { "aria-label": "simulated time" });
     this.clockButton = el("button.clock", { type: "button", title: "Simulated time: click to enter a time to go to (.)", onclick: () => this.enter() }, this.clock);
     this.wanted = el("input.clock", { type: "text", hidden: true, "aria-label": "time to go to, in seconds, or a step: -10", onkeydown: (event) => this.take(event), onblur: () => this.leave() });
-    this.rate = el("span.rate", { title: "measured ratio of simulated to real time" });
+    this.rate = el("span.rate", { title: "Measured ratio of simulated time to real time" });
     this.playButton = button({ icon: "play", title: "Play or pause", key: "Space", className: "primary", onclick: () => this.toggle() });
     this.speed = el("select", { title: "Speed, relative to real time", "aria-label": "speed", onchange: () => this.setSpeed(Number(this.speed.value)) },
       ...SPEEDS.map((each) => el("option", { value: String(each) }, each ? `${each} ×` : "max")));
     this.jumps = el("select", { title: "Events to which the arrows jump", "aria-label": "kind of event", onchange: () => (this.kind = this.jumps.value) },
       el("option", { value: "any" }, "any event"), ...MARKS.map((each) => el("option", { value: each.name }, each.title.toLowerCase())));
-    this.loopButton = button({ icon: "loop", title: "Repeat the last five seconds, or stop repeating; Shift and drag on the line repeats any span", key: "L", onclick: () => this.loop() });
+    this.loopButton = button({ icon: "loop", title: "Repeat the last five seconds, or stop repeating; Shift-drag on the timeline to repeat any span", key: "L", onclick: () => this.loop() });
     this.live = button({ text: "Back to now", title: "Go to the latest time of the run", key: "End", className: "chip", onclick: () => this.release() });
     this.whole = button({ text: "Whole run", title: "Show the whole timeline; the wheel zooms in", className: "chip", onclick: () => this.showPart(null) });
     this.canvas = el("canvas");

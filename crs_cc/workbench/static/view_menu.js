@@ -72,7 +72,7 @@ export class ViewMenu {
       el("h3", {}, "Save"),
       el("div.row", {},
         button({ text: "Picture", title: "Save the views as a picture", key: "S", onclick: () => views.picture() }),
-        button({ text: views.video.isOn ? "End the video" : "Video", title: "Record a video of the views, or end it", key: "R", onclick: () => {
+        button({ text: views.video.isOn ? "Stop the video" : "Video", title: "Start or stop recording a video of the views", key: "R", onclick: () => {
           views.video.toggle();
           this.draw();
         } }),

@@ -5,7 +5,7 @@ import { ViewMenu } from "crs/view_menu.js";
 import { Viewport } from "crs/viewport.js";
 
 const MODES = [
-  ["orbit", "Orbit", "Look from anywhere: drag turns, shift-drag moves, the wheel zooms", "1"],
+  ["orbit", "Orbit", "Look from anywhere: drag to turn, Shift-drag to move, use the wheel to zoom", "1"],
   ["top", "Top", "Look straight down", "2"],
   ["follow", "Follow", "Keep the selected robot in the centre", "3"],
   ["chase", "Chase", "Look over the shoulder of the selected robot", "4"],

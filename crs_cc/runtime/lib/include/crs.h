@@ -1,8 +1,9 @@
 /* Devices and communication between robots, in addition to the vendor's Nclient.h.
 
-   The header can be used with Nclient.h and with the report's dialect. Lengths are in 0.1 inch,
-   angles in 0.1 degree, counterclockwise. Unless stated otherwise, functions return TRUE (1), or
-   FALSE (0) if the robot lacks the device. No connection is needed. Reference: docs/crs-h.md. */
+   The header can be used with Nclient.h and with the report's dialect. Lengths are in units of
+   0.1 inch, angles in units of 0.1 degree, counter-clockwise. Unless stated otherwise, functions
+   return TRUE (1), or FALSE (0) if the robot lacks the device. Programs need not call
+   connect_robot() first. Reference: docs/crs-h.md. */
 #ifndef _CRS_H
 #define _CRS_H
 
@@ -14,7 +15,8 @@
    of the sensor. */
 int crs_period(int sensor, int ms);
 
-/* Return the age of a sensor's last measurement in ms; -1 if there is none, or no such sensor. */
+/* Return the age of a sensor's last measurement in ms; -1 if there is none, or if there is no such
+   sensor. */
 int crs_age(int sensor);
 
 /* Communication channels; a world file can define more. Robots are numbered from 0. */

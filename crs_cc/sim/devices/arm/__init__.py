@@ -259,12 +259,12 @@ DEVICE = Device(
     functions=(
         Function(
             "int crs_arm_move(int shoulder, int elbow)",
-            "turns the joints of the arm to angles, and returns immediately; 0, 0 is straight"
+            "turns the joints of the arm to these angles, and returns immediately; 0, 0 is straight"
             " ahead", units=_DEG, posts=("ARM",), source=(OURS,),
         ),
         Function(
             "int crs_arm_turn(int shoulder, int elbow)",
-            "turns the joints by angles relative to their current position, and returns"
+            "turns the joints by these angles, relative to their current position, and returns"
             " immediately", units=_DEG, posts=("ARM",), source=(OURS,),
         ),
         Function(

@@ -300,14 +300,14 @@ DEVICE = Device(
     functions=(
         Function(
             "int crs_camera(struct crs_pixel *row, int most)",
-            "takes a picture, and copies colour and range of its columns, from left to right;"
-            " returns the number of columns copied, at most `most`",
+            "takes a picture, and copies the colour and the range of its columns, from left to "
+            "right; returns the number of columns copied, at most `most`",
             units="0xRRGGBB, 0.1 in", posts=("CAMERA", "READINGS"), source=(OURS,),
         ),
         Function(
             "int crs_blobs(struct crs_blob *blobs, int most)",
-            "takes a picture, and copies angle, width, colour and range of the blobs of one colour,"
-            " from left to right; returns the number of blobs copied, at most `most`",
+            "takes a picture, and copies the angle, width, colour and range of the blobs of one "
+            "colour, from left to right; returns the number of blobs copied, at most `most`",
             units="0.1 deg, 0.1 deg, 0xRRGGBB, 0.1 in", posts=("CAMERA", "READINGS"),
             source=(OURS,),
         ),

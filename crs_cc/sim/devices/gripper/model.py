@@ -30,7 +30,7 @@ class Gripper:
     )
     most_kg: float = attribute("max-mass", MASS, "2kg", "Maximum mass of an object.", positive=True)
     force_n: float = attribute(
-        "force", FORCE, "100N", "Maximum force on an object that other grippers hold too.",
+        "force", FORCE, "100N", "Maximum force on an object that other grippers also hold.",
         positive=True,
     )  # fmt: skip
 

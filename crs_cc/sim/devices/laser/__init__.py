@@ -56,9 +56,9 @@ DEVICE = Device(
     functions=(
         Function(
             "int crs_laser(int *ranges, int most)",
-            "takes a scan, and copies the range in each direction, from right to left, -1 for"
-            " nothing in range; returns the number of ranges copied, at most `most`, 0 also while"
-            " the laser is off",
+            "takes a scan, and copies the range in each direction, from right to left, -1 for "
+            "nothing in range; returns the number of ranges copied, at most `most`, and 0 while "
+            "the laser is off",
             units="0.1 in", posts=("LASER", "READINGS"), source=(OURS,),
         ),
     ),

@@ -16,7 +16,7 @@ export class Solid {
     this.view = view;
     this.element = el("div.solid", { hidden: true, tabIndex: 0, "aria-label": "3-D view of the world" });
     this.isOn = false;
-    this.hint = "Drag to rotate the view, with Shift to pan; click an element to select it, then drag it";
+    this.hint = "Drag to rotate the view, Shift-drag to pan; click an element to select it, then drag it";
     /** @type {any} */
     this.drag = null;
     this.isAsking = false;

@@ -23,9 +23,9 @@ export const compare = {
       file.value = "";
     } });
     const open = button({ text: "Open a recording ...", title: "Compare with a recorded run: choose an .mcap file, or drop one anywhere on the page", onclick: () => file.click() });
-    const search = button({ text: "Find the first variable", title: "Run both again, side by side, up to the first timestep in which a variable differs", onclick: () => (compared.isSearching ? compared.stop() : compared.search()) });
+    const search = button({ text: "Find the first variable", title: "Run both again, side by side, up to the first timestep at which a variable differs", onclick: () => (compared.isSearching ? compared.stop() : compared.search()) });
     const plot = button({ text: "Plot the distance", title: "Plot the selected robot's distance from its position in the other run", onclick: () => page.plot(APART + compared.run.name) });
-    const end = button({ text: "End", title: "End comparing: remove the ghosts and the dashed paths", onclick: () => compared.end() });
+    const end = button({ text: "End", title: "Stop comparing: remove the ghosts and the dashed paths", onclick: () => compared.end() });
     const close = button({ text: "Close the file", title: "Close the recording", onclick: () => compared.close(compared.run.name) });
     const about = el("span.hint", { "aria-live": "polite" });
     const result = el("div.differences", { "aria-live": "polite" });
@@ -59,7 +59,7 @@ export const compare = {
       const isOther = variable && (variable.t !== first.t || variable.what !== first.what);
       return [el("p.first", {}, "First difference from ", el("b", {}, run.name), ": ", ...is(first)),
         ...(isOther ? [el("p.first", {}, "First variable: ", ...is(variable))] : []),
-        ...(exact?.is_done && !exact.wrong && !variable ? [el("p", {}, `No variable of a program differs, ${upTo(exact.t)}.`)] : [])];
+        ...(exact?.is_done && !exact.wrong && !variable ? [el("p", {}, `No program variable differs, ${upTo(exact.t)}.`)] : [])];
     };
 
     const show = () => {

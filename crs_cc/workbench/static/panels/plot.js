@@ -38,7 +38,7 @@ export const plot = {
     const chips = el("div.chips");
     const spans = el("div.segmented", { role: "group", "aria-label": "time span" }, ...SPANS.map(([id, text, seconds]) =>
       el("button", { type: "button", "data-span": id, onclick: () => timeline.showPart(null, seconds) }, text)));
-    const past = button({ text: "Fill in the past", title: "Run the past again, and record each change of these values", onclick: () => fillIn() });
+    const past = button({ text: "Fill in the past", title: "Run the past again, and record each change to these values", onclick: () => fillIn() });
     past.hidden = true;
     const canvas = el("canvas", { tabIndex: 0, role: "img", "aria-label": "plot over time: click or drag to go to a time, or exactly to a change; the wheel zooms" });
     const box = el("div.canvas", {}, canvas);
