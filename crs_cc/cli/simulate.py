@@ -177,9 +177,6 @@ class Runner:
                 self._step_to_end()
             except KeyboardInterrupt:  # while waiting for input
                 self._interrupt.requested = True
-            except BaseException:
-                self._save_recording()
-                raise
             finally:
                 self._progress.clear()
                 self._output.close()
@@ -298,7 +295,6 @@ class Runner:
         if self._elsewhere is not None:
             most = min(most, self._elsewhere.timesteps_left() or most)
         if self._view is not None:  # which does what pages ask for, and waits
-            self._save_recording()
             most = min(most, self._view.timesteps())
             if self._clients is not None:
                 self._clients.set_speed(self._view.speed)
@@ -334,11 +330,6 @@ class Runner:
             self._plot.sample(self.session)
         if self._live is not None:
             self._live.sample(self.session)
-
-    def _save_recording(self) -> None:
-        """Write what is over, as the run waits or fails."""
-        if self._recorder is not None:
-            self._recorder.save()
 
     def report_recording(self) -> None:
         """Say whether the recording ended early."""
@@ -376,10 +367,9 @@ class Runner:
 
     @contextmanager
     def _waiting_for_input(self) -> Iterator[None]:
-        """Show and save the output so far, and let Ctrl-C end the run."""
+        """Show the output so far, and let Ctrl-C end the run."""
         self._progress.clear()
         self._output.flush()
-        self._save_recording()
         # Clients outside let a timestep end after Ctrl-C.
         with self._interrupt.waiting() if self._clients is None else nullcontext():
             yield

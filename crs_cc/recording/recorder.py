@@ -1,7 +1,7 @@
 """Records a run while it is running.
 
 What happens is gathered, of a passage of many timesteps at once where the session tells it so, and
-written when a second of simulated time is over, see `recording_file`.
+written each second of simulated time, see `recording_file`.
 """
 
 from __future__ import annotations
@@ -259,11 +259,6 @@ class Recorder:
             self._end_second()
         else:
             self._limit()
-
-    def save(self) -> None:
-        """Write the seconds that are over, before the run waits for somebody."""
-        if self.failed is None:
-            self._file.save(self._session.time_s)
 
     def finish(self, result: RunResult) -> None:
         """Record the end, with the results."""

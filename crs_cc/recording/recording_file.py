@@ -1,10 +1,9 @@
 """The file of a recording while it is written: a block that grows, and chunks that are complete.
 
-Each second of simulated time is written when it is over. Of a small world, a second is so little
-that most of a chunk would be its head and its index: it is saved as it is, and all that has been
-saved in two minutes is then replaced by one chunk. Such seconds may pass faster than they can be
-saved: then they are saved together, see `SAVE_EVERY_S`. That is not seen in the finished file. When
-the disk is full, the recording ends and the run goes on.
+Each second of simulated time is written, so a run that is killed loses its last second at most. Of
+a small world, a second is so little that most of a chunk would be its head and its index: it is
+saved as it is, and all that has been saved in two minutes is then replaced by one chunk. When the
+disk is full, the recording ends and the run goes on.
 """
 
 from __future__ import annotations
@@ -13,7 +12,6 @@ import os
 import stat
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from time import monotonic
 from typing import Any, BinaryIO, Final
 
 from crs_cc.recording import topics
@@ -27,10 +25,6 @@ from crs_cc.recording.readings import ReadingEncoder
 BLOCK_S: Final = SPAN_NS / NS
 """A chunk holds at most so much simulated time: more would save little. What a second brings is
 saved before, so that a killed run loses no more."""
-
-SAVE_EVERY_S: Final = 0.25
-"""Seconds are saved at most so often [s of real time]: a run that is killed loses its last second,
-and what it simulated in so much time before."""
 
 MAX_ROWS: Final = 20_000
 """Readings that are gathered at most before they are encoded; some megabytes."""
@@ -64,8 +58,6 @@ class RecordingFile:
             self._writer.attachment(name, content)
         self._can_save = stat.S_ISREG(os.fstat(self._file.fileno()).st_mode)
         self._encoder = ReadingEncoder()
-        self._has_unsaved = False  # seconds
-        self._save_at_s = 0.0  # of real time
 
     def add(self, channel: Channel, time_ns: int, data: bytes) -> None:
         """Add a message that is not gathered in the block."""
@@ -78,7 +70,6 @@ class RecordingFile:
     def begin_block(self, now_s: float, shape: Shape) -> None:
         """Begin an empty block at a time [s], after those that are complete."""
         self.block = Block(now_s, shape, self.block.frames_after)
-        self._save_at_s = monotonic() + SAVE_EVERY_S
 
     @property
     def is_large(self) -> bool:
@@ -109,16 +100,9 @@ class RecordingFile:
             self.complete(now_s)
             return
         block.seconds += 1
-        self._has_unsaved = True
-        if monotonic() >= self._save_at_s:
-            self.save(now_s)
-
-    def save(self, now_s: float) -> None:
-        """Write what has been gathered until a time [s], if a second is over that is not."""
-        if self._has_unsaved:
-            times_ns, parts = (ns(self.written_s), ns(now_s)), self.block.unsaved().parts()
-            self._try(lambda: self._writer.save(*times_ns, parts))
-            self._note_written(now_s)
+        begin_ns, now_ns = ns(self.written_s), ns(now_s)
+        self._try(lambda: self._writer.save(begin_ns, now_ns, block.unsaved().parts()))
+        self._note_written(now_s)
 
     def complete(self, now_s: float) -> None:
         """Encode and write the block, and begin another at a time [s]."""
@@ -145,8 +129,6 @@ class RecordingFile:
         self._note_written(now_s)
 
     def _note_written(self, now_s: float) -> None:
-        self._has_unsaved = False
-        self._save_at_s = monotonic() + SAVE_EVERY_S
         if self.failed is None:
             self.written_s = now_s
 

@@ -20,7 +20,6 @@ from crs_cc.cli.main import main
 from crs_cc.cli.show_recording import state_at, summary
 from crs_cc.cli.tables import tables
 from crs_cc.core.errors import CrsError
-from crs_cc.recording import recording_file
 from crs_cc.recording.columns import Part
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_records import CHUNK_HEAD, MAGIC, Op, record, text
@@ -101,7 +100,6 @@ def killed(recorded: Path, folder: Path, monkeypatch: pytest.MonkeyPatch) -> byt
 
     with monkeypatch.context() as patch:
         patch.setattr(McapWriter, "save", noted)
-        patch.setattr(recording_file, "SAVE_EVERY_S", 0.0)
         patch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"go\n")))
         files = [str(folder / name) for name in ("drive.c", "room.xml")]
         main(["run", *files, "--record", str(path), "--quiet", "--max-time", "5.5"])

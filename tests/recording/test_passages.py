@@ -12,9 +12,12 @@ from mcap.reader import make_reader
 
 from crs_cc.core.arrays import FloatArray, Records
 from crs_cc.core.source import Diagnostics
+from crs_cc.recording.block import Block
 from crs_cc.recording.description import RunDescription
+from crs_cc.recording.gathered import Shape
 from crs_cc.recording.recorder import Recorder, RecorderOptions
 from crs_cc.recording.recording import Recording
+from crs_cc.recording.saved import COLUMNS, Second
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
 from crs_cc.sim.engine.passage import Passage
@@ -116,7 +119,6 @@ def test_a_robot_that_is_added_while_nothing_moves_is_recorded(
 ) -> None:
     """What is saved has no frames then; who is there is written in its place, not behind it."""
     monkeypatch.setattr("crs_cc.recording.recording_file.BLOCK_S", 3.0)
-    monkeypatch.setattr("crs_cc.recording.recording_file.SAVE_EVERY_S", 0.0)
     (tmp_path / "wait.c").write_text("#include <unistd.h>\nint main(void) { sleep(9); return 0; }")
     (tmp_path / "room.xml").write_text(WORLD)
     world = load_world(tmp_path / "room.xml")
@@ -182,9 +184,11 @@ def test_readings_have_the_same_order_however_often_they_were_saved(
     world = dataclasses.replace(world, robots=world.robots[:robots])
     executable = build_executable([tmp_path / "drive.c"], Diagnostics())
     made = []
-    for save_every_s in (0.0, 3600.0):
-        monkeypatch.setattr("crs_cc.recording.recording_file.SAVE_EVERY_S", save_every_s)
-        path = tmp_path / f"{save_every_s}.mcap"
+    for name in ("often", "once"):
+        if name == "once":
+            nothing = Second(Shape(robots, 0, has_turret=False), 0, [b""] * COLUMNS, [], [], [])
+            monkeypatch.setattr(Block, "unsaved", lambda _block, nothing=nothing: nothing)
+        path = tmp_path / f"{name}.mcap"
         recorder = Recorder(path, RecorderOptions(), RunDescription().metadata(), {})
         programs = [executable] * robots
         session = Session(world, programs, output=recorder.write, observer=recorder)
@@ -194,7 +198,7 @@ def test_readings_have_the_same_order_however_often_they_were_saved(
         recorder.finish(session.result())
         made.append(path.read_bytes())
     assert made[0] == made[1]
-    recording = Recording(tmp_path / "0.0.mcap")
+    recording = Recording(tmp_path / "often.mcap")
     for robot in range(robots):
         times_s = [each.clock_s[each.robots == robot] for each in recording.readings()]
         assert (np.diff(np.concatenate(times_s)) > 0.0).all()
