@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import socket
 from pathlib import Path
 from typing import Any, Final
 from urllib.parse import urlsplit
@@ -107,7 +106,7 @@ def view(
 
     wanted = DebugOptions(**options)
     for address in click.get_current_context().meta[_ADDRESSES]:
-        return _open(address_of(address, token), opens=opens)
+        return _open(address, token, opens=opens)
     if wanted.record is not None:
         check_recording_path(wanted.record)
     sources = wanted.inputs.sources
@@ -123,17 +122,33 @@ def view(
     return view_programs(wanted, compared, port, opens=opens, plays=play)
 
 
-def _open(address: str, *, opens: bool) -> int:
-    """Open one more page of a run that is shown already; return the exit status."""
-    from crs_cc.cli.start_view import open_browser
+def _open(word: str, token: str | None, *, opens: bool) -> int:
+    """Open one more page of a run that is shown already; return the exit status.
 
-    say(f"crs: open {address}")
-    at = urlsplit(address)
+    Args:
+        word: where it is shown, see `address_of`.
+        token: shows that we may look.
+        opens: whether the browser is opened.
+    """
+    from crs_cc.cli.start_view import open_browser
+    from crs_cc.net.tls import fingerprint_at
+
+    address = address_of(word, token)
+    at, fingerprint, warning = urlsplit(address), "", ""
     try:
-        socket.create_connection((at.hostname or "", at.port or 443), _ANSWER_S).close()
+        fingerprint = fingerprint_at((at.hostname or "", at.port or 443), _ANSWER_S)
     except OSError as error:
         reason = error.strerror or error
-        say(f"crs: warning: no run is served at {at.hostname}:{at.port} now: {reason}")
+        warning = f"crs: warning: no run is served at {at.hostname}:{at.port} now: {reason}"
+    if fingerprint:
+        address = at._replace(scheme="https").geturl()
+    elif at.scheme == "https" and not warning:
+        warning = f"crs: warning: {at.hostname}:{at.port} is not encrypted"
+    say(f"crs: open {address}")
+    if fingerprint:
+        say(f"crs: the certificate there has the fingerprint {fingerprint}")
+    if warning:
+        say(warning)
     if opens:
         open_browser(address)
     return 0

@@ -189,6 +189,32 @@ class Client:
         return TlsSocket(inner)
 
 
+def fingerprint_at(address: tuple[str, int], within_s: float) -> str:
+    """Return the SHA-256 of the certificate of who encrypts at an address.
+
+    The certificate is not checked, and nothing else is exchanged.
+
+    Args:
+        address: its host and port.
+        within_s: how long to wait [s].
+
+    Returns:
+        hexadecimal digits; nothing if who is there does not encrypt.
+
+    Raises:
+        OSError: nobody is there.
+    """
+    context = ssl.create_default_context()
+    context.check_hostname = False
+    context.verify_mode = ssl.CERT_NONE
+    with socket.create_connection(address, within_s) as connection:
+        try:
+            with context.wrap_socket(connection, server_hostname=address[0]) as inner:
+                return _fingerprint(inner.getpeercert(binary_form=True) or b"")
+        except OSError:
+            return ""
+
+
 class UntrustedError(Exception):
     """The environment is not who it should be."""
 

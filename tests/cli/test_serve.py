@@ -413,6 +413,30 @@ def test_pages_look_at_the_run_on_the_same_port_with_a_token_only(folder: Path) 
         outputs(hosts)
 
 
+@pytest.mark.parametrize("is_encrypted", [False, True])
+def test_the_address_of_a_page_says_whether_the_run_is_encrypted(
+    folder: Path, *, is_encrypted: bool
+) -> None:
+    scheme = "https" if is_encrypted else "http"
+    with served(folder, *(["--tls"] if is_encrypted else [])) as environment:
+        at = environment.address
+        printed = ""
+        if is_encrypted:
+            printed = environment.wait_for(r"certificate: ([0-9a-f]{64})\n")[1]
+        for word in (at, f"https://{at}"):
+            words = crs("view", word, "--no-open", "--token", "x" * 22)
+            done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
+            assert done.returncode == 0
+            said = done.stderr.splitlines()
+            expected = "https" if word != at else scheme
+            assert said[0] == f"crs: open {expected}://{at}/#token={'x' * 22}"
+            if printed:
+                assert said[1:] == [f"crs: the certificate there has the fingerprint {printed}"]
+            else:
+                is_wrong = expected != scheme
+                assert said[1:] == [f"crs: warning: {at} is not encrypted"] * is_wrong
+
+
 def test_other_machines_are_let_in_only_if_that_is_said(folder: Path) -> None:
     words = crs("serve", "world.xml", "--listen", "0.0.0.0:0")
     done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
