@@ -83,6 +83,8 @@ _HEAD: Final = struct.Struct("<IIIII")
 """Kind, size, number, and CRC-32 of the content; then the CRC-32 of these, so that nobody waits for
 the rest of a message whose size is damaged. On a way on which nothing is, both are 0."""
 
+_NO_SUMS: Final = 0, 0
+
 HEAD_BYTES: Final = _HEAD.size
 _CHECKED: Final = struct.Struct("<IIII")
 _CHECKSUM: Final = struct.Struct("<I")
@@ -239,13 +241,9 @@ class Channel:
                 raise ConnectionLostError(GONE)
             self.heard += 1
             if size >= HEAD_BYTES:
-                found, length, number, *sums = _HEAD.unpack_from(room)
-                if (
-                    found == kind
-                    and length == size - HEAD_BYTES
-                    and number == self._received
-                    and (not self._expects_sums or sums == _sums(room[:size]))
-                ):
+                number = self._received
+                sums = _sums(room[:size]) if self._expects_sums else _NO_SUMS
+                if _HEAD.unpack_from(room) == (kind, size - HEAD_BYTES, number, *sums):
                     self._received = (number + 1) & _NUMBERS
                     return size
             self._rest += room[:size]
@@ -411,9 +409,9 @@ class Pulse:
                     channel.stay_alive()
 
 
-def _sums(frame: memoryview) -> list[int]:
+def _sums(frame: memoryview) -> tuple[int, int]:
     """Return the checksums of a message: of its content, and of its head."""
-    return [zlib.crc32(frame[HEAD_BYTES:]), zlib.crc32(frame[: _CHECKED.size])]
+    return zlib.crc32(frame[HEAD_BYTES:]), zlib.crc32(frame[: _CHECKED.size])
 
 
 def _is_ready(connection: Connection, event: int) -> bool:

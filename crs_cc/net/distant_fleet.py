@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.core.host_system import available_cores
 from crs_cc.core.source import Location
 from crs_cc.net.changed_words import Table
 from crs_cc.net.host_link import HostGoneError, HostLink
@@ -33,7 +34,7 @@ class DistantFleet(Fleet):
     """The programs of hosts, and their slots.
 
     Attributes:
-        links: the hosts.
+        links: the hosts, by their numbers.
         outcome: returns what has become of a robot's program, as JSON for its host.
     """
 
@@ -65,6 +66,8 @@ class DistantFleet(Fleet):
         self._end_s = _NOT_YET
         self._round = 0
         self._looked = b""  # which programs ran when hosts were last looked at, if all had begun
+        self._processors = available_cores()
+        self._stays = False  # whether hosts here leave no processor to this thread
 
     def add(self, executable: Executable) -> int:
         """Raise ValueError: robots join before the run begins."""
@@ -97,6 +100,7 @@ class DistantFleet(Fleet):
         if is_new:
             self._end_s, self._round = end_s, 0
             self.dismiss()
+            self._stays = sum(link.is_local for link in self.links) >= self._processors
             for link in self.links:
                 if link.is_log_long and not link.ended:
                     self._try(link, link.memories)
@@ -109,23 +113,24 @@ class DistantFleet(Fleet):
 
         Return the round up to which all is shown, and whether anything new is.
         """
-        rows, granted = self._rows, list[HostLink]()
-        if rows.grant(end_s, is_new=is_new):
-            granted = [link for link in self.links if rows.is_granted(link.number)]
-            for link in granted:
-                try:
-                    link.grant(end_s)
-                except HostGoneError as error:
-                    self._stop(link, str(error))
-            # First the one that was granted last: the others have run when this one has, as a
-            # rule, so this thread is woken once.
-            for link in reversed(granted):
-                if link.ended:
-                    continue
-                try:
-                    link.collect()
-                except HostGoneError as error:
-                    self._stop(link, str(error))
+        rows = self._rows
+        granted = [self.links[number] for number in rows.grant(end_s, is_new=is_new)]
+        for link in granted:
+            try:
+                link.grant()
+            except HostGoneError as error:
+                self._stop(link, str(error))
+        # First the one that was granted last: the others have run when this one has, as a rule, so
+        # this thread is woken once.
+        stays = self._stays
+        for link in reversed(granted):
+            if link.ended:
+                continue
+            try:
+                link.collect(stays=stays)
+            except HostGoneError as error:
+                self._stop(link, str(error))
+            stays = False
         while (taken := rows.take(self._round)) is None:
             for link in granted:
                 if reason := rows.error(link.number):

@@ -1,7 +1,8 @@
 """How the messages of a round stand in a memory: a head, some numbers, and changes of rows.
 
 They are received where changes are read, and sent from where they are packed. So in front of
-changes there is room for the rest, with changes at a multiple of the size of a word.
+changes there is room for the rest, with changes at a multiple of the size of a word. What stands
+there is read and written by the kernel, see `kernels/main.c`, but for the head.
 """
 
 from __future__ import annotations
@@ -22,4 +23,4 @@ RAN_FRONT: Final = HEAD_BYTES + RAN.size
 """What stands in front of changes [bytes]."""
 
 FRONT_WORDS: Final = 5
-"""Room in front of changes [words of 8 bytes], as in `kernels/main.c`."""
+"""Room in front of changes [words of 8 bytes]."""

@@ -17,11 +17,12 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias, TypeVar
 import numpy as np
 
 from crs_cc.core.arrays import IndexArray
+from crs_cc.core.host_system import KeptProcessor
 from crs_cc.net import memories
 from crs_cc.net.changed_words import WORDS, Table
 from crs_cc.net.channel import HEAD_BYTES, Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import report_of
-from crs_cc.net.frames import GRANT, RAN, RAN_FRONT
+from crs_cc.net.frames import GRANT
 from crs_cc.net.memories import Memory
 from crs_cc.net.shared_rows import SharedRows
 
@@ -36,7 +37,6 @@ LEAST_LOG_BYTES: Final = 512 * 2**10
 """What is kept of grants before memories are fetched again: so many grants at most, and as many
 bytes as the memories have, at least so many; chosen by us. So fetching costs less than granting."""
 
-MAX_ROUNDS: Final = 2**24
 _GRANT, _RAN, _FAILED = Kind.GRANT, Kind.RAN, Kind.FAILED
 """Looked up once: a class of names does so in Python, which a round can do without."""
 
@@ -88,7 +88,6 @@ class HostLink:
         self._rows: SharedRows | None = None
         self._log: list[bytes] = []
         self._log_bytes = 0
-        self._number = 0
         self._waits = False
         self._saved: list[Memory] | None = None
         self._kept = [_NO_MEMORY] * len(robots)  # those that were fetched last
@@ -98,6 +97,7 @@ class HostLink:
     def take_part(self, rows: SharedRows) -> None:
         """Take part in a run; this is to be done before anything else."""
         self._rows, self.number = rows, rows.add(self.robots)
+        self._room = rows.room(self.number)
 
     # -- rounds ----------------------------------------------------------------------------------
 
@@ -106,17 +106,15 @@ class HostLink:
         """Whether much has been granted since the programs' memories were last fetched."""
         return self._log_bytes >= self._most_log_bytes or len(self._log) >= MAX_LOG_GRANTS
 
-    def grant(self, end_s: float) -> None:
-        """Let the programs run until a time, with what has been packed for them.
+    def grant(self) -> None:
+        """Let the programs run, with what has been packed for them.
 
         Raises:
             HostGoneError: the host is lost, and its programs are not to go on.
         """
         assert self._rows is not None
         self._saved = None
-        self._number += 1
         frame = self._rows.packed(self.number)
-        GRANT.pack_into(frame, HEAD_BYTES, self._number, end_s, True)
         self._log.append(bytes(frame[HEAD_BYTES:]))
         self._log_bytes += len(frame)
         self._waits = True
@@ -125,13 +123,36 @@ class HostLink:
         except ConnectionLostError as error:
             self._renew(str(error))  # which sends this grant, too
 
-    def collect(self) -> None:
-        """Wait until the programs have run, and write their changes to the rows."""
+    @property
+    def is_local(self) -> bool:
+        """Whether the host is a process on this machine, see `local_way`."""
+        return self._channel.is_local
+
+    def collect(self, *, stays: bool = False) -> None:
+        """Wait until the programs have run, and put their answer into the rows.
+
+        Args:
+            stays: whether this thread is to wake up on the processor on which it is.
+
+        Raises:
+            HostGoneError: the host is lost, and its programs are not to go on.
+        """
+        assert self._rows is not None
         while True:
             try:
-                self._collect()
+                if stays:
+                    with KeptProcessor():
+                        size = self._channel.receive_frame(_RAN, self._room)
+                else:
+                    size = self._channel.receive_frame(_RAN, self._room)
+                if size:
+                    self._rows.put_received(self.number, size)
+                else:
+                    self._rows.put(self.number, self._answer())
             except ConnectionLostError as error:
                 self._renew(str(error))
+            except (ValueError, RecursionError) as error:
+                self._renew(f"{_NOT_VALID}{error}")
             else:
                 self._waits = False
                 return
@@ -142,31 +163,13 @@ class HostLink:
         self._renew(_NOT_VALID + reason)
         self.collect()
 
-    def _collect(self) -> None:
-        assert self._rows is not None
-        room = self._rows.room(self.number)
-        size = self._channel.receive_frame(_RAN, room)
-        try:
-            if size:
-                rounds = self._rounds(room[HEAD_BYTES:size])
-                self._rows.put_received(self.number, size - RAN_FRONT, rounds)
-                return
-            while True:
-                kind, content = self._channel.receive(_RAN, _FAILED)
-                if kind is _RAN:
-                    changes = memoryview(content)[RAN.size :]
-                    self._rows.put(self.number, changes, self._rounds(content))
-                    return
-                self._note_failure(json.loads(content))
-        except (ValueError, RecursionError, struct.error) as error:
-            raise ConnectionLostError(f"{_NOT_VALID}{error}") from None
-
-    def _rounds(self, said: bytes | memoryview) -> int:
-        """Return how many rounds programs have run, as an answer begins."""
-        number, rounds = RAN.unpack_from(said)
-        if number != self._number or rounds > MAX_ROUNDS:
-            raise ValueError("reply to a different grant")
-        return int(rounds)
+    def _answer(self) -> bytes:
+        """Return the host's answer, after noting what programs have done wrong."""
+        while True:
+            kind, content = self._channel.receive(_RAN, _FAILED)
+            if kind is _RAN:
+                return content
+            self._note_failure(json.loads(content))
 
     def _note_failure(self, data: Any) -> None:
         robot = data.get("robot") if isinstance(data, dict) else None
@@ -184,7 +187,7 @@ class HostLink:
     @property
     def has_run(self) -> bool:
         """Whether anything has been granted."""
-        return self._number > 0
+        return self._rows is not None and self._rows.last_grant(self.number) > 0
 
     @property
     def is_saved(self) -> bool:
@@ -310,12 +313,12 @@ class HostLink:
 
     def _restoring(self) -> bytes:
         """Return the message that brings a host to where the programs are now."""
-        is_kept = self._number > 0
+        number = 0
         known: Table = np.zeros((len(self.robots), WORDS), np.uint64)
         if self._rows is not None:
-            known = self._rows.known(self.number)
-        rows = RESTORE.pack(self._number, is_kept) + known.tobytes()
-        return rows + (memories.pack(self._kept) if is_kept else b"")
+            known, number = self._rows.known(self.number), self._rows.last_grant(self.number)
+        rows = RESTORE.pack(number, number > 0) + known.tobytes()
+        return rows + (memories.pack(self._kept) if number else b"")
 
 
 def _selection(robots: IndexArray) -> slice | IndexArray:

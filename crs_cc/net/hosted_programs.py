@@ -12,13 +12,15 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.net.changed_words import KnownRows, Table
-from crs_cc.net.frames import RAN_FRONT
+from crs_cc.net.channel import HEAD_BYTES
+from crs_cc.net.frames import GRANT, RAN, RAN_FRONT
 from crs_cc.net.word_kernel import WordKernel, partner_of
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.workers import default_threads
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Driver, Executable
+    from crs_cc.runtime.partner import Turns
 
 SPREAD_S: Final = 0.001
 """Processor time of a round from which on several threads are worth while [s]: some times of what
@@ -35,6 +37,7 @@ class HostedPrograms:
     Attributes:
         fleet: the programs; another one once they are moved.
         known: the rows that both ends know.
+        room: where grants may be received, with their heads.
     """
 
     def __init__(
@@ -56,56 +59,59 @@ class HostedPrograms:
     def _use(self, fleet: Fleet) -> None:
         self.fleet = fleet
         self._table: Table = fleet.table()
-        self._partner = partner_of(fleet)
-        kernel = None if self._partner is None else WordKernel(len(fleet), self._partner.instance)
+        kernel: WordKernel | None = None
+        self._turns: Turns | None = None
+        if (partner := partner_of(fleet)) is not None:
+            kernel = WordKernel(len(fleet), partner.instance)
+            self._turns = kernel.turns(partner)
         self.known = KnownRows(len(fleet), kernel)
+        self._kernel = self.known.kernels[0]
+        self.room = self._kernel.room
 
     def set(self, rows: Table) -> None:
         """Set slots and clocks to the values that the other end has."""
         self._table[:] = rows
         self.known.set(rows)
 
-    @property
-    def room(self) -> memoryview:
-        """Where `run` takes its changes from, behind room of `GRANT_FRONT`."""
-        return self.known.kernels[0].room
-
-    def run(self, content: memoryview, end_s: float) -> tuple[int, memoryview, bool]:
-        """Run rounds with what has been changed in rows.
+    def run(self, content: memoryview) -> tuple[memoryview, bool]:
+        """Run rounds with a grant.
 
         Args:
-            content: the changes; they may be in `room`, if that has room for all rows.
-            end_s: the end of the cycle [s].
+            content: the grant; it may be in `room`, if that has room for all rows.
 
         Returns:
-            how many rounds have been run; what has changed since, behind room of `RAN_FRONT`; and
-            whether any program may have failed, or asks to write.
+            the answer, behind room for a head; and whether any program may have failed, or asks to
+            write.
 
         Raises:
             ValueError: the content is not valid.
         """
-        if self._most_threads > 1:
-            if self._round_s > SPREAD_S:
-                content = memoryview(bytes(content))  # its room goes
-                self._spread()
-            began_s = time.thread_time()
-            ran = self._run(content, end_s)
-            took_s = (time.thread_time() - began_s) / max(ran[0], 1)
-            self._round_s += (took_s - self._round_s) * _SHARE
-            return ran
-        return self._run(content, end_s)
+        if self._most_threads <= 1:
+            return self._run(content)
+        if self._round_s > SPREAD_S:
+            content = memoryview(bytes(content))  # its room goes
+            self._spread()
+        began_s = time.thread_time()
+        frame, is_told = self._run(content)
+        rounds = RAN.unpack_from(frame, HEAD_BYTES)[1]
+        took_s = (time.thread_time() - began_s) / max(rounds, 1)
+        self._round_s += (took_s - self._round_s) * _SHARE
+        return frame, is_told
 
-    def _run(self, content: memoryview, end_s: float) -> tuple[int, memoryview, bool]:
-        if self._partner is None:
-            self.known.enter(content)
+    def _run(self, content: memoryview) -> tuple[memoryview, bool]:
+        if self._turns is None:
+            number, end_s, _ = GRANT.unpack_from(content)
+            self.known.enter(content[GRANT.size :])
             self._table[...] = self.known.table()
-            return self._run_rounds(end_s), self._packed(), True
-        [kernel] = self.known.kernels
-        rounds, changes, is_told = kernel.take_turn(self.fleet, self._partner, content, end_s)
-        return rounds, self._packed() if changes is None else changes, is_told
-
-    def _packed(self) -> memoryview:
-        return memoryview(bytearray(RAN_FRONT) + self.known.pack(self._table))
+            rounds = self._run_rounds(end_s)
+        else:
+            number = GRANT.unpack_from(content)[0]  # before the answer takes its place
+            rounds, frame, is_told = self._kernel.take_turn(self._turns, content)
+            if not rounds:
+                return frame, is_told
+        frame = memoryview(bytearray(RAN_FRONT) + self.known.pack(self._table))
+        RAN.pack_into(frame, HEAD_BYTES, number, rounds)
+        return frame, True
 
     def _run_rounds(self, end_s: float) -> int:
         """Run rounds until a program asks for something; return how many."""

@@ -19,7 +19,7 @@ from crs_cc.net import memories
 from crs_cc.net.changed_words import WORDS
 from crs_cc.net.channel import HEAD_BYTES, Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import data_of
-from crs_cc.net.frames import GRANT, RAN
+from crs_cc.net.frames import GRANT
 from crs_cc.net.host_link import RESTORE
 from crs_cc.net.hosted_programs import HostedPrograms
 from crs_cc.net.memories import Memory
@@ -123,12 +123,12 @@ class ProgramHost:
         """Run the programs until they ask for anything or have come as far as is granted."""
         if len(content) < GRANT.size:
             raise ValueError("a grant ends early")
-        number, end_s, is_wanted = GRANT.unpack_from(content)
+        number, _, is_wanted = GRANT.unpack_from(content)
         if number > self.shown:
             self.shown = number
             for robot, stream, text in self._writes:
                 self._streams.write(robot, stream, text)
-        rounds, frame, is_told = self._programs.run(content[GRANT.size :], end_s)
+        frame, is_told = self._programs.run(content)
         self._writes = []
         if is_told:
             asking = self._asking()
@@ -136,7 +136,6 @@ class ProgramHost:
             if is_wanted:
                 self._tell_failures(asking, channel)
         if is_wanted:
-            RAN.pack_into(frame, HEAD_BYTES, number, rounds)
             channel.send_frame(_RAN, frame)
 
     def _asking(self) -> IndexArray:

@@ -11,8 +11,8 @@ entered. The kernel does in one call what a round needs for all hosts.
 >>> some, other = shared.add(np.array([0, 2])), shared.add(np.array([1]))
 >>> shared.table[2, timing_offset("due_s") // 8] = 0x7FF << 52      # nothing is due
 >>> shared.table[2, timing_offset("alive") // 8] = 1
->>> shared.grant(0.05, is_new=True), shared.is_granted(some), shared.is_granted(other)
-(1, True, False)
+>>> shared.grant(0.05, is_new=True) == [some]
+True
 >>> there = KnownRows(2)
 >>> there.enter(shared.packed(some)[GRANT_FRONT:]), there.table()[1].any().item()
 (False, True)
@@ -24,6 +24,7 @@ import struct
 from typing import Final
 
 from crs_cc.core.arrays import IndexArray
+from crs_cc.net.channel import HEAD_BYTES
 from crs_cc.net.frames import FRONT_WORDS, GRANT_FRONT, RAN_FRONT
 from crs_cc.net.slot_rules import QUIET, RULES
 from crs_cc.net.word_kernel import (
@@ -38,8 +39,8 @@ from crs_cc.net.word_kernel import (
     WordKernel,
 )
 
-_INTS: Final = ("first", "count", "words", "ran", "error", "round", "is_ahead", "asks")
-"""What the kernel has of each host, as in `kernels/main.c`."""
+_INTS: Final = "first", "count", "words", "error", "granted", "round"
+"""What the kernel has of each host, as in `kernels/main.c`; 64-bit numbers of grants follow."""
 
 _BEGIN: Final = struct.Struct("<iid")
 _NOTHING: Final = -1
@@ -64,14 +65,16 @@ class SharedRows:
         self.table = kernel.now
         kernel.rules[:] = *RULES, *QUIET
         self._traffic, self._turn, members, hosts = kernel.places
+        end = hosts + 4 * ROWS * len(_INTS)
         parts = [
             kernel.memory[begin : begin + 4 * ROWS].cast("i")
-            for begin in range(hosts, hosts + 4 * ROWS * len(_INTS), 4 * ROWS)
+            for begin in range(hosts, end, 4 * ROWS)
         ]
-        self._first, self._count, self._words, self._ran, self._error, *_ = parts
+        self._first, self._count, self._words, self._error, self._granted, *_ = parts
+        self._last_grant = kernel.memory[end : end + 8 * ROWS].cast("Q")
         self._members = kernel.memory[members : members + 4 * ROWS].cast("i")
         self._hosts: list[IndexArray] = []
-        self._places: list[tuple[int, int, int]] = []  # in the memory, and the rows of a host
+        self._places: list[int] = []  # of changes of a host, in the memory
         self._rooms: list[memoryview] = []
         self._used = 0
 
@@ -86,7 +89,7 @@ class SharedRows:
         self._hosts.append(robots)
         begin = self._traffic + (first * (1 + WORDS) + number * FRONT_WORDS) * WORD_BYTES
         most = rows * (1 + WORDS) * WORD_BYTES
-        self._places.append((begin, most, rows))
+        self._places.append(begin)
         self._rooms.append(self._kernel.memory[begin - RAN_FRONT : begin + most])
         return number
 
@@ -98,9 +101,13 @@ class SharedRows:
         """Return a copy of the rows that a host has."""
         return self._kernel.known[self._hosts[host]]
 
+    def last_grant(self, host: int) -> int:
+        """Return the number of a host's last grant, 0 before any."""
+        return self._last_grant[host]
+
     # -- a round ---------------------------------------------------------------------------------
 
-    def grant(self, end_s: float, *, is_new: bool) -> int:
+    def grant(self, end_s: float, *, is_new: bool) -> list[int]:
         """Pack what has changed, for all hosts that have something to run up to a time.
 
         Args:
@@ -108,49 +115,49 @@ class SharedRows:
             is_new: whether a cycle begins.
 
         Returns:
-            how many hosts have.
+            these hosts.
         """
-        _BEGIN.pack_into(self._kernel.memory, self._turn, 0, 0, end_s)
-        return self._kernel.call(GRANT, len(self._hosts), is_new)[0]
-
-    def is_granted(self, host: int) -> bool:
-        """Return whether changes have been packed for a host."""
-        return self._words[host] != _NOTHING
+        _BEGIN.pack_into(self._kernel.memory, self._turn, 0, _NOTHING, end_s)
+        count = self._kernel.call(GRANT, len(self._hosts), is_new)[0]
+        return self._granted[:count].tolist()
 
     def packed(self, host: int) -> memoryview:
-        """Return what has been packed for a host, behind room of `GRANT_FRONT`."""
-        begin, _, rows = self._places[host]
-        words = self._words[host]
+        """Return what has been packed for a host as a grant, behind room for a head."""
+        begin = self._places[host]
+        end = begin + self._words[host] * WORD_BYTES
         self._words[host] = _NOTHING
-        end = begin if words == rows else begin + words * WORD_BYTES  # masks alone say nothing
         return self._kernel.memory[begin - GRANT_FRONT : end]
 
     def room(self, host: int) -> memoryview:
-        """Return where what a host has changed can be received, behind room of `RAN_FRONT`."""
+        """Return where a host's answer can be received, with its head."""
         return self._rooms[host]
 
-    def put_received(self, host: int, size: int, rounds: int) -> None:
-        """Let `take` find what a host has changed in some rounds, which is in its room [bytes].
+    def put_received(self, host: int, size: int) -> None:
+        """Let `take` find a host's answer, which is in its room.
+
+        Args:
+            host: the host.
+            size: the size of its message, with its head [bytes].
 
         Raises:
             ValueError: it has a size that is not valid.
         """
-        if size % WORD_BYTES:
+        size -= RAN_FRONT
+        if size < 0 or size % WORD_BYTES:
             raise ValueError(ERRORS[1])
-        self._words[host], self._ran[host] = size // WORD_BYTES, rounds
+        self._words[host] = size // WORD_BYTES
 
-    def put(self, host: int, content: memoryview, rounds: int) -> None:
-        """Store a host's changes of some rounds for `take`.
+    def put(self, host: int, content: bytes) -> None:
+        """Store a host's answer for `take`.
 
         Raises:
             ValueError: it has a size that is not valid.
         """
-        begin, most, _ = self._places[host]
-        size = len(content)
-        if size > most:
+        room, size = self._rooms[host], HEAD_BYTES + len(content)
+        if size > len(room):
             raise ValueError(TOO_LONG)
-        self._kernel.memory[begin : begin + size] = content
-        self.put_received(host, size, rounds)
+        room[HEAD_BYTES:size] = content
+        self.put_received(host, size)
 
     def take(self, before: int) -> tuple[int, bool] | None:
         """Enter what hosts have put, and show it up to the first round in which a program asks.
@@ -160,12 +167,12 @@ class SharedRows:
 
         Returns:
             the round up to which all is shown now, and whether there was anything to show; None if
-            what a host has put is not valid, see `error`: then nothing of that is entered, and
-            nothing is shown.
+            what a host has put is not valid, or does not answer its last grant, see `error`: then
+            nothing of that is entered, and nothing is shown.
         """
         bad, reached, is_any, *_ = self._kernel.call(TAKE, len(self._hosts), before)
         return None if bad else (reached, bool(is_any))
 
     def error(self, host: int) -> str:
-        """Return an error message for a host's changes; empty if they are valid."""
+        """Return an error message for a host's answer; empty if it is valid."""
         return ERRORS[self._error[host]]

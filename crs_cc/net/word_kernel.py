@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.net.channel import HEAD_BYTES
 from crs_cc.net.frames import GRANT_FRONT, RAN_FRONT
 from crs_cc.requests import CODES, FAILED
 from crs_cc.runtime.turns import RECORD
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
     from crs_cc.runtime.fleet import Fleet
     from crs_cc.runtime.kernel_instance import KernelInstance
-    from crs_cc.runtime.partner import Partner
+    from crs_cc.runtime.partner import Partner, Turns
 
 WORDS: Final = RECORD.itemsize // 8
 """Words of a row of a table."""
@@ -38,8 +39,8 @@ Table: TypeAlias = npt.NDArray[np.uint64]
 _ADDRESSES, _PACK, _CHECK, _ENTER, _ENTER_ALL, _TURN, GRANT, TAKE = range(8)
 _ARGUMENTS: Final = tuple(struct.Struct(f"<{1 + count}i") for count in range(5))
 _RESULTS: Final = struct.Struct("<8i")
-_BEGIN: Final = struct.Struct("<iid")
-"""The head of a turn that begins, see `partner.TURN`."""
+_TURNED: Final = struct.Struct("<20x3i")
+"""Whether any program may have failed, or asks to write; an error; and words that are packed."""
 _MOST: Final = ROWS * (1 + WORDS) * WORD_BYTES
 """Of a content [bytes]."""
 TOO_LONG: Final = "changes of a size other than announced"
@@ -49,6 +50,7 @@ ERRORS: Final = (
     "changes of words that are not there",
     "it has changed what is not its own, or a clock goes back",
     TOO_LONG,
+    "reply to a different grant",
 )
 
 
@@ -76,7 +78,7 @@ class WordKernel:
         known: the rows that both sides know.
         now: the same rows, where changes are to be packed.
         rules: the table of two rules: if programs have run, and if not.
-        room: where changes may be received, behind room of `GRANT_FRONT`.
+        room: where a grant may be received, with its head.
         places: the addresses of changes, of a turn, of the list of members, and of hosts.
     """
 
@@ -104,14 +106,16 @@ class WordKernel:
         self.rules = table(rules, 2 * len(Rules._fields))
         self.places = tuple(places)
         self._traffic, self._turn, *_ = places
-        end = self._traffic + rows * (1 + WORDS) * WORD_BYTES
+        self._most = rows * (1 + WORDS) * WORD_BYTES
+        end = self._traffic + self._most
         self.room = self.memory[self._traffic - GRANT_FRONT : end]
-        self._now = now
+        self._rows, self._now = rows, now
         self._rules: Rules | None = None  # in the table
 
     def pack(self, rows: int) -> bytes:
         """Return what differs in rows from those that are known, and make it known."""
-        return self._changes(rows, self.call(_PACK, rows)[1])
+        words = self.call(_PACK, rows)[1]
+        return bytes(self.memory[self._traffic : self._traffic + words * WORD_BYTES])
 
     def check(self, content: memoryview, rows: int, rules: Rules | None) -> tuple[int, bool]:
         """Check changes of known rows, which `enter` then enters.
@@ -158,54 +162,45 @@ class WordKernel:
             raise ValueError(ERRORS[results[0]])
         return results
 
-    def take_turn(
-        self, fleet: Fleet, partner: Partner, content: memoryview, end_s: float
-    ) -> tuple[int, memoryview | None, bool]:
-        """Have the programs of a fleet run rounds with changes of their rows.
+    def turns(self, partner: Partner) -> Turns:
+        """Return what runs programs, whose rows these are, in turn with this, which is theirs."""
+        return partner.turns(self._turn, self._now, self._rows)
+
+    def take_turn(self, turns: Turns, content: memoryview) -> tuple[int, memoryview, bool]:
+        """Have programs run rounds with a grant.
 
         Args:
-            fleet: the programs, of which these are the rows.
-            partner: this kernel as their partner.
-            content: the changes.
-            end_s: the end of the cycle [s].
+            turns: what runs them.
+            content: the grant; it may be in `room`.
 
         Returns:
-            the rounds; what the programs have changed, behind room of `RAN_FRONT`, None if one has
-            trapped, so that it has not been packed; and whether any program may have failed, or
+            rounds that have been run and of which the answer does not tell, 0 unless a program has
+            trapped; the answer, behind room for a head; and whether any program may have failed, or
             asks to write.
 
         Raises:
             ValueError: the content is not valid.
         """
-        if len(content) % WORD_BYTES or len(content) > _MOST:
-            raise ValueError(TOO_LONG if len(content) > _MOST else ERRORS[1])
-        rows, size = len(fleet), self._take(content)
-        _ARGUMENTS[4].pack_into(self.memory, self._place, _TURN, rows, size, _WRITE, FAILED)
-        _BEGIN.pack_into(self.memory, self._turn, 0, -1, end_s)
-        trapped = fleet.alternate_rounds(partner, self._turn, self._now)
-        *_, is_told, error, words = _RESULTS.unpack_from(self.memory, self._place)
+        size = HEAD_BYTES + len(content) - GRANT_FRONT
+        if size % WORD_BYTES or size > self._most:
+            raise ValueError(TOO_LONG if size > self._most else ERRORS[1])
+        memory, place = self.memory, self._place
+        if content.obj is not memory.obj:
+            self.room[HEAD_BYTES : HEAD_BYTES + len(content)] = content
+        words = size // WORD_BYTES
+        _ARGUMENTS[4].pack_into(memory, place, _TURN, self._rows, words, _WRITE, FAILED)
+        untold = turns.take()
+        is_told, error, words = _TURNED.unpack_from(memory, place)
         if error:
             raise ValueError(ERRORS[error])
-        if trapped:
-            return trapped, None, True
-        rounds = _BEGIN.unpack_from(self.memory, self._turn)[1]
-        end = self._end(rows, words)
-        return rounds, self.memory[self._traffic - RAN_FRONT : end], bool(is_told)
+        begin = self._traffic
+        return untold, memory[begin - RAN_FRONT : begin + words * WORD_BYTES], bool(is_told)
 
     def _take(self, content: memoryview) -> int:
-        """Take what may be entered, if it is not in its place; return its size [words]."""
+        """Take what may be entered; return its size [words]."""
         size = min(len(content), _MOST)
-        if content.obj is not self.memory.obj:
-            self.memory[self._traffic : self._traffic + size] = content[:size]
+        self.memory[self._traffic : self._traffic + size] = content[:size]
         return size // WORD_BYTES
-
-    def _changes(self, rows: int, words: int) -> bytes:
-        """Return what has been packed."""
-        return bytes(self.memory[self._traffic : self._end(rows, words)])
-
-    def _end(self, rows: int, words: int) -> int:
-        """Return where that ends: masks alone say nothing."""
-        return self._traffic + (0 if words == rows else words) * WORD_BYTES
 
     def call(self, kind: int, *arguments: int) -> tuple[int, ...]:
         """Run the kernel; return its result."""

@@ -52,7 +52,6 @@ loaded: receives what was prefetched, so that the loads are not optimised away
 end_s: the end of the cycle [s]
 """
 _AT: Final = {name: int(field[1]) for name, field in (HEADER.fields or {}).items()}
-CURRENT: Final = _AT["current"]
 MOST_SHARDS: Final = 64
 SLOTS: Final = MOST_SHARDS * HEADER.itemsize
 """Address of the first slot, after the headers."""

@@ -272,12 +272,11 @@ class Fleet:
         shard = self._shards[0]
         for _ in range(2):  # the program, and what joins it with the driver
             shard.raise_instance_limit()
-        return Partner(shard.store, self._mailbox, shard.round, executable)
+        return Partner(shard, executable, self._end_turn)
 
-    def alternate_rounds(self, partner: Partner, turn: int, records: int) -> int:
-        """Run rounds in turn with a partner, see `Shard`; return how many it was not told of."""
-        partner.instance.refuel()
-        ran = self._shards[0].alternate_rounds(partner.function, turn, records, len(self))
+    def _end_turn(self, trap: Exception) -> int:
+        """Record a trap in a turn; return the rounds that the partner was not told of."""
+        ran = self._shards[0].end_turn(trap, len(self))
         self._record_traps(ran.trapped, ends_turn=True)
         return ran.rounds
 

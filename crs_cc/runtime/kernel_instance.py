@@ -22,7 +22,7 @@ from crs_cc.requests import MESSAGE, SLOT, SUSPENDED, slot_offset
 from crs_cc.runtime.executable import Executable, engine
 from crs_cc.runtime.shard import CALL_TYPES, QUICKEST_CALL, Mailbox, memory_errors, view
 
-_FUEL: Final = 1 << 60  # more than any call can use; twice as much would say that it stops
+_FUEL: Final = 1 << 60  # more than all calls can use; twice as much would say that it stops
 _RESUME: Final = struct.Struct("<iiiiIIq")
 """The slot's fields from `run` to `fuel`."""
 _STATE: Final = struct.Struct("<ii")
@@ -77,10 +77,6 @@ class KernelInstance:
         self.resume()
         first = slot_offset("message")
         self.message = np.frombuffer(self._slot, MESSAGE, 1, first)["i"][0]
-
-    def refuel(self) -> None:
-        """Give the program fuel for as long as anybody can wait."""
-        _RESUME.pack_into(self._slot, 0, 0, 0, 0, 0, 0, 0, _FUEL)
 
     def resume(self) -> None:
         """Run the program up to its next request; raise InternalError if it stops with an error."""

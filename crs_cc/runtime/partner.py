@@ -10,6 +10,7 @@ calls from one to the other and copies of a few hundred bytes take some tens of 
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -20,10 +21,11 @@ from crs_cc.runtime.driver import HEADER, SLOTS
 from crs_cc.runtime.executable import engine
 from crs_cc.runtime.kernel_instance import KernelInstance
 from crs_cc.runtime.layout import MEMORY_BYTES, PAGE
+from crs_cc.runtime.turns import RECORD
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
-    from crs_cc.runtime.shard import Mailbox
+    from crs_cc.runtime.shard import PreparedCall, Shard
     from crs_cc.runtime.wasm import Instr
 
 TURN: Final = np.dtype([("verdict", "<i4"), ("ran", "<i4"), ("end_s", "<f8")])
@@ -43,32 +45,54 @@ class Partner:
 
     Attributes:
         instance: the program.
-        function: takes turns, see above; its arguments are the addresses of a `TURN` and of the
-            slots in the program's memory, the bytes of these, and the number of programs.
     """
 
     def __init__(
-        self,
-        store: wasmtime.Store,
-        mailbox: Mailbox,
-        round_: wasmtime.Func,
-        executable: Executable,
+        self, shard: Shard, executable: Executable, end_turn: Callable[[Exception], int]
     ) -> None:
         """Start the program.
 
         Args:
-            store: the shard's store.
-            mailbox: the fleet's mailbox.
-            round_: the driver's function.
+            shard: the shard.
             executable: the program.
+            end_turn: is called when a program has trapped; returns the rounds since the partner was
+                last told of any.
         """
-        self.instance = KernelInstance(executable, store)
+        self._shard, self._end_turn = shard, end_turn
+        self.instance = KernelInstance(executable, shard.store)
         memory, resume = self.instance.exports["memory"], self.instance.exports["resume"]
-        imports: list[Any] = [mailbox, memory, round_, resume]
-        exports = wasmtime.Instance(store, _joint(engine()), imports).exports(store)
+        imports: list[Any] = [shard.mailbox, memory, shard.round, resume]
+        exports = wasmtime.Instance(shard.store, _joint(engine()), imports).exports(shard.store)
         function = exports["turns"]
         assert isinstance(function, wasmtime.Func)
-        self.function = function
+        self._function = function
+
+    def turns(self, turn: int, records: int, robots: int) -> Turns:
+        """Return what runs rounds of a number of programs, which are all, in turn with this one.
+
+        Args:
+            turn: the address of a `TURN` in this program's memory.
+            records: the address of the slots there.
+            robots: how many programs there are.
+        """
+        arguments = turn, records, robots * RECORD.itemsize, robots
+        return Turns(self._shard.prepared(self._function, *arguments), self._end_turn)
+
+
+class Turns:
+    """What runs rounds of all programs of a fleet in turn with a partner."""
+
+    def __init__(self, call: PreparedCall, end: Callable[[Exception], int]) -> None:
+        """Store a call of the partner's function, and what is done when a program traps in it."""
+        self._call, self._end = call, end
+
+    def take(self) -> int:
+        """Run rounds until the partner ends them; return how many it was not told of.
+
+        There are such rounds only if a program has trapped.
+        """
+        trap = self._call.make()
+        return 0 if trap is None else self._end(trap)
 
 
 @functools.cache
@@ -94,6 +118,8 @@ def _turns() -> list[Instr]:
     slots: list[Instr] = [("i32.const", SLOTS)]
     here, there = _get(_RECORDS), _get(_SIZE)
     return [
+        # Where the driver leaves it, if it is not the driver that fails.
+        ("i32.const", 0), _get(_ROBOTS), ("i32.store", _MAILBOX, _of_header("current")),
         ("loop",),
         here, *slots, there, ("memory.copy", _MEMORY, _MAILBOX),
         ("i32.const", 0), ("call", _RESUME),

@@ -21,12 +21,11 @@ from wasmtime import _bindings, _ffi
 from crs_cc.core.arrays import ByteArray, Records
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Location
-from crs_cc.runtime.driver import CURRENT, HEADER, MOST_SHARDS
+from crs_cc.runtime.driver import HEADER, MOST_SHARDS
 from crs_cc.runtime.executable import Driver, Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES, PAGE, STACK_TOP
 from crs_cc.runtime.resident_pages import CHUNK
 from crs_cc.runtime.site_tests import SiteTests, TestTable
-from crs_cc.runtime.turns import RECORD
 
 if TYPE_CHECKING:
     from typing import Self
@@ -35,13 +34,10 @@ Trapped: TypeAlias = tuple[int, Exception]
 """A robot whose program trapped, and the trap."""
 
 _HEADER: Final = struct.Struct("<10Id")  # faster than numpy
-_CURRENT_ROBOT: Final = struct.Struct("<I")
 _CURRENT, _ROUNDS, _RAN = map(HEADER.names.index, ("current", "rounds", "ran"))  # type: ignore[union-attr]
 _FUNCTIONS: Final = "round", "begin", "end"
 _MOST_PAGES: Final = 2**16  # of the mailbox: the maximum, so that it never moves
 _NONE: Final = np.zeros(0, np.uint8)
-_MOST_CALLS: Final = 16
-"""Calls of a shard that are kept: its own functions, and those of partners."""
 
 QUICKEST_CALL: Final = "wasmtime_func_call_unchecked", _ffi.dll
 CALL_TYPES: Final = *(ctypes.c_void_p,) * 4, ctypes.c_size_t, ctypes.c_void_p
@@ -153,7 +149,6 @@ class Shard:
         self.store = wasmtime.Store(engine())
         self.mailbox = mailbox
         self.instances = 0
-        self._calls: dict[tuple[Any, ...], _PreparedCall] = {}
         self._header = mailbox.headers()[number : number + 1]
         self._raw = memoryview(self._header.view(np.uint8))  # type: ignore[arg-type]
         self.raise_instance_limit()
@@ -164,7 +159,9 @@ class Shard:
         assert isinstance(robots, wasmtime.Table)
         assert isinstance(prefetches, wasmtime.Table)
         header.set_value(self.store, wasmtime.Val.i32(number * HEADER.itemsize))
-        self.round, self._begin, self._end = map(_function, map(exports.__getitem__, _FUNCTIONS))
+        functions = [_function(exports[name]) for name in _FUNCTIONS]
+        self.round = functions[0]
+        self._round, self._begin, self._end = map(self.prepared, functions)
         self._tables = robots, prefetches
 
     def raise_instance_limit(self) -> None:
@@ -227,7 +224,7 @@ class Shard:
         header, robot = self._header, robots.start
         self._tell(robots, end_s, most)
         rounds, trapped = 0, list[Trapped]()
-        while (trap := self._call(self.round)) is not None:
+        while (trap := self._round.make()) is not None:
             robot, rounds = header["current"].item(), header["rounds"].item()
             trapped.append((robot, trap))
             header["current"], header["most"] = robot + robots.step, rounds + 1
@@ -238,26 +235,12 @@ class Shard:
         stopped = current if current < robots.stop else None
         return RunResult(found[_ROUNDS], trapped, stopped)
 
-    def alternate_rounds(
-        self, turns: wasmtime.Func, turn: int, records: int, robots: int
-    ) -> RunResult:
-        """Run rounds of all robots in turn with a partner, until that returns or a robot traps.
+    def end_turn(self, trap: Exception, robots: int) -> RunResult:
+        """Let the others end their round after one of some robots has trapped in a turn.
 
-        Args:
-            turns: the function of the partner, see `Partner`.
-            turn: the address of its `TURN`.
-            records: the address in its memory of the robots' slots.
-            robots: how many there are.
-
-        Returns:
-            the rounds after the partner was last told of any, if a robot has trapped.
+        Return the rounds that its partner was not told of.
         """
-        size, header = robots * RECORD.itemsize, self._header
-        # Where the driver leaves it, if it is not the driver that fails.
-        _CURRENT_ROBOT.pack_into(self._raw, CURRENT, robots)
-        trap = self._call(turns, turn, records, size, robots)
-        if trap is None:
-            return RunResult(0, [], None)
+        header = self._header
         robot, rounds = header["current"].item(), header["rounds"].item()
         if robot >= robots:
             raise InternalError.at(Location("kernels"), f"they have stopped with an error: {trap}")
@@ -271,62 +254,61 @@ class Shard:
         Return whether there are any.
         """
         self._tell(robots, end_s, 0)
-        self._call(self._begin)
+        self._begin.make()
         return bool(_HEADER.unpack_from(self._raw)[_RAN])
 
     def end(self, robots: range) -> None:
         """Advance the clocks of those robots that were selected, see `turns`."""
         self._tell(robots, 0.0, 0)
-        self._call(self._end)
+        self._end.make()
 
     def _tell(self, robots: range, end_s: float | None, most: int) -> None:
         first, timed = robots.start, end_s is not None
         told = first, first, robots.stop, robots.step, timed, most, 0, 0, 0, 0, end_s or 0.0
         _HEADER.pack_into(self._raw, 0, *told)
 
-    def _call(self, function: wasmtime.Func, *arguments: int) -> Exception | None:
-        """Call a function, without the conversions that cost wasmtime's `Func` ten times as much.
-
-        Return the trap, if any.
-        """
-        key = function, *arguments
-        call = self._calls.get(key)
-        if call is None:
-            if len(self._calls) >= _MOST_CALLS:
-                self._calls.clear()
-            call = self._calls[key] = _PreparedCall(self.store, function, arguments)
-        trap = call.make()
-        if trap is not None:
-            del self._calls[key]  # it has what the trap is made of
-        return trap
+    def prepared(self, function: wasmtime.Func, *arguments: int) -> PreparedCall:
+        """Return a call of a function in this shard's store."""
+        return PreparedCall(self.store, function, arguments)
 
 
-class _PreparedCall:
-    """A call of a function whose arguments for wasmtime are prepared once, to save time."""
+class PreparedCall:
+    """A call of a function whose arguments for wasmtime are converted once, to save time.
+
+    A call of wasmtime's `Func` takes ten times as long.
+    """
 
     def __init__(
         self, store: wasmtime.Store, function: wasmtime.Func, arguments: tuple[int, ...]
     ) -> None:
-        values = (_bindings.wasmtime_val_raw * len(arguments))()
-        for value, argument in zip(values, arguments, strict=True):
+        """Convert the arguments, which are 32-bit integers."""
+        self._values = (_bindings.wasmtime_val_raw * len(arguments))()
+        for value, argument in zip(self._values, arguments, strict=True):
             value.i32 = argument
+        self._store, self._function = store, function
+        self._prepare()
+
+    def _prepare(self) -> None:
         self._trap = ctypes.POINTER(_ffi.wasm_trap_t)()
-        self._kept = store, function, values
         self._told = (
-            ctypes.cast(store._context(), ctypes.c_void_p),
-            ctypes.addressof(function._func),
-            ctypes.addressof(values),
-            len(arguments),
+            ctypes.cast(self._store._context(), ctypes.c_void_p),
+            ctypes.addressof(self._function._func),
+            ctypes.addressof(self._values),
+            len(self._values),
             ctypes.addressof(self._trap),
         )
 
     def make(self) -> Exception | None:
-        """Make the call; return the trap, if any, after which there is no other."""
+        """Make the call; return the trap, if any."""
         error = _call_unchecked(*self._told)
         if error:
             pointer = ctypes.POINTER(_ffi.wasmtime_error_t)
             return wasmtime.WasmtimeError._from_ptr(ctypes.cast(error, pointer))
-        return wasmtime.Trap._from_ptr(self._trap) if self._trap else None  # type: ignore[truthy-bool]
+        if not self._trap:  # type: ignore[truthy-bool]
+            return None
+        trap = wasmtime.Trap._from_ptr(self._trap)
+        self._prepare()  # it has what this one is made of
+        return trap
 
 
 @contextlib.contextmanager

@@ -15,7 +15,7 @@ from crs_cc.sim.kernels.calm import ASKED, DRAWN, FULL, MOST, REFUSED, CalmKerne
 from crs_cc.sim.kernels.program import executable
 
 if TYPE_CHECKING:
-    from crs_cc.runtime.partner import Partner
+    from crs_cc.runtime.partner import Partner, Turns
     from crs_cc.session.hints import Hints
     from crs_cc.session.session_state import SessionState
     from crs_cc.sim.engine.calm_time import CalmTime
@@ -38,6 +38,7 @@ class CalmPrograms:
     def __init__(self, state: SessionState, hints: Hints) -> None:
         self._state, self._hints = state, hints
         self._partner: Partner | None = None
+        self._turns: tuple[int, Turns] | None = None  # with slots at an address
         self._calm: CalmTime | None = None
         self._robots = 0  # that it was made for
         self._refused = _NEVER  # the cycle in which it was not calm
@@ -76,7 +77,7 @@ class CalmPrograms:
         """Let programs and kernel take turns once; return why they ended, and the cycles."""
         state, kernel = self._state, calm.kernel
         kernel.tell(rounds=state.rounds)
-        rounds = state.fleet.alternate_rounds(partner, kernel.turn, kernel.address("records"))
+        rounds = self._turns_with(kernel, partner).take()
         outcome = state.environment.end_calm(calm)
         verdict, ended = outcome.verdict, outcome.ended
         state.timesteps += ended
@@ -90,11 +91,18 @@ class CalmPrograms:
             self.passages.append(outcome.passage)
         return verdict, ended
 
+    def _turns_with(self, kernel: CalmKernel, partner: Partner) -> Turns:
+        """Return what runs the programs in turn with the kernel, as that has laid its tables."""
+        records = kernel.address("records")
+        if self._turns is None or self._turns[0] != records:
+            self._turns = records, partner.turns(kernel.turn, records, self._robots)
+        return self._turns[1]
+
     def _calm_time(self) -> CalmTime | None:
         """Return the kernel's calm time, started on first use; None if there can be none."""
         robots = len(self._state.fleet)
         if robots != self._robots:
-            self._robots, self._calm = robots, None
+            self._robots, self._calm, self._turns = robots, None, None
             if robots <= MOST and self._partner is None:
                 self._partner = self._state.fleet.partner(executable(checked=False))
             if robots <= MOST and self._partner is not None:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import os
 import random
 import socket
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -245,6 +247,31 @@ def test_what_a_host_says_is_believed_of_its_own_programs_only(
         assert (fleet.timing == before).all()
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux keeps threads on a processor")
+@pytest.mark.parametrize(("is_local", "processors"), [(True, 1), (True, 2), (False, 1)])
+def test_a_thread_waits_on_its_processor_where_hosts_use_all(
+    programs: list[Executable], monkeypatch: pytest.MonkeyPatch, *, is_local: bool, processors: int
+) -> None:
+    usable, seen = os.sched_getaffinity(0), []
+    monkeypatch.setattr("crs_cc.net.distant_fleet.available_cores", lambda: processors)
+    monkeypatch.setattr(HostLink, "is_local", is_local)
+    receive = Channel.receive_frame
+
+    def noting(channel: Channel, kind: Kind, room: memoryview) -> int:
+        if kind is Kind.RAN:
+            seen.append(os.sched_getaffinity(0))
+        return receive(channel, kind, room)
+
+    monkeypatch.setattr(Channel, "receive_frame", noting)
+    hosts = LocalHosts(programs, 1)
+    finished(programs, fleet=hosts.fleet)
+    hosts.close()
+    assert seen
+    kept = is_local and processors <= 1
+    assert {len(each) for each in seen} == {1 if kept else len(usable)}
+    assert os.sched_getaffinity(0) == usable
+
+
 @pytest.mark.parametrize("content", [b"", bytes(11), RAN.pack(1, 1) + bytes(7), RAN.pack(2, 1)])
 def test_a_reply_that_ends_early_or_is_to_another_grant_is_not_waited_for(
     programs: list[Executable], content: bytes
@@ -271,8 +298,8 @@ def test_a_grant_is_not_sent_twice_to_the_host_that_replaces_a_lost_one() -> Non
     link.take_part(rows)
     timing = rows.table.view(RECORD)["timing"]
     timing["alive"], timing["due_s"] = True, math.inf
-    assert rows.grant(2.0, is_new=True) == 1
-    link.grant(2.0)
+    assert rows.grant(2.0, is_new=True) == [0]
+    link.grant()
     link.close()
     other = Channel(here[1])
     received = [other.receive(Kind.RESTORE, Kind.GRANT).kind for _ in range(2)]

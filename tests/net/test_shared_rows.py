@@ -9,7 +9,8 @@ import pytest
 
 from crs_cc.core.errors import WorldError
 from crs_cc.net.changed_words import KnownRows
-from crs_cc.net.frames import GRANT_FRONT
+from crs_cc.net.channel import HEAD_BYTES
+from crs_cc.net.frames import GRANT, GRANT_FRONT, RAN
 from crs_cc.net.roster import Roster
 from crs_cc.net.shared_rows import SharedRows
 from crs_cc.net.word_kernel import ROWS
@@ -27,23 +28,33 @@ class Both:
         self.parts = np.array([0, 3]), np.array([1, 2])
         self.numbers = [self.rows.add(part) for part in self.parts]
         self.there = [KnownRows(2), KnownRows(2)]
+        self.said: dict[int, tuple[int, float, bool]] = {}  # in front of the last grant
         self.records = self.rows.table.reshape(-1).view(RECORD)
         self.records["timing"]["alive"], self.records["timing"]["due_s"] = True, math.inf
 
     def grant(self, *, is_new: bool = True) -> list[int]:
         """Grant a round; return which hosts have something to run."""
-        self.rows.grant(END_S, is_new=is_new)
-        granted = [host for host in self.numbers if self.rows.is_granted(host)]
+        granted = self.rows.grant(END_S, is_new=is_new)
         for host in granted:
-            self.there[host].enter(self.rows.packed(host)[GRANT_FRONT:])
+            frame = self.rows.packed(host)
+            self.said[host] = GRANT.unpack_from(frame, HEAD_BYTES)
+            self.there[host].enter(frame[GRANT_FRONT:])
         return granted
 
-    def say(self, host: int, rounds: int, **fields: float) -> None:
-        """Let a host change fields of its first program in some rounds."""
+    def say(self, host: int, rounds: int, number: int | None = None, **fields: float) -> None:
+        """Let a host change fields of its first program in some rounds.
+
+        Args:
+            host: the host.
+            rounds: the rounds.
+            number: of the grant that it answers, the last one by default.
+            fields: their new values.
+        """
         table = self.there[host].table().copy()
         for name, value in fields.items():
             table.reshape(-1).view(RECORD)[:1]["timing"][name] = value
-        self.rows.put(host, memoryview(self.there[host].pack(table)), rounds)
+        front = RAN.pack(self.said[host][0] if number is None else number, rounds)
+        self.rows.put(host, front + self.there[host].pack(table))
 
 
 def test_a_host_that_asks_later_is_shown_when_the_others_have_come_so_far() -> None:
@@ -95,12 +106,43 @@ def test_a_host_that_has_left_is_granted_nothing() -> None:
     assert both.grant() == [1]
 
 
-@pytest.mark.parametrize("size", [7, 8 * 2 * 57 + 8])
-def test_changes_of_a_wrong_size_are_refused(size: int) -> None:
+def test_grants_are_numbered_for_each_host_and_say_the_end_of_the_cycle() -> None:
+    both = Both()
+    for number in (1, 2, 3):
+        assert both.grant() == [0, 1]
+        assert both.said == dict.fromkeys([0, 1], (number, END_S, True))
+        assert [both.rows.last_grant(host) for host in both.numbers] == [number, number]
+        both.say(0, 1)
+        both.say(1, 1)
+        assert both.rows.take(0) == (1, True)
+
+
+@pytest.mark.parametrize(
+    ("number", "rounds"), [(0, 1), (1, 1), (3, 1), (2**63, 1), (2, 2**24 + 1), (2, 2**32 - 1)]
+)
+def test_an_answer_to_another_grant_or_with_too_many_rounds_is_not_taken(
+    number: int, rounds: int
+) -> None:
+    both = Both()
+    for _ in range(2):
+        both.grant()
+        both.say(1, 1)
+    both.say(0, rounds, number, clock_s=0.02)
+    assert both.rows.take(0) is None
+    assert "different grant" in both.rows.error(0)
+    assert not both.rows.error(1)
+    both.there[0].set(both.rows.known(0))
+    both.say(0, 2**24, clock_s=0.02)
+    assert both.rows.take(0) == (2**24, True)
+    assert both.records["timing"]["clock_s"].tolist() == [0.02, 0.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize("size", [0, 11, RAN.size + 7, RAN.size + 8 * 2 * 57 + 8])
+def test_answers_of_a_wrong_size_are_refused(size: int) -> None:
     both = Both()
     both.grant()
     with pytest.raises(ValueError, match="changes"):
-        both.rows.put(0, memoryview(bytes(size)), 1)
+        both.rows.put(0, bytes(size))
 
 
 def test_a_world_with_too_many_robots_is_refused_before_any_host_has_come() -> None:

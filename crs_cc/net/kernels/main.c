@@ -10,12 +10,12 @@
 #define ROWS 10240              /* at once */
 #define WORDS 56                /* of a row */
 #define FRONT 5                 /* words in front of changes, for the rest of a message */
-#define SOME 8                  /* words of a row that are compared at once */
+#define MOST_ROUNDS (1 << 24)   /* that a host may say it has run */
 
 typedef unsigned long long word;
 
 enum { ADDRESSES, PACK, CHECK, ENTER, ENTER_ALL, TURN, GRANT, TAKE };
-enum { DONE, ENDS_EARLY, NO_SUCH_WORD, FORBIDDEN, TOO_LONG };
+enum { DONE, ENDS_EARLY, NO_SUCH_WORD, FORBIDDEN, TOO_LONG, OTHER_GRANT };
 enum { RUN, PACKED, REFUSED };  /* verdicts */
 
 /* Of a row's words, as in `requests/door.py`: the half that has a field. */
@@ -38,15 +38,28 @@ static word space[ROWS * (3 * WORDS + 1 + FRONT)];
 static word (*known)[WORDS], (*now)[WORDS], *traffic;
 static int members[ROWS];       /* rows */
 
+/* What a message says in front of changes, as in `net/frames.py`: a grant its number, the end of the
+   cycle [s] and whether the answer is wanted, which says the number and how many rounds were run. */
+struct grant {
+    word number;
+    double end;
+    int is_wanted;
+} __attribute__((packed));
+struct ran {
+    word number;
+    int rounds;
+} __attribute__((packed));
+
 /* Hosts as the environment sees them; each has the part of `traffic` that its members may take, with
    room in front of it. */
 static struct hosts {
     int first[ROWS], count[ROWS];       /* members */
     int words[ROWS];            /* packed, or to be entered; -1 for none */
-    int ran[ROWS];              /* rounds, as the host says */
     int error[ROWS];            /* in what it says */
+    int granted[ROWS];          /* those that are granted a round */
     int round[ROWS];            /* of the cycle */
-    int is_ahead[ROWS], asks[ROWS];
+    word number[ROWS];          /* of the last grant */
+    signed char is_ahead[ROWS], asks[ROWS];
 } hosts;
 
 /* What a fleet is told whose programs take turns with this, see `runtime/partner.py`. */
@@ -61,39 +74,37 @@ static word *changes(int host)
     return traffic + hosts.first[host] * (1 + WORDS) + host * FRONT;
 }
 
-/* Return whether some words differ. */
-static int differ(const word *a, const word *b)
-{
-    return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2]) | (a[3] ^ b[3])
-            | (a[4] ^ b[4]) | (a[5] ^ b[5]) | (a[6] ^ b[6]) | (a[7] ^ b[7])) != 0;
-}
+/* The mask of those of 8 words that differ. There is no branch: which they are is hard to guess. */
+#define DIFFERS(a, b, i) ((a)[i] != (b)[i])
+#define DIFFERING(a, b, i) \
+    ((word)(DIFFERS(a, b, i) | DIFFERS(a, b, (i) + 1) << 1 | DIFFERS(a, b, (i) + 2) << 2 \
+            | DIFFERS(a, b, (i) + 3) << 3 | DIFFERS(a, b, (i) + 4) << 4 \
+            | DIFFERS(a, b, (i) + 5) << 5 | DIFFERS(a, b, (i) + 6) << 6 \
+            | DIFFERS(a, b, (i) + 7) << 7) << (i))
 
 /* Pack what differs in some members from what is known, which becomes known. Return the number of
-   words of that. */
+   words of that, 0 if nothing does: masks alone say nothing. */
 static int pack(word *packed, const int *member, int rows)
 {
     word *out = packed + rows;
-    int row, i, j;
+    int row;
 
     for (row = 0; row < rows; row++) {
         const word *after = now[member[row]];
         word *before = known[member[row]];
-        word mask = 0;
+        word rest, mask = DIFFERING(after, before, 0) | DIFFERING(after, before, 8)
+            | DIFFERING(after, before, 16) | DIFFERING(after, before, 24)
+            | DIFFERING(after, before, 32) | DIFFERING(after, before, 40)
+            | DIFFERING(after, before, 48);
 
-        for (i = 0; i < WORDS; i += SOME) {
-            if (!differ(after + i, before + i))
-                continue;
-            for (j = i; j < i + SOME; j++) {    /* no branch: which words differ is hard to guess */
-                word differs = after[j] != before[j];
+        for (rest = mask; rest; rest &= rest - 1) {
+            int at = __builtin_ctzll(rest);
 
-                mask |= differs << j;
-                *out = before[j] = after[j];
-                out += differs;
-            }
+            *out++ = before[at] = after[at];
         }
         packed[row] = mask;
     }
-    return out - packed;
+    return out == packed + rows ? 0 : out - packed;
 }
 
 /* Return the number of words that masks announce, -1 if one is not in its row. */
@@ -200,13 +211,14 @@ static int any_runs(const int *member, int rows, double end)
 }
 
 /* Pack what has changed for all hosts that have something to run until a time and whose requests
-   are answered. Return how many they are. */
+   are answered, and list these. Return how many they are. */
 static int grant(int count, int is_new_cycle, double end)
 {
     int granted = 0, i;
 
     for (i = 0; i < count; i++) {
         const int *member = members + hosts.first[i];
+        struct grant *front = (struct grant *)changes(i) - 1;
 
         hosts.words[i] = -1;
         if (is_new_cycle)
@@ -214,9 +226,31 @@ static int grant(int count, int is_new_cycle, double end)
         if (hosts.is_ahead[i] || !any_runs(member, hosts.count[i], end))
             continue;
         hosts.words[i] = pack(changes(i), member, hosts.count[i]);
-        granted++;
+        front->number = ++hosts.number[i];
+        front->end = end;
+        front->is_wanted = 1;
+        hosts.granted[granted++] = i;
     }
     return granted;
+}
+
+/* Enter what a host says, if it is valid and allowed. */
+static int take_one(int host, int words)
+{
+    const struct ran *front = (const struct ran *)changes(host) - 1;
+    int rounds = front->rounds, found = 0, error = DONE;
+
+    if (front->number != hosts.number[host] || rounds < 0 || rounds > MOST_ROUNDS)
+        return OTHER_GRANT;
+    if (words)
+        error = enter_all(changes(host), members + hosts.first[host], hosts.count[host], words,
+                          rules + !rounds, &found);
+    if (!error) {
+        hosts.is_ahead[host] = 1;
+        hosts.asks[host] = found;
+        hosts.round[host] += rounds;
+    }
+    return error;
 }
 
 /* Enter what hosts say. Return how many of them say what is not valid or not allowed. */
@@ -225,19 +259,11 @@ static int take(int count)
     int bad = 0, i;
 
     for (i = 0; i < count; i++) {
-        int found = 0, error = DONE;
+        int words = hosts.words[i];
 
-        if (hosts.words[i] > 0)
-            error = enter_all(changes(i), members + hosts.first[i], hosts.count[i], hosts.words[i],
-                              rules + !hosts.ran[i], &found);
-        hosts.error[i] = error;
-        bad += error != DONE;
-        if (!error && hosts.words[i] >= 0) {
-            hosts.is_ahead[i] = 1;
-            hosts.asks[i] = found;
-            hosts.round[i] += hosts.ran[i];
-        }
         hosts.words[i] = -1;
+        hosts.error[i] = words < 0 ? DONE : take_one(i, words);
+        bad += hosts.error[i] != DONE;
     }
     return bad;
 }
@@ -279,17 +305,26 @@ static int any_asks(int rows, int code, int status)
     return 0;
 }
 
-/* Have programs run with what a content says of their rows, and pack what they have changed. Return
-   an error, if there is any. */
+/* Have programs run with what a grant says of their rows, and pack what they have changed behind the
+   front of the answer. Return an error, if there is any. */
 static int take_turn(int rows, int size, int *packed_words)
 {
+    static word number;
+    const struct grant *asked = (const struct grant *)traffic - 1;
     int error = DONE, found;
 
     if (turn.ran >= 0) {
+        struct ran *answer = (struct ran *)traffic - 1;
+
         *packed_words = pack(traffic, members, rows);
+        answer->number = number;
+        answer->rounds = turn.ran;
+        turn.ran = -1;
         turn.verdict = PACKED;
         return DONE;
     }
+    number = asked->number;
+    turn.end = asked->end;
     if (size)
         error = enter_all(traffic, members, rows, size, NULL, &found);
     if (!error)
@@ -338,6 +373,7 @@ int __crs_start(void)
             traffic = now[n[1]] + FRONT;
             for (i = 0; i < n[1]; i++)
                 members[i] = i;
+            turn.ran = -1;
             n[0] = (int)rules;
             n[1] = (int)known;
             n[2] = (int)now;
