@@ -1,6 +1,6 @@
 r"""Access control: tokens by role, from a file or generated at startup.
 
-A line of the file has a role and a token; empty lines and lines that begin with `#` do not count.
+A line of the file has a role and a token; empty lines and lines that begin with `#` are ignored.
 
 >>> found = parsed("# course\nrobot 0123456789abcdef\nview fedcba9876543210\n")
 >>> found.allows("robot", "0123456789abcdef"), found.allows("robot", "fedcba9876543210")
@@ -29,25 +29,25 @@ class Access:
     """The tokens of each role.
 
     Attributes:
-        tokens: by role, at least one each.
+        tokens: the tokens by role, at least one for each.
     """
 
     tokens: Mapping[Role, tuple[str, ...]]
 
     @classmethod
     def made(cls) -> Self:
-        """Return new tokens, one for each role."""
+        """Create new tokens, one for each role."""
         return cls({role: (new_token(),) for role in ROLES})
 
     def allows(self, role: Role, given: object) -> bool:
-        """Return whether a token is one of a role's; all are compared."""
+        """Return whether a token belongs to a role, comparing with all in constant time."""
         return sum(is_token(given, token) for token in self.tokens[role]) > 0
 
     def require(self, role: Role, given: object) -> None:
-        """Check that a token is one of a role's.
+        """Check that a token belongs to a role.
 
         Raises:
-            RefusedError: it is not.
+            RefusedError: it does not.
         """
         if not self.allows(role, given):
             text = f"no valid token for the role '{role}': give that of crs serve by --token"
@@ -59,10 +59,10 @@ class Access:
 
 
 def parsed(text: str) -> Access:
-    """Return the tokens in a file; roles that are not in it have new ones.
+    """Return the tokens of a file, and new ones for roles that are not in it.
 
     Raises:
-        ValueError: it is not valid; the message begins with the number of the line.
+        ValueError: the file is invalid; the message begins with the line number.
     """
     found: dict[Role, list[str]] = {role: [] for role in ROLES}
     for number, line in enumerate(text.splitlines(), 1):

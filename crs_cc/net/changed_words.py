@@ -1,9 +1,9 @@
-"""The changed words in the slots of some programs, as bytes.
+"""Encoding of the words that have changed in the slots of programs.
 
-Both ends of a connection know the same table, with a row of 64-bit words for each program: its slot
-and its clock. Whoever changes rows sends a mask for each
-row, with a bit for each of its words, and the words that are new. So
-the used part of a slot crosses and nothing else, and both tables have the same bits afterwards.
+Both ends of a connection have the same table, with a row of 64-bit words for each program: its slot
+and its clock. Changes are a mask for each row, with a bit for each of its words, followed by the
+words that have changed. So only the used part of a slot is sent, and both tables have the same bits
+afterwards.
 
 >>> here, there = KnownRows(3), KnownRows(3)
 >>> table = np.zeros((3, WORDS), np.uint64)
@@ -25,18 +25,18 @@ __all__ = ["WORDS", "KnownRows", "Rules", "Table"]
 
 
 class KnownRows:
-    """The rows that both ends of a connection know, in the memories of kernels.
+    """The rows as both ends of a connection know them, in the memories of kernels.
 
     Attributes:
         kernels: the kernels, each with `ROWS` rows at most.
     """
 
     def __init__(self, rows: int, kernel: WordKernel | None = None) -> None:
-        """Begin with rows of zeros.
+        """Create rows of zeros.
 
         Args:
-            rows: how many there are.
-            kernel: has them all, if it is given.
+            rows: the number of rows.
+            kernel: a kernel for all rows; by default new ones.
         """
         counts = [min(ROWS, rows - first) for first in range(0, rows, ROWS)]
         self.kernels = [WordKernel(count) for count in counts] if kernel is None else [kernel]
@@ -48,7 +48,7 @@ class KnownRows:
         return tables[0] if len(tables) == 1 else np.concatenate(tables)
 
     def set(self, table: Table) -> None:
-        """Store the rows of a table that the other side has received."""
+        """Set all rows to those of a table, which the other side has, too."""
         first = 0
         for kernel, count in self._parts:
             kernel.known[:count] = table[first : first + count]
@@ -78,13 +78,13 @@ class KnownRows:
 
         Args:
             content: the changes.
-            rules: what it may change; everything if None.
+            rules: the permitted changes; all if None.
 
         Returns:
-            Whether any word that has been sent has a bit that the rules want.
+            Whether any changed word has a bit that the rules look for.
 
         Raises:
-            ValueError: the content does not fit, or is not allowed; nothing is entered.
+            ValueError: the content is invalid, or a change not permitted; nothing is applied.
         """
         if not content:
             return False

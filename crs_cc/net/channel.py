@@ -1,9 +1,9 @@
-"""Messages over a connection: bounded, numbered and checked.
+"""Messages over a connection: of limited size, numbered, and with checksums.
 
-A message has a kind, a number that rises by one, a checksum, and a content whose size depends on
-its kind. So what is cut, lost, damaged, doubled or in the wrong order on the way ends the
-connection, and never becomes part of a run. Each side says that it is alive while it has nothing to
-say; whoever hears nothing for `SILENCE_S` gives the other up.
+A message has a kind, a sequence number, a checksum and a content, whose maximum size depends on the
+kind. Truncated, lost, corrupted, duplicated or reordered data ends the connection and never becomes
+part of a run. An idle side sends keep-alive messages; a side that receives nothing for `SILENCE_S`
+considers the other one lost.
 """
 
 from __future__ import annotations
@@ -23,46 +23,46 @@ from crs_cc.core.host_system import limit_waits
 from crs_cc.net.tls import Connection
 
 SILENCE_S: Final = 1.5
-"""How long a side may say nothing [s]; with `ALIVE_S`, a loss is noticed in two seconds."""
+"""Receive timeout [s]; with `ALIVE_S`, a loss is detected within two seconds."""
 
 GREETING_S: Final = 5.0
-"""How long it may say nothing until it is known who it is [s]: it may be far away, or behind a slow
-connection, whose first packets are lost and sent again after seconds."""
+"""Receive timeout during the handshake [s]: the other side may be behind a slow connection, whose
+first packets are lost and sent again seconds later."""
 
 ALIVE_S: Final = 0.4
-"""How often a side says that it is alive [s]."""
+"""Interval between keep-alive messages [s], at most."""
 
 MAGIC: Final = b"CRS slots\r\n\x1a"
-"""The first bytes of a connection: no request of HTTP and no greeting of TLS begins so."""
+"""The first bytes of a host's connection; neither HTTP nor TLS begins with them."""
 
 PROTOCOL: Final = 6
-"""The version of what is said here."""
+"""The protocol version."""
 
 
 class Kind(IntEnum):
     """The kinds of messages."""
 
-    HELLO = 1  # a host, first: who it is, as JSON
-    WELCOME = 2  # the environment: the robots, as JSON
-    REFUSED = 3  # the environment: why not, as text
-    PROGRAM = 4  # a host: its program's files, as JSON
-    RESTORE = 5  # the environment: where the programs stand, see `memories`
-    GRANT = 6  # the environment: until when programs may run, with answers
-    RAN = 7  # a host: rounds, and what the programs ask for
-    ALIVE = 8  # either
-    SAVE = 9  # the environment: asks for memories
-    SAVED = 10  # a host: memories
-    FAILED = 11  # a host: what a robot's program did wrong, as JSON
-    READ = 12  # the environment: asks for standard input
-    INPUT = 13  # a host: standard input
-    END = 14  # the environment: the run has ended for these programs, as JSON
-    STARTED = 15  # a host: it can run its programs
-    MOVED = 16  # either: what follows goes another way, see `local_way`; or that it does not
+    HELLO = 1  # host, first message: its identity, as JSON
+    WELCOME = 2  # environment: the host's robots, as JSON
+    REFUSED = 3  # environment: the reason, as text
+    PROGRAM = 4  # host: its program's files, as JSON
+    RESTORE = 5  # environment: the state of the programs, see `memories`
+    GRANT = 6  # environment: answers, and the time up to which programs may run
+    RAN = 7  # host: the number of rounds, and the programs' requests
+    ALIVE = 8  # either: keep-alive
+    SAVE = 9  # environment: requests the programs' memories
+    SAVED = 10  # host: the memories
+    FAILED = 11  # host: the run-time error of a program, as JSON
+    READ = 12  # environment: requests standard input
+    INPUT = 13  # host: standard input
+    END = 14  # environment: the result of the programs, as JSON; the run has ended for them
+    STARTED = 15  # host: it is ready to run its programs
+    MOVED = 16  # either: switches to a local socket, or does not, see `local_way`
 
 
 _KINDS: Final = {int(kind): kind for kind in Kind}
 _ALIVE: Final = Kind.ALIVE
-"""A member of a class of names is looked up in Python: not for each message."""
+"""Looked up once, because access to a member of an enumeration runs Python code."""
 
 _SMALL, _LARGE = 64 * 2**10, 256 * 2**20
 _MOST: Final = {
@@ -74,14 +74,14 @@ _MOST: Final = {
     Kind.FAILED: 2**20,
     Kind.END: 2**20,
 }
-"""The largest content of a kind [bytes]; others are small. Chosen by us."""
+"""The maximum size of a content by kind [bytes], else `_SMALL`. Chosen by us."""
 
 MOVES: Final = b"moves"
-"""The content of `Kind.MOVED` of a side that moves; else it stays."""
+"""The content of `Kind.MOVED` if the sender switches; otherwise it is empty."""
 
 _HEAD: Final = struct.Struct("<IIIII")
-"""Kind, size, number, and CRC-32 of the content; then the CRC-32 of these, so that nobody waits for
-the rest of a message whose size is damaged. On a way on which nothing is, both are 0."""
+"""Kind, size, sequence number and CRC-32 of the content; then the CRC-32 of these fields, so that a
+corrupted size is detected before the content is received. On local sockets, both are 0."""
 
 _NO_SUMS: Final = 0, 0
 
@@ -94,30 +94,30 @@ _NUMBERS: Final = 0xFFFFFFFF
 _LEAST, _CHUNK = 2**14, 2**20
 
 _LEAST_PROGRESS: Final = 2**10
-"""What comes in `SILENCE_S` of a message that has begun [bytes], at least: more than a side sends
-that only says that it is alive, as where a part of the message was lost. Chosen by us."""
+"""The part of an incomplete message that must arrive within `SILENCE_S` [bytes]: more than
+keep-alive messages have, which are all that arrives if a part was lost. Chosen by us."""
 
 
 class ConnectionLostError(ConnectionError):
-    """The other side is gone, is silent, or does not keep to the protocol."""
+    """The connection is closed or silent, or the other side violated the protocol."""
 
 
 class Message(NamedTuple):
-    """A message that has arrived."""
+    """A received message."""
 
     kind: Kind
     content: bytes
 
 
 class Way(NamedTuple):
-    """A way between two processes of one machine: a connection for each direction.
+    """A local link between two processes: a connection for each direction.
 
-    With one connection for both, whoever waits for an answer is also woken when its question is
-    read, because it might wait for room to send more.
+    With a single connection, a process that waits for an answer is also woken when its question is
+    read, because it might be waiting for buffer space.
 
     Attributes:
-        into: the connection on which to receive.
-        out: the connection on which to send.
+        into: the connection to receive from.
+        out: the connection to send to.
     """
 
     into: socket.socket
@@ -130,11 +130,11 @@ class Way(NamedTuple):
 
 
 class Channel:
-    """A connection, over which any thread may send and one may receive.
+    """A connection that carries messages; any thread may send, and one may receive.
 
     Attributes:
         is_closed: whether it has been closed on this side.
-        heard: how often something has come from the other side.
+        heard: how many times data was received.
     """
 
     def __init__(self, connection: Connection, silence_s: float | None = None) -> None:
@@ -142,7 +142,7 @@ class Channel:
 
         Args:
             connection: a socket, perhaps encrypted.
-            silence_s: how long the other side may say nothing [s]; `SILENCE_S` if None.
+            silence_s: the receive timeout [s]; `SILENCE_S` if None.
         """
         with contextlib.suppress(OSError):  # a socket of another family
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -157,11 +157,11 @@ class Channel:
 
     @property
     def is_local(self) -> bool:
-        """Whether it has moved to another way on this machine, see `move`."""
+        """Whether it has switched to a local socket, see `move`."""
         return not self._expects_sums
 
     def limit_silence(self, silence_s: float) -> None:
-        """Set how long the other side may say nothing [s].
+        """Set the receive timeout [s].
 
         Raises:
             ConnectionLostError: the connection has been closed.
@@ -182,7 +182,7 @@ class Channel:
         self.send_frame(kind, memoryview(bytearray(HEAD_BYTES) + content))
 
     def send_frame(self, kind: Kind, frame: memoryview) -> None:
-        """Send a message whose content stands behind `HEAD_BYTES` of room.
+        """Send a message in place: its content follows `HEAD_BYTES` of space for the header.
 
         Raises:
             ConnectionLostError: it cannot be sent.
@@ -207,7 +207,7 @@ class Channel:
             raise ConnectionLostError(_reason(error)) from None
 
     def stay_alive(self) -> None:
-        """Say that this side is alive, if it has said nothing since this was last called."""
+        """Send a keep-alive message if nothing was sent since the last call."""
         before, self._sent_before = self._sent_before, self._sent
         if before != self._sent or self._sending.locked():
             return
@@ -218,17 +218,17 @@ class Channel:
                 self.send(Kind.ALIVE)
 
     def receive_frame(self, kind: Kind, room: memoryview) -> int:
-        """Wait for something: as a rule a whole message of a kind, which is not copied then.
+        """Receive a message of a kind in place, if it arrives in one part and nothing else does.
 
         Args:
             kind: the kind.
-            room: where it is put, with its head.
+            room: the buffer for the message, with its header.
 
         Returns:
-            the size of the message; 0 if anything else has come, which `receive` takes.
+            the size of the message; 0 if anything else has arrived, which is left to `receive`.
 
         Raises:
-            ConnectionLostError: nothing comes.
+            ConnectionLostError: nothing arrives.
         """
         with self._receiving:
             if self._rest:  # somebody has listened meanwhile
@@ -250,14 +250,15 @@ class Channel:
             return 0
 
     def receive(self, *allowed: Kind, within_s: float | None = None) -> Message:
-        """Wait for a message.
+        """Receive a message.
 
         Args:
-            allowed: the kinds that are expected.
-            within_s: how long it may take in all; for ever if the other side is alive.
+            allowed: the permitted kinds.
+            within_s: timeout for the whole message [s]; None for no limit while the other side is
+                alive.
 
         Raises:
-            ConnectionLostError: it does not come, or is not valid.
+            ConnectionLostError: no valid message arrives.
         """
         end_s = None if within_s is None else time.monotonic() + within_s
         while True:
@@ -271,7 +272,7 @@ class Channel:
                 return Message(_KINDS[kind], content)
 
     def _head(self, message: bytes | bytearray, allowed: tuple[Kind, ...]) -> tuple[int, int, int]:
-        """Return kind, size and checksum of what begins with a head, which is checked."""
+        """Check a header, and return its kind, size and checksum of the content."""
         kind, size, number, content_checksum, checksum = _HEAD.unpack_from(message)
         is_sound = not self._expects_sums or zlib.crc32(message[: _CHECKED.size]) == checksum
         if not is_sound or number != self._received:
@@ -283,7 +284,7 @@ class Channel:
         return kind, size, content_checksum
 
     def _assembled(self, allowed: tuple[Kind, ...], end_s: float | None) -> bytes:
-        """Wait for the parts of a message, and return it."""
+        """Receive all parts of a message, and return it."""
         rest = self._rest
         self._await(HEAD_BYTES, end_s)
         end = HEAD_BYTES + self._head(rest, allowed)[1]
@@ -293,7 +294,7 @@ class Channel:
         return message
 
     def _await(self, size: int, end_s: float | None) -> None:
-        """Wait for a number of unread bytes; memory is allocated as they arrive."""
+        """Receive until a number of bytes is buffered; memory is allocated as they arrive."""
         rest = self._rest
         look_s, least = 0.0, 0  # when to look whether so many bytes have come
         while len(rest) < size:
@@ -308,7 +309,7 @@ class Channel:
                 look_s, least = now_s + self._silence_s, len(rest) + _LEAST_PROGRESS
 
     def _part(self, size: int) -> bytes:
-        """Return some of the requested bytes."""
+        """Receive some of the requested bytes."""
         try:
             part = self._connection.recv(min(max(size, _LEAST), _CHUNK))
         except OSError as error:
@@ -319,15 +320,16 @@ class Channel:
         return part
 
     def _lost(self, error: OSError) -> ConnectionLostError:
-        """Return what is to be raised where receiving fails."""
+        """Return the exception to raise for an error while receiving."""
         if isinstance(error, TimeoutError | BlockingIOError):  # by Python, or by the system
             return ConnectionLostError(f"no message for {self._silence_s:g} s")
         return ConnectionLostError(_reason(error))
 
     def listen(self) -> None:
-        """Note what has come, and close the connection if the other side has; do not wait.
+        """Buffer the data that has arrived, without waiting; close a closed connection.
 
-        Any thread may do so while nobody receives: what has come is kept for who receives next.
+        Any thread may do this while no other one receives; the next call that receives reads the
+        buffered data.
         """
         if not self._receiving.acquire(blocking=False):
             return  # who receives finds out
@@ -340,17 +342,17 @@ class Channel:
             self._receiving.release()
 
     def move(self, way: Way, *, is_told: bool) -> None:
-        """Go another way, between two processes of one machine, on which nothing is damaged.
+        """Switch to a local link, which corrupts nothing, so messages have no checksums there.
 
-        What each side says last on the old way is that it moves; so nothing is lost or doubled,
-        though another thread may be sending. On the new way, contents have no checksums.
+        The last message of each side on the old connection announces the switch, so that nothing is
+        lost or duplicated even if another thread is sending.
 
         Args:
-            way: the other way, which is closed with this channel.
-            is_told: whether the other side has said already that it moves.
+            way: the local link, which is closed with this channel.
+            is_told: whether the other side has already announced the switch.
 
         Raises:
-            ConnectionLostError: the other side does not move.
+            ConnectionLostError: the other side does not switch.
         """
         with self._sending:
             self._send(Kind.MOVED, memoryview(bytearray(HEAD_BYTES) + MOVES))
@@ -376,7 +378,7 @@ class Channel:
 
 
 class Pulse:
-    """A thread in which channels say that they are alive, for use in a `with` block."""
+    """A thread that sends keep-alive messages on channels, for use in a `with` block."""
 
     def __init__(self) -> None:
         self._channels: list[Channel] = []
@@ -384,11 +386,11 @@ class Pulse:
         self._thread = threading.Thread(target=self._beat, name="crs-pulse", daemon=True)
 
     def add(self, channel: Channel) -> None:
-        """Keep a channel alive."""
+        """Send keep-alive messages on a channel from now on."""
         self._channels.append(channel)
 
     def remove(self, channel: Channel) -> None:
-        """Forget a channel."""
+        """Stop sending them on a channel."""
         with contextlib.suppress(ValueError):
             self._channels.remove(channel)
 

@@ -1,6 +1,6 @@
 """A fleet whose programs run on a Dask cluster, for a session in this process.
 
-`crs serve --hosts` has the same hosts; here nobody looks, and what goes wrong is raised.
+`crs serve --hosts` has the same hosts; here there are no viewers, and errors are raised.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class ClusterFleet(DistantFleet):
         where: Where,
         per_host: int | None = None,
     ) -> None:
-        """Start hosts, and wait until they are there.
+        """Start hosts, and wait until they are ready.
 
         Args:
             robots: the robots.
@@ -77,7 +77,7 @@ class ClusterFleet(DistantFleet):
         return HostLink(seat.names, robots, self._taken(seat), self._replace)
 
     def _replace(self, link: HostLink, _reason: str) -> Channel:
-        """Return a connection to a host in place of one that is lost."""
+        """Return a connection to a host that replaces a lost one."""
         seat = self._seats[link.names]
         self._roster.lose(seat)
         return self._taken(seat)

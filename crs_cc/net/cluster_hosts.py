@@ -1,8 +1,8 @@
 """The hosts of a run on a Dask cluster: tasks, which Dask starts and restarts.
 
-Dask says nothing about the run: slots cross on the environment's own connections. A lost worker's
-tasks are run again by others; such a host takes over as any other does, see `host_link`. Whether
-hosts are there is looked at only while the run waits for one.
+Slots are sent over the environment's own connections, not by Dask. The tasks of a lost worker are
+repeated by others; such a host replaces the lost one, see `host_link`. Hosts are checked only while
+the run waits for one.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ MODULE: Final = "crs_cc.net.placed_host"
 """What the processes of a cluster run."""
 
 MAX_FAILURES: Final = 5
-"""How often in succession a host is started that ends before it has reached the environment; chosen
-by us."""
+"""Limit of consecutive starts of a host that ends before it has reached the environment. Chosen by
+us."""
 
 _PREPARE_S: Final = 600.0
 _YEARS_S: Final = 1e9
-"""As good as no limit of real time: a host lives as long as the run."""
+"""In effect no time limit: a host runs as long as the run."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ class _Placed:
     Attributes:
         task: what it does.
         started: the task on the cluster.
-        failures: how often in succession it has not reached the environment.
+        failures: the number of consecutive starts without reaching the environment.
     """
 
     task: Task
@@ -67,7 +67,7 @@ class _Placed:
 
 
 class ClusterHosts:
-    """Hosts on a cluster, which have each robot once."""
+    """Hosts on a cluster, with each robot once."""
 
     def __init__(
         self,
@@ -80,12 +80,12 @@ class ClusterHosts:
         """Start the hosts.
 
         Args:
-            cluster: where.
-            roster: where they come.
+            cluster: the cluster.
+            roster: the assignment of robots to hosts.
             executables: each robot's name and program.
-            entrance: how they get there.
-            per_host: how many robots a host has at most; by default so many that each thread of
-                the cluster's workers has a host.
+            entrance: how hosts reach the environment.
+            per_host: how many robots a host has at most; by default, each thread of the cluster's
+                workers has a host.
 
         Raises:
             ClusterError: the cluster is lost.
@@ -100,10 +100,10 @@ class ClusterHosts:
         return len(self._placed)
 
     def seats(self) -> list[Seat]:
-        """Wait until all hosts are there; return their seats as the run begins.
+        """Wait until all hosts are ready; begin the run and return their seats.
 
         Raises:
-            ClusterError: hosts cannot run there.
+            ClusterError: hosts cannot run on the cluster.
         """
         while self._roster.missing():
             self.tend()
@@ -114,7 +114,7 @@ class ClusterHosts:
         """Wait for a connection to a host, see `Roster.take`.
 
         Raises:
-            ClusterError: hosts cannot run there any more.
+            ClusterError: hosts can no longer run on the cluster.
         """
 
         def look() -> bool:
@@ -124,10 +124,10 @@ class ClusterHosts:
         return self._roster.take(seat, look)
 
     def tend(self) -> None:
-        """Start hosts again that have ended.
+        """Restart hosts that have ended.
 
         Raises:
-            ClusterError: hosts cannot run there.
+            ClusterError: hosts cannot run on the cluster.
         """
         for each in self._placed:
             outcome = each.started.outcome()
@@ -137,7 +137,7 @@ class ClusterHosts:
             each.started = self._cluster.start(each.task)
 
     def _check(self, placed: _Placed, outcome: Outcome) -> None:
-        """Check that it makes sense to start a host again."""
+        """Check that a host may be restarted."""
         result = outcome.result or {}
         reason = result.get("refused")
         placed.failures = 0 if "lost" in result else placed.failures + 1
@@ -148,7 +148,7 @@ class ClusterHosts:
             raise ClusterError.at(self._cluster.location, f"no host for {robots}: {reason}")
 
     def close(self) -> None:
-        """Have no host started again."""
+        """Cancel all hosts."""
         for each in self._placed:
             each.started.cancel()
 
@@ -156,7 +156,7 @@ class ClusterHosts:
 def _tasks(
     executables: Sequence[tuple[str, Executable]], entrance: Entrance, per_host: int
 ) -> Iterator[Task]:
-    """Yield what each host does: a host has one program."""
+    """Yield a task for each host; a host has one program."""
     groups: dict[int, tuple[Executable, list[str]]] = {}
     for name, executable in executables:
         groups.setdefault(id(executable), (executable, []))[1].append(name)

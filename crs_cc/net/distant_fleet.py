@@ -1,8 +1,8 @@
 """A fleet whose programs run on hosts, with the interface of a local fleet.
 
-Each host runs rounds of its own programs until one of them asks for something. So hosts are ahead
-of each other by some rounds of the cycle; what they ask for is handed on in the order of the
-rounds, as it would be if all programs were here. Hence output and recordings are the same, too.
+Each host runs rounds of its own programs until one of them makes a request, so some hosts are ahead
+of others by a number of rounds. Requests are passed on in the order of rounds, as in a local fleet.
+Hence output and recordings are the same, too.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ _NOT_YET: Final = -1.0
 
 
 class DistantFleet(Fleet):
-    """The programs of hosts, and their slots.
+    """Programs on hosts, and their slots.
 
     Attributes:
         links: the hosts, by their numbers.
-        outcome: returns what has become of a robot's program, as JSON for its host.
+        outcome: returns the result of a robot's program, as JSON for its host.
     """
 
     def __init__(
@@ -46,9 +46,9 @@ class DistantFleet(Fleet):
         """Create the slots.
 
         Args:
-            executables: each robot's program, of which its names are used.
-            links: the hosts, which have each robot once at most; others must not join before
-                they have one.
+            executables: each robot's program, for its names.
+            links: the hosts, with each robot once at most; a robot without a host must not join
+                before it has one.
 
         Raises:
             ValueError: there are too many robots.
@@ -74,11 +74,11 @@ class DistantFleet(Fleet):
         raise ValueError(f"{executable.name}: the programs of this run are on other hosts")
 
     def executable(self, robot: int) -> Executable:
-        """Return the names of a robot's program."""
+        """Return a robot's program, for its names."""
         return self._programs[robot]
 
     def add_link(self, link: HostLink) -> None:
-        """Take a host that has come for robots that have had none, and have not joined."""
+        """Add a host for robots that have had none, and have not joined."""
         link.take_part(self._rows)
         self.links.append(link)
         self._looked = b""
@@ -91,7 +91,7 @@ class DistantFleet(Fleet):
 
     @property
     def is_whole(self) -> bool:
-        """Return True: `run_rounds` runs as many rounds as no program asks for anything."""
+        """Return True: `run_rounds` runs rounds until a program makes a request."""
         return True
 
     def run_rounds(self, end_s: float) -> int:
@@ -109,9 +109,9 @@ class DistantFleet(Fleet):
         return max(rounds, int(is_any or bool(self._requesting.any())))
 
     def _run_hosts(self, end_s: float, *, is_new: bool) -> tuple[int, bool]:
-        """Let all hosts that have something to run, and whose requests are answered, run.
+        """Send grants to the hosts whose programs can run, and receive their answers.
 
-        Return the round up to which all is shown, and whether anything new is.
+        Return the round up to which the table has all changes, and whether there are new ones.
         """
         rows = self._rows
         granted = [self.links[number] for number in rows.grant(end_s, is_new=is_new)]
@@ -120,8 +120,8 @@ class DistantFleet(Fleet):
                 link.grant()
             except HostGoneError as error:
                 self._stop(link, str(error))
-        # First the one that was granted last: the others have run when this one has, as a rule, so
-        # this thread is woken once.
+        # First the one whose grant was sent last: usually the others have finished by then, so this
+        # thread is woken once.
         stays = self._stays
         for link in reversed(granted):
             if link.ended:
@@ -138,14 +138,14 @@ class DistantFleet(Fleet):
         return taken
 
     def _try(self, link: HostLink, action: Callable[..., object], *arguments: object) -> None:
-        """Do something with a host; stop its programs if it is lost for good."""
+        """Perform an action of a host; stop its programs if it is lost and not replaced."""
         try:
             action(*arguments)
         except HostGoneError as error:
             self._stop(link, str(error))
 
     def _stop(self, link: HostLink, reason: str) -> None:
-        """Stop the programs of a host, which is lost for good, where they last stood."""
+        """Stop the programs of a host that is lost and not replaced, in their last known state."""
         link.give_up()
         robots = link.robots[self.timing["alive"][link.robots]]
         self.slots["status"][robots] = FAILED
@@ -153,7 +153,7 @@ class DistantFleet(Fleet):
         self._lost |= dict.fromkeys(robots.tolist(), reason)
 
     def dismiss(self, *, everyone: bool = False) -> None:
-        """Dismiss hosts whose programs have all ended, or everyone as the run has ended."""
+        """Dismiss the hosts whose programs have all ended, or all hosts at the end of the run."""
         alive = self.timing["alive"].tobytes()
         if alive == self._looked and not everyone:
             return  # no program has begun or ended since
@@ -176,7 +176,7 @@ class DistantFleet(Fleet):
     def snapshot(self, robot: int) -> Snapshot:
         """Return the whole state of one robot's program; the memories of all are fetched at once.
 
-        Of a program whose host is lost for good, it has the memory that was fetched last.
+        If its host is lost and not replaced, this has the memory that was last fetched.
         """
         unknown = [link for link in self.links if not link.is_saved]
         for ask in (HostLink.ask_memories, HostLink.take_memories):
@@ -197,14 +197,14 @@ class DistantFleet(Fleet):
         raise ValueError("a run whose programs are on other hosts cannot be rewound")
 
     def report(self, robot: int) -> ErrorReport:
-        """Return the report of a program's error, which its host has made."""
+        """Return the error report of a program, which its host has made."""
         from crs_cc.runtime.diagnosis.report import ErrorReport
 
         link = self.link(robot)
         found = link.reports.get(link.position(robot))
         if found is not None:
             return found
-        reason = self._lost.get(robot, "its host has not said why")
+        reason = self._lost.get(robot, "its host has not reported why")
         return ErrorReport("host lost", Location(self.executable(robot).name), reason)
 
     def current_call(self, robot: int) -> ActiveCall | None:

@@ -20,7 +20,7 @@ _MOST: Final = 100
 
 
 def data_of(report: ErrorReport) -> dict[str, Any]:
-    """Return a report as plain data, without the object that it concerns."""
+    """Return a report as plain data, without its object."""
     return {
         "kind": report.kind,
         "text": report.text,
@@ -41,10 +41,10 @@ def data_of(report: ErrorReport) -> dict[str, Any]:
 
 
 def report_of(data: Mapping[str, Any]) -> ErrorReport:
-    """Return the report in plain data.
+    """Return the report from plain data.
 
     Raises:
-        ValueError: it is something else.
+        ValueError: the data are not a report.
     """
     try:
         return ErrorReport(

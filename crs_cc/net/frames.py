@@ -1,8 +1,8 @@
-"""How the messages of a round stand in a memory: a head, some numbers, and changes of rows.
+"""The layout of the messages of a round in memory: header, fixed fields, and changes of rows.
 
-They are received where changes are read, and sent from where they are packed. So in front of
-changes there is room for the rest, with changes at a multiple of the size of a word. What stands
-there is read and written by the kernel, see `kernels/main.c`, but for the head.
+Messages are received where the kernel reads changes, and sent from where it packs them. So the
+header and the fixed fields have space in front of changes, which are aligned to words. The kernel
+reads and writes the fixed fields, see `kernels/main.c`; `Channel` does so with the header.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ from typing import Final
 from crs_cc.net.channel import HEAD_BYTES
 
 GRANT: Final = struct.Struct("<Qd?3x")
-"""Number of the grant, end of the cycle [s], whether the answer is wanted; changes follow."""
+"""Number of the grant, end of the cycle [s], whether an answer is expected; changes follow."""
 
 RAN: Final = struct.Struct("<QI")
-"""Number of the grant, rounds; changes follow."""
+"""Number of the grant, number of rounds; changes follow."""
 
 GRANT_FRONT: Final = HEAD_BYTES + GRANT.size
 RAN_FRONT: Final = HEAD_BYTES + RAN.size
-"""What stands in front of changes [bytes]."""
+"""The size of header and fixed fields [bytes]."""
 
 FRONT_WORDS: Final = 5
-"""Room in front of changes [words of 8 bytes]."""
+"""The space in front of changes [words of 8 bytes]."""

@@ -1,7 +1,7 @@
 """The single port of an environment, for hosts and for pages that show the run.
 
-The first bytes of a connection say what it is. Each connection is met in a thread of its own, with
-bounded time and memory, so that one that says nothing, or something else, disturbs nobody.
+The first bytes of a connection tell them apart. Each connection is handled in a thread of its own,
+with limits of time and memory, so that a silent or invalid one does not affect others.
 """
 
 from __future__ import annotations
@@ -34,16 +34,16 @@ from crs_cc.net.roster import Roster, Seat
 from crs_cc.net.tls import Connection
 
 MAX_MEETING: Final = 512
-"""Connections that are met at the same time at most; more are closed. Chosen by us."""
+"""Limit of simultaneous handshakes; further connections are closed. Chosen by us."""
 
 MAX_VISITORS: Final = 200
-"""Connections of pages at the same time at most; more are turned away. Chosen by us."""
+"""Limit of simultaneous connections of pages; further ones are rejected. Chosen by us."""
 
 PROGRAM_S: Final = 60.0
-"""How long a host may take to send its program [s]."""
+"""Timeout for a host that sends or compiles its program [s]."""
 
 MAX_SHOWN: Final = 10
-"""Robots whose names a host is told, at most, for whom the run waits. Chosen by us."""
+"""Limit of the robots listed to a host for which the run waits. Chosen by us."""
 
 _LOOK_S: Final = 0.01
 _PART: Final = 2**16
@@ -55,11 +55,11 @@ _WAITING: Final = b"""<!doctype html><title>crs</title>
 """
 
 Visitor = Callable[[Connection], None]
-"""Serves a connection that is none of a host; closes it."""
+"""Serves a connection that is not a host's, and closes it."""
 
 
 def bound(host: str, port: int) -> socket.socket:
-    """Return a socket that is to listen on an address.
+    """Return a socket that is bound to an address.
 
     Raises:
         OSError: the port is in use, or there is no such host.
@@ -84,7 +84,7 @@ def turn_away(connection: Connection) -> None:
 
 
 def tell_to_wait(connection: Connection) -> None:
-    """Answer a page that has come before the run begins: it tries again by itself."""
+    """Answer a page before the run begins; it reloads by itself."""
     with contextlib.suppress(OSError):
         connection.recv(_PART)  # or else closing might take the answer back
         connection.sendall(_UNAVAILABLE + b"Content-Type: text/html\r\n\r\n" + _WAITING)
@@ -92,7 +92,7 @@ def tell_to_wait(connection: Connection) -> None:
 
 
 def led_to(port: int) -> Visitor:
-    """Return a visitor's way to a server on this machine."""
+    """Return what forwards connections to a server on this machine."""
 
     def lead(connection: Connection) -> None:
         try:
@@ -113,7 +113,7 @@ def led_to(port: int) -> Visitor:
 
 
 def _carry(source: Connection, target: Connection) -> None:
-    """Carry bytes until one side has closed."""
+    """Forward bytes until one side closes."""
     try:
         while part := source.recv(_PART):
             target.sendall(part)
@@ -129,7 +129,7 @@ class Gate:
 
     Attributes:
         port: the port.
-        visitor: serves who is no host, such as pages.
+        visitor: serves connections that are not a host's, such as those of pages.
     """
 
     def __init__(
@@ -141,14 +141,14 @@ class Gate:
         *,
         only_tcp: bool = False,
     ) -> None:
-        """Listen.
+        """Start to listen.
 
         Args:
-            listener: a socket that has an address; here it begins to listen.
-            access: who may do what.
-            roster: has the robots.
-            secure: encrypts a connection, where the first bytes of a host have been read.
-            only_tcp: whether hosts of this machine stay on this port, too, see `local_way`.
+            listener: a socket that is bound to an address.
+            access: the tokens.
+            roster: the robots.
+            secure: encrypts a connection, after the first bytes of a host have been read.
+            only_tcp: whether hosts on this machine use TCP, too, see `local_way`.
         """
         listener.listen()
         self.port = int(listener.getsockname()[1])
@@ -163,7 +163,7 @@ class Gate:
         self._thread.start()
 
     def close(self) -> None:
-        """Take no connections any more."""
+        """Stop listening."""
         with contextlib.suppress(OSError):
             self._listener.shutdown(socket.SHUT_RDWR)
         self._listener.close()
@@ -185,7 +185,7 @@ class Gate:
             thread.start()
 
     def _meet(self, connection: socket.socket) -> None:
-        """Identify a client, in a thread."""
+        """Handle a connection, in a thread."""
         try:
             connection.settimeout(GREETING_S)
             if self._is_host(connection):
@@ -206,7 +206,7 @@ class Gate:
             self._visiting.release()
 
     def _is_host(self, connection: socket.socket) -> bool:
-        """Return whether the first bytes are those of a host; if so they are read."""
+        """Return whether the first bytes are those of a host, which are then read."""
         end_s = time.monotonic() + GREETING_S
         while time.monotonic() < end_s:
             found = connection.recv(len(MAGIC), socket.MSG_PEEK)
@@ -221,7 +221,7 @@ class Gate:
         raise ConnectionLostError("too slow")
 
     def _meet_host(self, connection: Connection) -> None:
-        """Take a host that may run programs; say why not otherwise."""
+        """Accept a host, or reject it with a reason."""
         channel = Channel(connection, GREETING_S)
         seat: Seat | None = None
         self._pulse.add(channel)
@@ -250,7 +250,7 @@ class Gate:
     def _welcome(
         self, channel: Channel, seat: Seat, offer: Offer | None, *, send_program: bool
     ) -> None:
-        """Send a host its assignment, and switch to the local socket if the host accepts it."""
+        """Send a host its robots, and switch to the local socket if the host accepts it."""
         answer = {
             "robots": seat.names,
             "send_program": send_program,

@@ -1,4 +1,4 @@
-"""The first messages of a connection: the identity of a host, and its programs.
+"""The first messages of a connection: the identity of a host, and its program.
 
 >>> hello = Hello("token", "host", ("robot0",), "digest")
 >>> Hello.of(hello.content()) == hello
@@ -28,23 +28,23 @@ MAX_TEXT: Final = 4096
 
 
 class RefusedError(Exception):
-    """The environment does not take a host; the text says why."""
+    """The environment rejects a host; the text is the reason."""
 
 
 @dataclass(frozen=True, slots=True)
 class Hello:
-    """Who a host is.
+    """The identity of a host.
 
     Attributes:
-        token: shows that it may run robots' programs.
-        host: a name that it has chosen at random, by which it is known when it comes back.
-        robots: the robots whose programs it runs; empty for all that have none.
+        token: a token for the role `robot`.
+        host: a random name, by which it is recognized when it reconnects.
+        robots: the robots whose programs it runs; empty for all that have no host.
         program: the digest of its program, see `Program.digest`.
         definition: the definition that the robots must have, see `definition_of`; empty for any.
         devices: the digest of the devices' C libraries.
-        ends: what it sees of its connection, see `local_way.ends`; empty to stay there.
+        ends: the addresses of its connection, see `local_way.ends`; empty to stay on TCP.
         version: its version of crs.
-        protocol: its version of what is said here.
+        protocol: its protocol version.
     """
 
     token: str
@@ -107,7 +107,7 @@ class Program:
 
     @property
     def digest(self) -> str:
-        """Return its identity on every machine, wherever the folder is that all its files are in.
+        """Return a digest that does not depend on where the folder with all its files is.
 
         >>> one, other = (
         ...     Program("a.c", "a", sources=(f"/{at}/a.c",), files={f"/{at}/a.h": ""})
@@ -140,7 +140,7 @@ class Program:
         """Return the program in a message.
 
         Raises:
-            RefusedError: it is not valid, or another one than was announced.
+            RefusedError: it is invalid, or not the announced one.
         """
         program = cls(**_checked(cls, _object(content)))
         program.check()
@@ -149,10 +149,10 @@ class Program:
         return program
 
     def check(self) -> None:
-        """Check the parts of a remote program that are used here.
+        """Check the parts of a remote program that the environment uses.
 
         Raises:
-            RefusedError: it is not valid.
+            RefusedError: it is invalid.
         """
         if self.dialect not in ("", *DIALECTS) or self.standard not in STANDARDS:
             raise RefusedError("the program has an unknown dialect or standard")
@@ -168,10 +168,10 @@ class Program:
 
 
 def require_same(name: str, ours: object, theirs: object) -> None:
-    """Check that both sides have the same.
+    """Check that a property is the same on both sides.
 
     Raises:
-        RefusedError: they do not.
+        RefusedError: it is not.
     """
     if ours != theirs:
         shown = str(theirs)[:80]
@@ -179,7 +179,7 @@ def require_same(name: str, ours: object, theirs: object) -> None:
 
 
 def definition_of(model: RobotModel) -> str:
-    """Return the name of a robot definition, and a digest of all that is in it."""
+    """Return the name of a robot definition and a digest of its contents."""
     return f"{model.name} {digest_of(repr(model).encode())[:12]}"
 
 
@@ -189,7 +189,7 @@ def devices_digest() -> str:
 
 
 def digest_of(content: bytes) -> str:
-    """Return what identifies a program."""
+    """Return the SHA-256 of a content as hexadecimal digits."""
     return hashlib.sha256(content).hexdigest()
 
 

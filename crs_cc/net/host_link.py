@@ -1,10 +1,10 @@
 """The environment's end of a connection to a host, which runs the programs of some robots.
 
-The environment grants: programs may run until some time, and here are the answers that they wait
-for. The host runs them until they ask for something or have come so far, and says what has changed.
-What has been granted is kept, since the last time that the programs' memories were fetched. So if
-the host is lost, another one is given these memories and runs the same again: it comes to the same
-bits, because a program is a function of what it is answered.
+The environment sends a grant: a time up to which programs may run, and the answers that they wait
+for. The host runs them until one makes a request or all have reached this time, and replies with
+what has changed. Grants are logged since the programs' memories were last fetched. If the host is
+lost, another one receives these memories and repeats the logged grants. This gives the same bits,
+because a program depends on nothing but its answers.
 """
 
 from __future__ import annotations
@@ -30,30 +30,30 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
 RESTORE: Final = struct.Struct("<Q?")
-"""Number of the last grant, whether memories follow the rows of the table."""
+"""Number of the last grant, and whether memories follow the rows of the table."""
 
 MAX_LOG_GRANTS: Final = 500
 LEAST_LOG_BYTES: Final = 512 * 2**10
-"""What is kept of grants before memories are fetched again: so many grants at most, and as many
-bytes as the memories have, at least so many; chosen by us. So fetching costs less than granting."""
+"""Memories are fetched again after so many grants, or when the log is larger than the memories and
+than this size [bytes]. So fetching takes less time than granting. Chosen by us."""
 
 _GRANT, _RAN, _FAILED = Kind.GRANT, Kind.RAN, Kind.FAILED
-"""Looked up once: a class of names does so in Python, which a round can do without."""
+"""Looked up once, because access to a member of an enumeration runs Python code."""
 
 _NOT_VALID: Final = "it says what is not valid: "
 
 HOST_LOST: Final = "the host is lost"
-"""How the error of a program begins that is not continued."""
+"""The beginning of the error message of a program that does not continue."""
 
 Replace: TypeAlias = Callable[["HostLink", str], Channel]
-"""Returns a connection to a host in place of one that is lost for a reason; raises HostGoneError if
-its programs are not to go on."""
+"""Returns a connection to a host that replaces a lost one, given the reason for the loss; raises
+HostGoneError if its programs do not continue."""
 
 Result = TypeVar("Result")
 
 
 class HostGoneError(Exception):
-    """A host is lost, and its programs are not to be continued."""
+    """A host is lost, and its programs do not continue."""
 
 
 class HostLink:
@@ -64,14 +64,14 @@ class HostLink:
         robots: their numbers.
         selection: the same, as an index of what all robots have.
         number: its number among the hosts of a run.
-        reports: by position in `robots`, what a program has done wrong.
+        reports: run-time errors of programs, by position in `robots`.
         ended: whether the host has been dismissed.
     """
 
     def __init__(
         self, names: tuple[str, ...], robots: IndexArray, channel: Channel, replace: Replace
     ) -> None:
-        """Store a connection to a host that is ready.
+        """Take a connection to a host that is ready.
 
         Args:
             names: the robots.
@@ -95,7 +95,7 @@ class HostLink:
         self._recover(lambda: self._channel.send(Kind.RESTORE, self._start))
 
     def take_part(self, rows: SharedRows) -> None:
-        """Take part in a run; this is to be done before anything else."""
+        """Take part in a run; required before anything else."""
         self._rows, self.number = rows, rows.add(self.robots)
         self._room = rows.room(self.number)
 
@@ -103,14 +103,14 @@ class HostLink:
 
     @property
     def is_log_long(self) -> bool:
-        """Whether much has been granted since the programs' memories were last fetched."""
+        """Whether memories are to be fetched again, to shorten the log of grants."""
         return self._log_bytes >= self._most_log_bytes or len(self._log) >= MAX_LOG_GRANTS
 
     def grant(self) -> None:
-        """Let the programs run, with what has been packed for them.
+        """Send the grant that has been packed, and log it.
 
         Raises:
-            HostGoneError: the host is lost, and its programs are not to go on.
+            HostGoneError: the host is lost, and its programs do not continue.
         """
         assert self._rows is not None
         self._saved = None
@@ -129,13 +129,13 @@ class HostLink:
         return self._channel.is_local
 
     def collect(self, *, stays: bool = False) -> None:
-        """Wait until the programs have run, and put their answer into the rows.
+        """Receive the host's answer to a grant, for `SharedRows.take`.
 
         Args:
-            stays: whether this thread is to wake up on the processor on which it is.
+            stays: whether this thread stays on its processor meanwhile, see `KeptProcessor`.
 
         Raises:
-            HostGoneError: the host is lost, and its programs are not to go on.
+            HostGoneError: the host is lost, and its programs do not continue.
         """
         assert self._rows is not None
         while True:
@@ -158,13 +158,13 @@ class HostLink:
                 return
 
     def collect_again(self, reason: str) -> None:
-        """Disconnect the host, because its message is invalid, and wait for the next one."""
+        """Disconnect the host, because its answer is invalid, and receive that of another one."""
         self._waits = True
         self._renew(_NOT_VALID + reason)
         self.collect()
 
     def _answer(self) -> bytes:
-        """Return the host's answer, after noting what programs have done wrong."""
+        """Receive the host's answer, and the errors of programs that precede it."""
         while True:
             kind, content = self._channel.receive(_RAN, _FAILED)
             if kind is _RAN:
@@ -180,7 +180,7 @@ class HostLink:
     # -- memories and input ----------------------------------------------------------------------
 
     def memories(self) -> list[Memory]:
-        """Return the current memories of the programs."""
+        """Fetch the current memories of the programs."""
         self.ask_memories()
         return self.take_memories()
 
@@ -191,16 +191,16 @@ class HostLink:
 
     @property
     def is_saved(self) -> bool:
-        """Whether the memories are known as they are now."""
+        """Whether the current memories have been fetched."""
         return self._saved is not None
 
     def ask_memories(self) -> None:
-        """Have the memories sent, if they are not known."""
+        """Request the memories, unless they have been fetched."""
         if self._saved is None:
             self._recover(lambda: self._channel.send(Kind.SAVE))
 
     def take_memories(self) -> list[Memory]:
-        """Return the memories that were asked for."""
+        """Return the memories that were requested."""
         if self._saved is None:
             self._saved = self._recover(self._receive_memories, again=self.ask_memories)
             self._kept = self._saved
@@ -239,10 +239,10 @@ class HostLink:
     # -- the end, and losses ---------------------------------------------------------------------
 
     def end(self, outcome: Any) -> None:
-        """Dismiss the host, whose programs' memories are kept.
+        """Fetch the programs' memories, and dismiss the host.
 
         Args:
-            outcome: what has become of its programs, as JSON.
+            outcome: the result of its programs, as JSON.
         """
         if self.ended:
             return
@@ -256,7 +256,7 @@ class HostLink:
             self._channel.close()
 
     def give_up(self) -> None:
-        """Let the programs stay where they stood when their memories were last fetched."""
+        """Leave the programs in the state in which their memories were last fetched."""
         self._leave()
         self._channel.close()
         self._saved = self._saved or self._kept
@@ -273,14 +273,14 @@ class HostLink:
     def _recover(
         self, action: Callable[[], Result], again: Callable[[], object] | None = None
     ) -> Result:
-        """Do something with a host, and with the next one if that is lost.
+        """Perform an action, and repeat it with another host if this one is lost.
 
         Args:
-            action: what to do.
-            again: what to do before, with another host.
+            action: the action.
+            again: is called first with another host.
 
         Raises:
-            HostGoneError: the programs are not to go on.
+            HostGoneError: the programs do not continue.
         """
         while True:
             try:
@@ -291,7 +291,7 @@ class HostLink:
                     again()
 
     def _renew(self, reason: str) -> None:
-        """Get another host to where the lost one was."""
+        """Replace the lost host, and bring the new one to the same state."""
         while True:
             self._channel.close()
             self._channel = self._replace(self, reason)
@@ -307,12 +307,12 @@ class HostLink:
                 return
 
     def _begin_log(self) -> None:
-        """Log the grants from now on."""
+        """Begin the log of grants with the current state."""
         self._start = self._restoring()
         self._most_log_bytes = max(LEAST_LOG_BYTES, len(self._start))
 
     def _restoring(self) -> bytes:
-        """Return the message that brings a host to where the programs are now."""
+        """Return the message that brings a host to the current state of the programs."""
         number = 0
         known: Table = np.zeros((len(self.robots), WORDS), np.uint64)
         if self._rows is not None:
@@ -322,7 +322,7 @@ class HostLink:
 
 
 def _selection(robots: IndexArray) -> slice | IndexArray:
-    """Return what selects robots: a slice if they are evenly spaced, which copies nothing."""
+    """Return an index of robots: a slice if they are evenly spaced, which copies nothing."""
     steps = np.diff(robots)
     if steps.size and (steps != steps[0]).any():
         return robots

@@ -1,8 +1,8 @@
-"""The programs of a host, with the rows of their slots that both ends of the connection know.
+"""The programs of a host, and the rows of their slots as both ends of the connection know them.
 
-In one thread, a kernel takes turns with them: a grant is one call from Python. Programs that
-compute for long are moved to a fleet with as many threads as there are processors, once that is
-known: a program can be moved wherever it has stopped, and nothing depends on the threads.
+With one thread, a kernel takes turns with the programs, so that a grant is one call from Python.
+Programs that turn out to compute for long are moved to a fleet with as many threads as there are
+processors: a stopped program can be moved, and no result depends on the threads.
 """
 
 from __future__ import annotations
@@ -23,16 +23,15 @@ if TYPE_CHECKING:
     from crs_cc.runtime.partner import Turns
 
 SPREAD_S: Final = 0.001
-"""Processor time of a round from which on several threads are worth while [s]: some times of what
-they cost, which is a call of each shard from Python in place of one, and waking the threads.
-Chosen by us."""
+"""Processor time of a round from which several threads are worthwhile [s]: several times their
+overhead, which is a call from Python for each shard, and waking the threads. Chosen by us."""
 
 _SHARE: Final = 1 / 8
-"""Of a round in the mean of the last ones."""
+"""The weight of a round in the mean of the last ones."""
 
 
 class HostedPrograms:
-    """Programs that run when they are granted time.
+    """Programs that run as granted.
 
     Attributes:
         fleet: the programs; another one once they are moved.
@@ -69,7 +68,7 @@ class HostedPrograms:
         self.room = self._kernel.room
 
     def set(self, rows: Table) -> None:
-        """Set slots and clocks to the values that the other end has."""
+        """Set slots and clocks to the values that the other end has sent."""
         self._table[:] = rows
         self.known.set(rows)
 

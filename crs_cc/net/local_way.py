@@ -1,13 +1,13 @@
-"""A Unix socket instead of TCP, between an environment and a host of one user on one machine.
+"""Unix domain sockets instead of TCP, between an environment and a host of one user on one machine.
 
-A message over TCP takes twice the time of one over a local socket of Unix, though nothing leaves
-the machine. So a host says what it sees of its connection: the addresses of both ends. If that is
-what the environment sees, nobody is between them, such as a tunnel, a proxy or a router that
-translates addresses; then the environment offers a local socket, whose name it has drawn at random,
-in what it answers to a host that has shown its token. Both sides check that the other one's process
-belongs to their own user, as the system says. Whoever cannot connect there stays on TCP: names are
-those of a network namespace, so other containers and machines do not find it. Only Linux has such
-names, which are no files: nothing is left behind by a process that is killed.
+A message over TCP takes twice as long as one over a Unix domain socket, even on the same machine.
+So a host sends the addresses of both ends of its connection. If the environment sees the same
+addresses, there is no tunnel, proxy or address translation in between; after checking the host's
+token, it then offers a local socket with a random name. Both sides check that the other process
+belongs to the same user, by the credentials that the system reports. A host that cannot connect
+there stays on TCP: the names belong to a network namespace, so other containers and machines do not
+have them. They are abstract names, which only Linux has, and no files, so a killed process leaves
+nothing behind.
 
 >>> here, there = socket.socketpair()
 >>> ends(here), offered(here, "")
@@ -37,10 +37,10 @@ _CREDENTIALS: Final = struct.Struct("@iII")
 
 
 def ends(connection: Connection) -> str:
-    """Return the addresses of both ends of a connection, in an order that both sides agree upon.
+    """Return the addresses of both ends of a connection, in the same order on both sides.
 
-    Empty if it is encrypted, as its user has asked for that, where there is no other way, and if
-    the connection is gone.
+    Empty for an encrypted connection, which the user has asked for; where there are no such
+    sockets; and for a closed connection.
     """
     if sys.platform != "linux" or type(connection) is not socket.socket:
         return ""
@@ -54,14 +54,14 @@ def ends(connection: Connection) -> str:
 
 
 class Offer:
-    """A local socket to which one host may connect: first for what it sends, then for the rest.
+    """A local socket for one host, which connects twice: first to send, then to receive.
 
     Attributes:
-        name: the name by which the host finds it.
+        name: the name of the socket, without its prefix.
     """
 
     def __init__(self) -> None:
-        """Listen; raise OSError if that cannot be done."""
+        """Listen; raise OSError if that fails."""
         self.name = secrets.token_hex(16)
         self._listener = socket.socket(socket.AF_UNIX)
         try:
@@ -72,10 +72,10 @@ class Offer:
             raise
 
     def taken(self) -> Way:
-        """Return the way of a host that says that it has connected.
+        """Return the link to a host that has announced that it is connected.
 
         Raises:
-            ConnectionLostError: it has not.
+            ConnectionLostError: it is not.
         """
         end_s = time.monotonic() + GREETING_S
         into = self._accepted(end_s)
@@ -86,7 +86,7 @@ class Offer:
             raise
 
     def _accepted(self, end_s: float) -> socket.socket:
-        """Return the next connection of a process of our user, up to a time."""
+        """Accept the next connection from a process of the same user, up to a time."""
         while (left_s := end_s - time.monotonic()) > 0.0:
             self._listener.settimeout(left_s)
             with contextlib.suppress(OSError):
@@ -104,11 +104,11 @@ class Offer:
 
 
 def offered(connection: Connection, seen: str) -> Offer | None:
-    """Return an offer to a host, if the connection is direct.
+    """Return an offer to a host if its connection is direct, else None.
 
     Args:
         connection: the connection to the host.
-        seen: what the host says of it, see `ends`.
+        seen: the addresses that the host has sent, see `ends`.
     """
     if not seen or seen != ends(connection):
         return None
@@ -119,7 +119,7 @@ def offered(connection: Connection, seen: str) -> Offer | None:
 
 
 def take(name: str) -> Way | None:
-    """Return the way to an environment that has offered it; None if it is not to be had."""
+    """Return a link to an environment that has offered it; None if it cannot be made."""
     out = _connected(name)
     into = out and _connected(name)
     if out is None or into is None:
@@ -143,6 +143,6 @@ def _connected(name: str) -> socket.socket | None:
 
 
 def _is_own(connection: socket.socket) -> bool:
-    """Return whether the other side is a process of our user."""
+    """Return whether the other side is a process of the same user."""
     found = connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, _CREDENTIALS.size)
     return bool(_CREDENTIALS.unpack(found)[1] == os.geteuid())

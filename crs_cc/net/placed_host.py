@@ -1,7 +1,7 @@
 """A process on a machine of a cluster that runs robots' programs, see `jobs.worker`.
 
-It does what `crs join` does, with a program that the environment has compiled. What programs print
-and read is the environment's. When the connection is lost it ends, and is started again.
+It does what `crs join` does, with a program that the environment has compiled. Standard input and
+output are those of the environment. It ends when the connection is lost, and is then restarted.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class Placement:
 
 
 def packed(executable: Executable) -> str:
-    """Return a program as text, which is trusted where it is unpacked: it is a pickle."""
+    """Return a program as text: a pickle, which is trusted where it is unpacked."""
     return b64encode(zlib.compress(pickle.dumps(executable), _FAST)).decode()
 
 
@@ -82,7 +82,7 @@ def announced(executable: Executable) -> Program:
 
 
 def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
-    """Run programs until the run ends; return why they end before, if so."""
+    """Run programs until the run ends; return the reason if they end earlier."""
     placement = Placement.of(job)
     executable = _unpacked(placement.executable)
     prepared()

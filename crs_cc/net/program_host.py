@@ -1,7 +1,7 @@
 """A host: runs the programs of some robots for a remote environment.
 
-It does what it is granted, see `host_link`. What its programs write is shown when the environment
-has taken it, so that nothing is shown twice when programs go on from an earlier state.
+It runs programs as granted, see `host_link`. Output of programs is written when the next grant
+arrives, so that nothing is written twice when programs continue from an earlier state.
 """
 
 from __future__ import annotations
@@ -52,10 +52,10 @@ class Streams:
 
 
 class ProgramHost:
-    """Programs, and how far they have come; lives as long as one connection.
+    """The programs of a host, for the lifetime of one connection.
 
     Attributes:
-        shown: the number of the last grant whose output has been shown.
+        shown: the number of the last grant whose output has been written.
     """
 
     def __init__(
@@ -72,7 +72,7 @@ class ProgramHost:
             executables: one for each robot.
             driver: the module that runs rounds.
             streams: the programs' streams.
-            shown: the number of the last grant whose output has been shown already.
+            shown: the number of the last grant whose output has already been written.
             threads: how many threads may run programs, see `HostedPrograms`.
         """
         self.shown = shown
@@ -89,7 +89,7 @@ class ProgramHost:
         """Serve the environment until the run ends; return its final message.
 
         Raises:
-            ConnectionLostError: the environment is gone, or says what is not valid.
+            ConnectionLostError: the environment is gone, or sends an invalid message.
         """
         grant, end = Kind.GRANT, Kind.END
         answers: dict[Kind, Callable[[bytes], tuple[Kind, bytes] | None]] = {
@@ -120,7 +120,7 @@ class ProgramHost:
     # -- rounds ----------------------------------------------------------------------------------
 
     def _grant(self, content: memoryview, channel: Channel) -> None:
-        """Run the programs until they ask for anything or have come as far as is granted."""
+        """Run the programs as granted, and answer."""
         if len(content) < GRANT.size:
             raise ValueError("a grant ends early")
         number, _, is_wanted = GRANT.unpack_from(content)
@@ -139,7 +139,7 @@ class ProgramHost:
             channel.send_frame(_RAN, frame)
 
     def _asking(self) -> IndexArray:
-        """Return the programs that ask for anything."""
+        """Return the programs that make a request."""
         return self.fleet.timing["asks"].nonzero()[0]
 
     def _written(self, asking: IndexArray) -> list[tuple[int, int, bytes]]:
@@ -167,7 +167,7 @@ class ProgramHost:
     # -- state and input -------------------------------------------------------------------------
 
     def _restore(self, content: bytes) -> None:
-        """Go to where the programs of a lost host stood."""
+        """Bring the programs to the state of those of a lost host."""
         rows_end = RESTORE.size + len(self.fleet) * RECORD.itemsize
         if len(content) < rows_end:
             raise ValueError("the state of programs ends early")

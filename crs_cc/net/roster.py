@@ -1,6 +1,6 @@
-"""The assignment of robots to hosts: claimed by hosts that connect, used by the run.
+"""The assignment of robots to hosts: made when hosts connect, used by the run.
 
-Hosts are met in threads of their own; the run waits for them in its own thread.
+Each connection is handled in a thread of its own; the run waits in its own thread.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import Robot
 
 LOOK_S: Final = 0.1
-"""How often a run that waits for hosts looks at interrupts [s]."""
+"""Interval at which a run that waits for hosts checks for interrupts [s]."""
 
 _SHOWN: Final = 5
-"""Robots that are named to a host that is refused, at most."""
+"""Limit of the robots listed to a host that is rejected."""
 
 LISTEN_S: Final = 0.02
-"""How often to listen whether a host is alive [s]."""
+"""Interval at which a host is checked for signs of life [s]."""
 
 
 @dataclass(slots=True, eq=False)
@@ -43,8 +43,8 @@ class Seat:
         digest: the digest of its program.
         program: the program; None until it has been sent.
         channel: the connection; None until it is ready.
-        is_offered: whether the run has not yet taken the connection.
-        is_in_run: whether the run knows it, so that it stays as it is.
+        is_offered: whether the connection waits for the run to take it.
+        is_in_run: whether the run uses it, so that its robots no longer change.
     """
 
     names: tuple[str, ...]
@@ -60,8 +60,8 @@ class Roster:
     """The seats of a run.
 
     Attributes:
-        has_begun: whether the run has begun: hosts that come later run the same program.
-        has_ended: whether it has ended: no host is taken any more.
+        has_begun: whether the run has begun, so that further hosts must have the same program.
+        has_ended: whether it has ended, so that all hosts are rejected.
     """
 
     def __init__(self, robots: Sequence[Robot], awaited: Sequence[str] = ()) -> None:
@@ -69,7 +69,7 @@ class Roster:
 
         Args:
             robots: the robots.
-            awaited: those without whose hosts the run does not begin.
+            awaited: the robots whose hosts must be ready before the run begins.
 
         Raises:
             WorldError: there are more robots than can have programs on hosts.
@@ -87,10 +87,10 @@ class Roster:
     # -- for hosts, in their threads -------------------------------------------------------------
 
     def claim(self, hello: Hello) -> Seat:
-        """Return the seat of a host that has come, or has come back.
+        """Return the seat of a host that connects, or reconnects.
 
         Raises:
-            RefusedError: there is none for it.
+            RefusedError: it is rejected.
         """
         require_same("device libraries", self._devices, hello.devices)
         self._look_for_losses(hello)
@@ -110,10 +110,10 @@ class Roster:
             return self._claim(names, hello)
 
     def _look_for_losses(self, hello: Hello) -> None:
-        """Close the connections of others to robots that a host wants, if they are lost.
+        """Close lost connections of other hosts that have robots that a host wants.
 
-        Nobody receives from a host that has nothing to run, as in a run that is paused. So this
-        waits until each has said that it is alive, or nothing for `SILENCE_S`.
+        Nobody receives from a host that has nothing to run, as in a paused run. So this waits until
+        each has sent a keep-alive message, or nothing for `SILENCE_S`.
         """
         with self._changed:
             others = [
@@ -136,11 +136,11 @@ class Roster:
             channel.close()
 
     def _own(self, host: str) -> tuple[str, ...]:
-        """Return the robots of a host that comes back, which may have noticed a loss before us."""
+        """Return the robots of a host that reconnects; the loss may not have been noticed here."""
         return next((seat.names for seat in self._seats if seat.host == host), ())
 
     def _free(self) -> tuple[str, ...]:
-        """Return the robots without a host; the lost host's if the run waits for those."""
+        """Return the robots without a host, or those of a lost host if there are none."""
         lost = next((seat for seat in self._seats if _is_lost(seat)), None)
         taken = {name for seat in self._seats for name in seat.names}
         free = tuple(name for name in self._definitions if name not in taken)
@@ -185,14 +185,14 @@ class Roster:
             old.close()  # the run notices, if it has not
 
     def awaited(self, seat: Seat) -> list[str]:
-        """Return the robots of other hosts whom the run waits for before it begins."""
+        """Return the robots of other hosts for which the run waits before it begins."""
         if self.has_begun:
             return []
         missing = set(self.missing()) - set(seat.names)
         return [name for name in self._awaited if name in missing]
 
     def withdraw(self, seat: Seat, channel: Channel) -> None:
-        """Forget a host that has not become ready."""
+        """Remove the seat of a host that did not become ready."""
         with self._changed:
             if not seat.is_in_run and seat.channel in (None, channel) and seat in self._seats:
                 self._seats.remove(seat)
@@ -211,30 +211,30 @@ class Roster:
         return [name for name in self._definitions if name not in taken]
 
     def wait(self) -> None:
-        """Wait until something may have changed, not long."""
+        """Wait for a change, `LOOK_S` at most."""
         with self._changed:
             self._changed.wait(LOOK_S)
 
     def begin(self) -> list[Seat]:
-        """Return the seats of hosts that are ready, as the run begins."""
+        """Begin the run; return the seats of the hosts that are ready."""
         with self._changed:
             self.has_begun = True
             return self._offered()
 
     def newcomers(self) -> list[Seat]:
-        """Return the seats of hosts that have become ready since the run began, or since."""
+        """Return the seats of hosts that have become ready since the last call, or `begin`."""
         with self._changed:
             return self._offered()
 
     def _offered(self) -> list[Seat]:
-        """Return the seats that the run does not know, which it does from now on."""
+        """Return the seats that are ready and not yet in the run, which they are from now on."""
         found = [seat for seat in self._seats if seat.is_offered and not seat.is_in_run]
         for seat in found:
             seat.is_in_run = True
         return found
 
     def take(self, seat: Seat, is_ended: Callable[[], bool]) -> Channel | None:
-        """Wait for a connection to a host; return None if the run ends first."""
+        """Wait for the connection to a host; return None if the run ends first."""
         with self._changed:
             while not seat.is_offered:
                 if is_ended():
@@ -245,13 +245,13 @@ class Roster:
             return seat.channel
 
     def lose(self, seat: Seat) -> None:
-        """Note that the host of a seat is lost: another one may come."""
+        """Note that the host of a seat is lost, so that another one may claim it."""
         with self._changed:
             if not seat.is_offered:
                 seat.channel = None
 
     def occupy(self, seat: Seat, channel: Channel) -> None:
-        """Note that the environment itself has taken a seat, by a connection: nobody else may."""
+        """Assign a seat to the environment itself, with a connection, for the rest of the run."""
         with self._changed:
             old, seat.channel = seat.channel, channel
             seat.host, seat.is_offered = None, False
@@ -259,7 +259,7 @@ class Roster:
             old.close()
 
     def end(self) -> None:
-        """Take no host any more."""
+        """Reject all hosts from now on."""
         with self._changed:
             self.has_ended = True
 
@@ -279,7 +279,7 @@ def _require_program(seat: Seat, hello: Hello) -> None:
 
 
 def _short(digest: str) -> str:
-    """Return a digest, shortened so that it still distinguishes programs."""
+    """Return the beginning of a digest, which distinguishes programs in practice."""
     return digest[:12]
 
 

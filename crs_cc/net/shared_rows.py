@@ -1,8 +1,8 @@
 """The rows of all robots of a run; each host has those of its own robots.
 
-The session reads and writes one table, which is in the memory of a kernel, just where that looks
-for changes: nothing is copied before changes are packed, nor after those of hosts have been
-entered. The kernel does in one call what a round needs for all hosts.
+The session reads and writes one table, which is in the memory of a kernel: nothing is copied before
+changes are packed, or after those of hosts have been applied. Each of the two steps of a round,
+packing grants and applying answers, is one call of the kernel for all hosts.
 
 >>> import numpy as np
 >>> from crs_cc.net.changed_words import KnownRows
@@ -47,17 +47,17 @@ _NOTHING: Final = -1
 
 
 class SharedRows:
-    """The table of a session, and the hosts that know rows of it.
+    """The table of a session, and the hosts that have rows of it.
 
     Attributes:
         table: a row of `WORDS` words for each robot.
     """
 
     def __init__(self, robots: int) -> None:
-        """Begin with rows of zeros.
+        """Create rows of zeros.
 
         Raises:
-            ValueError: there are more robots than the kernel has room for.
+            ValueError: there are more robots than the kernel has space for.
         """
         if robots > ROWS:
             raise ValueError(f"{robots} robots, but {ROWS} at most can have programs on hosts")
@@ -79,7 +79,7 @@ class SharedRows:
         self._used = 0
 
     def add(self, robots: IndexArray) -> int:
-        """Add a host with some robots, of which no other has any; return its number."""
+        """Add a host with robots that no other host has; return its number."""
         number, first, rows = len(self._hosts), self._used, len(robots)
         self._used += rows
         for member, robot in enumerate(robots.tolist(), first):
@@ -94,7 +94,7 @@ class SharedRows:
         return number
 
     def remove(self, host: int) -> None:
-        """Let a host take no part any more."""
+        """Exclude a host from further rounds."""
         self._count[host], self._words[host] = 0, _NOTHING
 
     def known(self, host: int) -> Table:
@@ -108,11 +108,11 @@ class SharedRows:
     # -- a round ---------------------------------------------------------------------------------
 
     def grant(self, end_s: float, *, is_new: bool) -> list[int]:
-        """Pack what has changed, for all hosts that have something to run up to a time.
+        """Pack a grant for each host whose programs can run before the end of the cycle.
 
         Args:
             end_s: the end of the cycle [s].
-            is_new: whether a cycle begins.
+            is_new: whether this is a new cycle.
 
         Returns:
             these hosts.
@@ -122,25 +122,25 @@ class SharedRows:
         return self._granted[:count].tolist()
 
     def packed(self, host: int) -> memoryview:
-        """Return what has been packed for a host as a grant, behind room for a head."""
+        """Return the grant that has been packed for a host, with space for its header."""
         begin = self._places[host]
         end = begin + self._words[host] * WORD_BYTES
         self._words[host] = _NOTHING
         return self._kernel.memory[begin - GRANT_FRONT : end]
 
     def room(self, host: int) -> memoryview:
-        """Return where a host's answer can be received, with its head."""
+        """Return the buffer for a host's answer, with its header."""
         return self._rooms[host]
 
     def put_received(self, host: int, size: int) -> None:
-        """Let `take` find a host's answer, which is in its room.
+        """Note that a host's answer is in its buffer, for `take`.
 
         Args:
             host: the host.
-            size: the size of its message, with its head [bytes].
+            size: the size of the message with its header [bytes].
 
         Raises:
-            ValueError: it has a size that is not valid.
+            ValueError: the size is invalid.
         """
         size -= RAN_FRONT
         if size < 0 or size % WORD_BYTES:
@@ -148,10 +148,10 @@ class SharedRows:
         self._words[host] = size // WORD_BYTES
 
     def put(self, host: int, content: bytes) -> None:
-        """Store a host's answer for `take`.
+        """Copy a host's answer into its buffer, for `take`.
 
         Raises:
-            ValueError: it has a size that is not valid.
+            ValueError: its size is invalid.
         """
         room, size = self._rooms[host], HEAD_BYTES + len(content)
         if size > len(room):
@@ -160,15 +160,17 @@ class SharedRows:
         self.put_received(host, size)
 
     def take(self, before: int) -> tuple[int, bool] | None:
-        """Enter what hosts have put, and show it up to the first round in which a program asks.
+        """Apply the answers to the table, up to the first round with a request.
+
+        The changes of hosts that are ahead of this round are kept for a later call.
 
         Args:
-            before: the round up to which all is shown.
+            before: the round up to which the table has all changes.
 
         Returns:
-            the round up to which all is shown now, and whether there was anything to show; None if
-            what a host has put is not valid, or does not answer its last grant, see `error`: then
-            nothing of that is entered, and nothing is shown.
+            the round up to which the table has all changes now, and whether there were any; None if
+            an answer is invalid, or to another grant, see `error`: then it is ignored, and the
+            table does not change.
         """
         bad, reached, is_any, *_ = self._kernel.call(TAKE, len(self._hosts), before)
         return None if bad else (reached, bool(is_any))

@@ -1,8 +1,7 @@
 """The changes that a host may make to the slots and clocks of its programs.
 
-Each word of a row has bits that never change, a greatest value, and perhaps never falls. Words are
-compared as whole numbers; floating-point numbers that are not negative are ordered as their bits
-are.
+Each word of a row has bits that must not change and a maximum value; some must not decrease. Words
+are compared as integers, which orders floating-point numbers that are not negative, too.
 """
 
 from __future__ import annotations
@@ -46,7 +45,7 @@ _RISING: Final = _of_words(0, clock_s=_ALL, fuel=_ALL)
 _ASKING: Final = _of_words(0, alive=_ASKS)
 
 RULES: Final = Rules(_FIXED, _MOST, _RISING, wanted=_ASKING)
-"""What a host may change; what is looked for is whether a program asks for anything."""
+"""Rules for a host that has run rounds; what is looked for is a request of a program."""
 
 QUIET: Final = RULES._replace(fixed=_FIXED | _ASKING)
-"""What it may change if it has run no round, in which no program asks for anything."""
+"""Rules for a host that has run no round, so that no program can have made a request."""

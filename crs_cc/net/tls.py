@@ -1,7 +1,7 @@
 """Encrypted connections: certificates, and sockets that two threads may use.
 
-A certificate made at start proves nothing by itself; its fingerprint does, if it has come by
-another way: `crs serve` prints it, `crs join --fingerprint` checks it.
+A self-signed certificate proves nothing by itself, but its fingerprint does if it was transferred
+separately: `crs serve` prints it, and `crs join --fingerprint` checks it.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ Result = TypeVar("Result")
 
 
 class TlsSocket:
-    """A socket over which one thread sends while another receives.
+    """A socket for one thread that sends while another one receives.
 
-    OpenSSL's connections belong to one thread at a time; so none waits while it has it.
+    Only one thread at a time may use an OpenSSL connection, so no thread waits while it does.
     """
 
     def __init__(self, inner: ssl.SSLSocket) -> None:
@@ -56,21 +56,21 @@ class TlsSocket:
         self._inner.setsockopt(level, option, value)
 
     def recv(self, size: int, flags: int = 0) -> bytes:
-        """Return what has come, after waiting for it; with flags, of the socket below."""
+        """Receive data; with flags, from the socket below."""
         if flags:
             return socket.socket.recv(self._inner, size, flags)
         return self._done(self._inner.recv, size)
 
     def recv_into(self, room: memoryview) -> int:
-        """Put what has come into some room, after waiting for it; return how much."""
+        """Receive data into a buffer; return its size."""
         return self._done(self._inner.recv_into, room)
 
     def send(self, data: bytes | memoryview) -> int:
-        """Send some of the data; return how much."""
+        """Send some of the data; return its size."""
         return self._done(self._inner.send, data)
 
     def _done(self, action: Callable[[Subject], Result], subject: Subject) -> Result:
-        """Return what an action returns, once it need not wait."""
+        """Perform an action, waiting whenever it would block; return its result."""
         while True:
             try:
                 with self._turn:
@@ -127,7 +127,7 @@ class Server:
         self.fingerprint = _fingerprint(ssl.PEM_cert_to_DER_cert(text[begin:end] + "\n"))
 
     def secure(self, connection: socket.socket) -> Connection:
-        """Encrypt a connection that has come; raise OSError if the other side does not."""
+        """Encrypt an accepted connection; raise OSError if the handshake fails."""
         return TlsSocket(self._context.wrap_socket(connection, server_side=True))
 
 
@@ -152,11 +152,11 @@ class Client:
     """A host's side."""
 
     def __init__(self, name: str, fingerprint: str = "") -> None:
-        """Expect a certificate.
+        """Set which certificate is accepted.
 
         Args:
-            name: the host's name, for which a certificate must be valid that the system trusts.
-            fingerprint: the SHA-256 of the certificate instead.
+            name: the host name for which it must be valid, if the system trusts it.
+            fingerprint: its SHA-256, which is checked instead.
         """
         self._name, self._expected = name, fingerprint.replace(":", "").lower()
         self._context = ssl.create_default_context()
@@ -169,8 +169,8 @@ class Client:
         """Encrypt a connection.
 
         Raises:
-            UntrustedError: the certificate is another one, or not trusted.
-            OSError: the other side does not encrypt.
+            UntrustedError: the certificate is not accepted.
+            OSError: the handshake fails.
         """
         try:
             inner = self._context.wrap_socket(connection, server_hostname=self._name)
@@ -190,19 +190,17 @@ class Client:
 
 
 def fingerprint_at(address: tuple[str, int], within_s: float) -> str:
-    """Return the SHA-256 of the certificate of who encrypts at an address.
-
-    The certificate is not checked, and nothing else is exchanged.
+    """Return the fingerprint of the certificate of a server, which is not checked.
 
     Args:
         address: its host and port.
-        within_s: how long to wait [s].
+        within_s: timeout [s].
 
     Returns:
-        hexadecimal digits; nothing if who is there does not encrypt.
+        The SHA-256 as hexadecimal digits; an empty string if connections are not encrypted.
 
     Raises:
-        OSError: nobody is there.
+        OSError: there is no server.
     """
     context = ssl.create_default_context()
     context.check_hostname = False
@@ -216,7 +214,7 @@ def fingerprint_at(address: tuple[str, int], within_s: float) -> str:
 
 
 class UntrustedError(Exception):
-    """The environment is not who it should be."""
+    """The environment's certificate is not accepted."""
 
 
 def _fingerprint(certificate: bytes) -> str:

@@ -23,17 +23,17 @@ from crs_cc.net.local_way import ends, take
 from crs_cc.net.tls import Connection, UntrustedError
 
 ANSWER_S: Final = 60.0
-"""How long an environment may take to answer [s]."""
+"""Timeout for the environment's answer [s]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Visit:
-    """A connection to an environment that has taken this host.
+    """A connection to an environment that has accepted this host.
 
     Attributes:
         channel: the connection.
         robots: the robots whose programs run here.
-        awaited: others whom the run waits for before it begins, some of them if they are many.
+        awaited: some of the other robots for which the run waits before it begins.
     """
 
     channel: Channel
@@ -52,14 +52,14 @@ def visit(
 
     Args:
         address: its host and port.
-        hello: who this host is.
+        hello: the identity of this host.
         program: its program, see `Program.content`.
-        pulse: keeps the connection alive.
-        secure: makes a connection secure, where the first bytes have been sent.
+        pulse: sends keep-alive messages.
+        secure: encrypts a connection, after the first bytes have been sent.
 
     Raises:
-        ConnectionLostError: there is none, or it is gone.
-        RefusedError: it does not take this host, or is not who it should be.
+        ConnectionLostError: the connection fails.
+        RefusedError: the environment rejects this host, or has another certificate.
     """
     try:
         connection = socket.create_connection(address, GREETING_S)
@@ -95,7 +95,7 @@ def visit(
 
 
 def _move(channel: Channel, offer: str) -> None:
-    """Switch to the local socket that an environment offers, or report that this is impossible."""
+    """Switch to the local socket that an environment offers, or tell it that this is impossible."""
     way = take(offer)
     if way is None:
         channel.send(Kind.MOVED)
@@ -104,9 +104,10 @@ def _move(channel: Channel, offer: str) -> None:
 
 
 def _welcome(channel: Channel) -> tuple[tuple[str, ...], tuple[str, ...], bool, str]:
-    """Return the reply of an environment: our robots, awaited ones, whether it needs our program.
+    """Receive the environment's answer to a greeting.
 
-    And the name of another way, if it offers one.
+    Return our robots, those for which the run waits, whether it needs our program, and the name of
+    a local socket, if it offers one.
     """
     kind, content = channel.receive(Kind.WELCOME, Kind.REFUSED, within_s=ANSWER_S)
     if kind == Kind.REFUSED:

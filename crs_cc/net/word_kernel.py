@@ -1,4 +1,4 @@
-"""The kernel that finds and writes changed words, and its calls from Python, see `main.c`."""
+"""The kernel that finds and applies changes of words, and its calls from Python, see `main.c`."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ WORDS: Final = RECORD.itemsize // 8
 """Words of a row of a table."""
 
 ROWS: Final = 10240
-"""Rows that the kernel takes at most, as in `kernels/main.c`."""
+"""The maximum number of rows of a kernel, as in `kernels/main.c`."""
 
 WORD_BYTES: Final = 8
 _WRITE: Final = CODES["WRITE"]
@@ -40,7 +40,7 @@ _ADDRESSES, _PACK, _CHECK, _ENTER, _ENTER_ALL, _TURN, GRANT, TAKE = range(8)
 _ARGUMENTS: Final = tuple(struct.Struct(f"<{1 + count}i") for count in range(5))
 _RESULTS: Final = struct.Struct("<8i")
 _TURNED: Final = struct.Struct("<20x3i")
-"""Whether any program may have failed, or asks to write; an error; and words that are packed."""
+"""Whether any program may have failed, or writes output; an error; the number of words packed."""
 _MOST: Final = ROWS * (1 + WORDS) * WORD_BYTES
 """Of a content [bytes]."""
 TOO_LONG: Final = "changes of a size other than announced"
@@ -55,12 +55,12 @@ ERRORS: Final = (
 
 
 class Rules(NamedTuple):
-    """The rules for the words of a row, a number for each: permitted changes, searched values.
+    """Rules for the changes of a row: which are permitted, and which bits are looked for, by word.
 
     Attributes:
-        fixed: the bits that never change.
-        most: the greatest value.
-        rising: all bits if the value never becomes less, else none.
+        fixed: the bits that must not change.
+        most: the maximum value.
+        rising: all bits if the value must not decrease, else none.
         wanted: the bits that are looked for.
     """
 
@@ -74,20 +74,20 @@ class WordKernel:
     """An instance of the kernel.
 
     Attributes:
-        memory: all that it has.
-        known: the rows that both sides know.
-        now: the same rows, where changes are to be packed.
-        rules: the table of two rules: if programs have run, and if not.
-        room: where a grant may be received, with its head.
+        memory: its memory.
+        known: the rows as both sides know them.
+        now: the current rows, which differ where changes are to be packed.
+        rules: two sets of rules: for an answer after some rounds, and after none.
+        room: the buffer for a grant, with its header.
         places: the addresses of changes, of a turn, of the list of members, and of hosts.
     """
 
     def __init__(self, rows: int, instance: KernelInstance | None = None) -> None:
-        """Begin with rows of zeros.
+        """Create rows of zeros.
 
         Args:
-            rows: how many there are, `ROWS` at most.
-            instance: an instance of the kernel that has just been started, by default a new one.
+            rows: the number of rows, `ROWS` at most.
+            instance: an instance of the kernel that has just been started; by default a new one.
         """
         if instance is None:
             # Not needed by a run whose programs are all in its process.
@@ -113,40 +113,40 @@ class WordKernel:
         self._rules: Rules | None = None  # in the table
 
     def pack(self, rows: int) -> bytes:
-        """Return what differs in rows from those that are known, and make it known."""
+        """Return the changes of the first rows, which are known from now on."""
         words = self.call(_PACK, rows)[1]
         return bytes(self.memory[self._traffic : self._traffic + words * WORD_BYTES])
 
     def check(self, content: memoryview, rows: int, rules: Rules | None) -> tuple[int, bool]:
-        """Check changes of known rows, which `enter` then enters.
+        """Check changes of the first known rows, for `enter`.
 
         Args:
-            content: the changes; others may follow.
-            rows: how many rows they are about.
-            rules: what may be changed; everything if None.
+            content: the changes, which changes of further rows may follow.
+            rows: the number of rows.
+            rules: the permitted changes; all if None.
 
         Returns:
-            How much of the content is about these rows [bytes], and whether any bit is there that
-            the rules want.
+            The size of the changes of these rows [bytes], and whether any has a bit that the rules
+            look for.
 
         Raises:
-            ValueError: the content is not valid, or not allowed.
+            ValueError: the content is invalid, or a change not permitted.
         """
         _, _, _, used, is_found, *_ = self._read(_CHECK, content, rows, rules)
         return used * WORD_BYTES, bool(is_found)
 
     def enter(self, rows: int) -> None:
-        """Enter changes that have just been checked."""
+        """Apply changes that have just been checked."""
         self.call(_ENTER, rows)
 
     def enter_all(self, content: memoryview, rows: int, rules: Rules | None) -> bool:
-        """Check and enter changes, all of which are about known rows.
+        """Check and apply changes of the first known rows.
 
         Returns:
-            Whether any bit is there that the rules want.
+            Whether any has a bit that the rules look for.
 
         Raises:
-            ValueError: the content is not valid, or not allowed.
+            ValueError: the content is invalid, or a change not permitted.
         """
         if len(content) > _MOST:
             raise ValueError(TOO_LONG)
@@ -163,23 +163,27 @@ class WordKernel:
         return results
 
     def turns(self, partner: Partner) -> Turns:
-        """Return what runs programs, whose rows these are, in turn with this, which is theirs."""
+        """Return what runs programs, whose rows these are, in turn with this kernel.
+
+        Args:
+            partner: this kernel as their partner.
+        """
         return partner.turns(self._turn, self._now, self._rows)
 
     def take_turn(self, turns: Turns, content: memoryview) -> tuple[int, memoryview, bool]:
-        """Have programs run rounds with a grant.
+        """Run rounds of programs with a grant.
 
         Args:
             turns: what runs them.
             content: the grant; it may be in `room`.
 
         Returns:
-            rounds that have been run and of which the answer does not tell, 0 unless a program has
-            trapped; the answer, behind room for a head; and whether any program may have failed, or
-            asks to write.
+            the number of rounds if a program has trapped, so that there is no valid answer, else 0;
+            the answer, with space for its header; and whether any program may have failed, or
+            writes output.
 
         Raises:
-            ValueError: the content is not valid.
+            ValueError: the content is invalid.
         """
         size = HEAD_BYTES + len(content) - GRANT_FRONT
         if size % WORD_BYTES or size > self._most:
@@ -197,20 +201,20 @@ class WordKernel:
         return untold, memory[begin - RAN_FRONT : begin + words * WORD_BYTES], bool(is_told)
 
     def _take(self, content: memoryview) -> int:
-        """Take what may be entered; return its size [words]."""
+        """Copy changes into the kernel's memory; return their size [words]."""
         size = min(len(content), _MOST)
         self.memory[self._traffic : self._traffic + size] = content[:size]
         return size // WORD_BYTES
 
     def call(self, kind: int, *arguments: int) -> tuple[int, ...]:
-        """Run the kernel; return its result."""
+        """Call the kernel; return its results."""
         _ARGUMENTS[len(arguments)].pack_into(self.memory, self._place, kind, *arguments)
         self._resume()
         return _RESULTS.unpack_from(self.memory, self._place)
 
 
 def partner_of(fleet: Fleet) -> Partner | None:
-    """Return a kernel as the partner of a fleet's programs, if they can have one."""
+    """Return a new kernel as the partner of a fleet's programs; None if they can have none."""
     return fleet.partner(_executable()) if len(fleet) <= ROWS else None
 
 
