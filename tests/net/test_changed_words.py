@@ -91,7 +91,7 @@ def test_changes_of_another_number_of_words_than_declared_are_refused() -> None:
         (content[:-8], "end early"),
         (content[:-1], "end early"),
         (content[:16], "end early"),
-        (content + bytes(8), "another size"),
+        (content + bytes(8), "size other than"),
         (b"\xff" * 8 + content[8:], "not there"),
     ):
         table = np.zeros_like(here)
