@@ -160,7 +160,7 @@ def test_a_world_is_changed_while_it_runs() -> None:
     assert not session.robots["third"].is_present
     session.set_charge("robot1", 0.5)
     assert session.robots["robot1"].charge == pytest.approx(0.5)
-    assert session.edit("turn robot1 to 90") == "robot1 has heading 90.0 deg now"
+    assert session.edit("turn robot1 to 90") == "robot1 now has heading 90.0 deg"
 
 
 def test_messages_are_sent_as_programs_send_them() -> None:

@@ -106,7 +106,7 @@ def test_run_begins_anew_unless_it_is_to_keep_what_was_done(tmp_path: Path) -> N
     said(shell, "continue")
     assert said(shell, "run -keep")[0] != ""
     assert (shell.debugger.session.exit_status(0), user.asked) == (1006 & 255, 3)
-    assert said(shell, "run")[0].startswith("Without 4 changes")
+    assert said(shell, "run")[0].startswith("Discarded 4 changes")
     assert (shell.debugger.session.exit_status(0), user.asked) == (60, 6)
     assert said(shell, "run nothing") == ["unexpected argument 'nothing' (expected -keep)"]
 

@@ -188,7 +188,7 @@ def test_new_evaporation_time_keeps_what_lies_there(world):
 
 def test_evaporation_time_is_changed_by_a_command(world):
     environment = Driver.of(world()).environment
-    assert edit(environment, "evaporate trail 500ms") == "field trail evaporates in 500ms now"
+    assert edit(environment, "evaporate trail 500ms") == "field trail now evaporates in 500ms"
     assert environment.state.fields.evaporation_s.tolist() == [0.5]
     edit(environment, "evaporate trail never")
     assert environment.state.fields.evaporation_s.tolist() == [np.inf]

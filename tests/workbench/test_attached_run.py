@@ -46,7 +46,7 @@ def test_a_saved_script_makes_the_changes_again_at_their_timesteps(
     for heading in range(9):
         session.advance(1)
         said = control.edit(screen, f"turn left to {heading}")["text"]
-        assert said == f"left has heading {heading}.0 deg now."
+        assert said == f"left now has heading {heading}.0 deg."
         run.note(made[-1])
     screen.server.close()
     script = tmp_path / "changes.txt"

@@ -37,5 +37,5 @@ def described(one: Breakpoint) -> str:
     if one.place is None:
         return one.text
     if location is None:
-        return f"{one.text}, when the robot is called"
+        return f"{one.text}, a robot function"
     return f"{one.place.function} at {location.file}:{location.line}"

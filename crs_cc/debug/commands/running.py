@@ -38,8 +38,8 @@ def _run(context: CommandContext, text: str) -> Answer:
     done = interventions(context.debugger)
     if done and not text:
         take_back(context.debugger, 0)
-        what = "a change" if len(done) == 1 else f"{len(done)} changes"
-        yield f'Without {what} that "run -keep" would have repeated.'
+        what = "one change" if len(done) == 1 else f"{len(done)} changes"
+        yield f'Discarded {what}, which "run -keep" would have repeated.'
     context.debugger.goto(BEGINNING)
     yield from context.move(context.debugger.resume)
 

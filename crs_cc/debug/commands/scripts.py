@@ -98,7 +98,7 @@ def _write(path: Path, content: str) -> None:
     Scripts come with other people's programs, so no other file may be at risk.
     """
     if path.suffix != _ENDING:
-        raise DebugError(f"the name of a file of breakpoints must end with {_ENDING}")
+        raise DebugError(f"the name of a breakpoint file must end with {_ENDING}")
     try:
         with os.fdopen(open_regular(path, os.O_RDWR | os.O_CREAT, follow=False), "r+b") as file:
             head = file.read(len(_HEAD))

@@ -66,14 +66,14 @@ class Setting:
 
 
 SETTINGS: Final = (
-    Setting("listsize", 10, "How many source lines list shows.", 1, 10_000),
-    Setting("print elements", 200, "How many elements of an array print shows.", 1, 100_000),
+    Setting("listsize", 10, "Number of source lines that list shows.", 1, 10_000),
+    Setting("print elements", 200, "Number of array elements that print shows.", 1, 100_000),
     Setting(
-        "print pretty", 0, "Whether print gives each member of a struct a line.", is_switch=True
+        "print pretty", 0, "Whether print shows each member of a struct on a line.", is_switch=True
     ),
-    Setting("backtrace limit", 100, "How many frames backtrace shows.", 1, 100_000),
+    Setting("backtrace limit", 100, "Number of frames that backtrace shows.", 1, 100_000),
     Setting("history save", 1, "Whether commands are kept in a file.", is_switch=True),
-    Setting("history size", 1000, "How many commands the file keeps.", 0, 100_000),
+    Setting("history size", 1000, "Number of commands that the file keeps.", 0, 100_000),
 )
 
 WITHOUT_EFFECT: Final = {
@@ -81,7 +81,7 @@ WITHOUT_EFFECT: Final = {
     "pagination": "output is not paged",
     "height": "output is not paged",
     "width": "lines are as wide as the terminal",
-    "args": "arguments of programs are given on the command line: crs debug wander.c -- 500",
+    "args": "program arguments are given on the command line: crs debug wander.c -- 500",
     "breakpoint": "locations must exist when a breakpoint is set",
     "can-use-hw-watchpoints": "there are no hardware watchpoints, and none are needed",
     "commands": "the cursor keys and Ctrl-R find earlier commands",
@@ -99,7 +99,7 @@ WITHOUT_EFFECT: Final = {
     "scheduler-locking": "all robots share one time",
     "startup-with-shell": "programs run in the simulator",
     "step-mode": "step enters functions that have source",
-    "style": "colours are those of the terminal; NO_COLOR=1 leaves them out",
+    "style": "the terminal determines the colours; NO_COLOR=1 disables them",
     "trace-commands": "scripts show their commands, unless crs debug has -q",
     "tui": "the full screen is laid out by the size of the terminal",
     "verbose": "there are no messages to add",

@@ -254,7 +254,7 @@ def find_line(context: CommandContext, text: str) -> Location:
     file = debugger.view.current_file()
     found = find_location(text, debugger.run.programs, [debugger.view.robot], file).location
     if found is None:
-        raise DebugError(f"'{text}' is a function of the robot and has no source")
+        raise DebugError(f"'{text}' is a robot function and has no source")
     return found
 
 

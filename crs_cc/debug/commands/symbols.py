@@ -96,7 +96,7 @@ def _info_scope(context: CommandContext, text: str) -> Answer:
     sites = debugger.run.programs[view.robot].executable.detail().compiled.statements
     numbers = place.statements.get(view.robot, frozenset())
     if place.location is None or not numbers:
-        raise DebugError(f"'{text}' is a function of the robot and has no source")
+        raise DebugError(f"'{text}' is a robot function and has no source")
     site = sites[min(numbers)]
     found = view.declared_at(site.function, site.location)
     name = plain_name(site.function)

@@ -58,7 +58,7 @@ def global_scope(
         if isinstance(each, Use) and each.storage.in_frame:
             raise DebugError(
                 f"'{text}' uses the world and the local variable '{each.storage.variable.name}':"
-                " stop at a line if it holds (break LOCATION if ...)"
+                " set a breakpoint with a condition instead (break LOCATION if ...)"
             )
     return replace(names, sizes={})
 

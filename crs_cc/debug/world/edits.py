@@ -7,7 +7,7 @@ in world files. `EDITS` is the table of changes; the help is generated from it.
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> environment = Environment(empty_world(), seed=1)
 >>> edit(environment, "move robot0 to 1 2 90")
-'robot0 is at 1.000, 2.000 m, 90.0 deg now'
+'robot0 is now at 1.000, 2.000 m, 90.0 deg'
 >>> edit(environment, "degrade robot0 sonar.3 noise 5cm dropouts 0.1")
 'robot0: sonar 3, noise 0.05m, dropouts 0.1 (degradation0)'
 >>> edit(environment, "heal robot0")
@@ -100,7 +100,7 @@ def _move(environment: Environment, words: Words) -> str:
     name = _name(environment, words[0])
     place = pose_of(words[2:], _heading_rad(environment, name))
     environment.carry(name, place)
-    return f"{name} is at {pose_text(place.x_m, place.y_m, place.heading_rad)} now"
+    return f"{name} is now at {pose_text(place.x_m, place.y_m, place.heading_rad)}"
 
 
 def _turn(environment: Environment, words: Words) -> str:
@@ -109,7 +109,7 @@ def _turn(environment: Environment, words: Words) -> str:
     name = _name(environment, words[0])
     place = _pose(environment, name, ANGLE.parse(words[2]))
     environment.carry(name, place)
-    return f"{name} has heading {angle(place.heading_rad)} now"
+    return f"{name} now has heading {angle(place.heading_rad)}"
 
 
 def _remove(environment: Environment, words: Words) -> str:
@@ -232,7 +232,7 @@ def _charge(environment: Environment, words: Words) -> str:
         text = f"{words[1][:_MAX_LENGTH]!r} is not a state of charge (expected 0 to 100 percent)"
         raise ValueError(text)
     environment.charge(environment.world.robots.index(robot), percent / 100)
-    return f"{robot.id}'s motor battery has {percent:g} % now"
+    return f"{robot.id}'s motor battery is now at {percent:g} %"
 
 
 def _heat(environment: Environment, words: Words) -> str:
@@ -245,7 +245,7 @@ def _heat(environment: Environment, words: Words) -> str:
     if heat < 0.0:
         raise ValueError("heat must not be negative")
     environment.warm(name, heat)
-    return f"{name} has a heat of {heat:g} now"
+    return f"{name} now has a heat of {heat:g}"
 
 
 def _evaporate(environment: Environment, words: Words) -> str:
@@ -257,7 +257,7 @@ def _evaporate(environment: Environment, words: Words) -> str:
             f"the evaporation time must be {TIME.show(SHORTEST_EVAPORATION_S)} or more"
         )
     environment.set_evaporation(words[0], evaporation_s)
-    how = "no longer evaporates" if words[1] == "never" else f"evaporates in {words[1]} now"
+    how = "no longer evaporates" if words[1] == "never" else f"now evaporates in {words[1]}"
     return f"field {words[0]} {how}"
 
 

@@ -26,13 +26,13 @@ def _shut(environment: Environment, words: Words) -> str:
     environment.communication.shut(
         **way, at_s=times.get("at", environment.time_s), duration_s=times.get("for")
     )
-    return f"{_way_text(way)} blocked {_when(times)}"
+    return _status(way, "blocked", times)
 
 
 def _open(environment: Environment, words: Words) -> str:
     way, times = _way(words, "open")
     environment.communication.open(**way, at_s=times.get("at"))
-    return f"{_way_text(way)} unblocked {_when(times)}"
+    return _status(way, "unblocked", times)
 
 
 def _way(words: Words, name: str) -> tuple[dict[str, str], dict[str, float]]:
@@ -71,11 +71,14 @@ def _way_text(way: dict[str, str]) -> str:
     parts = [way.get("channel", "every channel" if way else "every link")]
     parts += [f"from {way['sender']}"] if "sender" in way else []
     parts += [f"to {way['receiver']}"] if "receiver" in way else []
-    return f"{' '.join(parts)} is"
+    return " ".join(parts)
 
 
-def _when(times: dict[str, float]) -> str:
-    text = f"from {TIME.show(times['at'])} on" if "at" in times else "now"
+def _status(way: dict[str, str], status: str, times: dict[str, float]) -> str:
+    if "at" in times:
+        text = f"{_way_text(way)} is {status} from {TIME.show(times['at'])} on"
+    else:
+        text = f"{_way_text(way)} is now {status}"
     return f"{text}, for {TIME.show(times['for'])}" if "for" in times else text
 
 

@@ -92,7 +92,7 @@ def _wake(session: Session, _programs: Sequence[Executable], words: Words) -> st
     for clocks in (state.due_s, state.clock_s):
         if math.isfinite(clocks[number]):
             clocks[number] = min(float(clocks[number]), session.time_s)
-    return f"{words[0]}'s program goes on"
+    return f"{words[0]}'s program continues"
 
 
 def _running(session: Session, name: str) -> int:

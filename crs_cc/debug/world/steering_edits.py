@@ -31,7 +31,7 @@ def _drive(environment: Environment, words: Words) -> str:
     speed[0, :2] = _axes(robot.model, speed_mps, turn_radps)
     environment.drive(np.array([number]), speed)
     turn = f", {TURN_RATE.show(turn_radps)}" if turn_radps else ""
-    return f"{robot.id} drives at {SPEED.show(speed_mps)}{turn} now"
+    return f"{robot.id} now drives at {SPEED.show(speed_mps)}{turn}"
 
 
 def _axes(model: RobotModel, speed_mps: float, turn_radps: float) -> tuple[float, float]:

@@ -36,7 +36,9 @@ def answers(shell: Shell, *commands: str) -> list[str]:
 def test_settings_change_what_commands_show(shell: Shell) -> None:
     assert len(answers(shell, "list 1,")) == 6
     assert len(answers(shell, "set listsize 2", "list 1,")) == 2
-    assert answers(shell, "show listsize") == ["listsize = 2: How many source lines list shows."]
+    assert answers(shell, "show listsize") == [
+        "listsize = 2: Number of source lines that list shows."
+    ]
     assert len(answers(shell, "show")) > 3
     answers(shell, "set var row[9] = 1", "set print elements 9")
     assert answers(shell, "print row") == ["$1 = {0, 0, 0, 0, 0, 0, 0, 0, 0, ...}"]
@@ -49,7 +51,7 @@ def test_settings_change_what_commands_show(shell: Shell) -> None:
         ("set listsize 0", "invalid value '0' of 'listsize' (expected 1 to 10,000)"),
         ("set listsize", "invalid value '' of 'listsize' (expected 1 to 10,000)"),
         ("set history save maybe", "invalid value 'maybe' of 'history save' (expected on or off)"),
-        ("show lists", "listsize = 10: How many source lines list shows."),
+        ("show lists", "listsize = 10: Number of source lines that list shows."),
         ("show nothing", "unknown setting 'nothing'"),
     ],
 )
@@ -66,7 +68,9 @@ def test_with_changes_a_setting_for_one_command_and_keeps_nothing(
     assert answers(shell, "with print elements 2 -- print row") == ["$1 = {1, 2, ...}"]
     assert answers(shell, "print -elements 3 -- row") == ["$2 = {1, 2, 0, ...}"]
     assert answers(shell, "with listsize 2 -- nonsense")[0].startswith("Undefined command")
-    assert answers(shell, "show listsize") == ["listsize = 10: How many source lines list shows."]
+    assert answers(shell, "show listsize") == [
+        "listsize = 10: Number of source lines that list shows."
+    ]
     assert "print elements = 200" in answers(shell, "show print elements")[0]
     assert not config.exists()
 

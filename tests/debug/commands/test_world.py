@@ -107,9 +107,9 @@ def test_a_change_of_the_world_is_replayed(shell: Shell) -> None:
     unchanged = [said(shell, "tick 8"), here(shell)]
     said(shell, "goto tick 12")
     assert here(shell) == before
-    assert said(shell, "move robot0 to 2 3.5 90") == ["robot0 is at 2.000, 3.500 m, 90.0 deg now."]
+    assert said(shell, "move robot0 to 2 3.5 90") == ["robot0 is now at 2.000, 3.500 m, 90.0 deg."]
     assert said(shell, "degrade robot0 sonar.0 stuck 20cm", "shut all") == [
-        "robot0: sonar 0, stuck at 0.2m (degradation0).", "every link is blocked now."
+        "robot0: sonar 0, stuck at 0.2m (degradation0).", "every link is now blocked."
     ]  # fmt: skip
     changed = here(shell)
     assert changed != before

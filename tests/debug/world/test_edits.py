@@ -23,14 +23,14 @@ def driver() -> Driver:
 
 def test_robots_and_objects_are_moved_in_various_units(driver) -> None:
     environment, state = driver.environment, driver.state
-    assert edit(environment, "move a to 1 3") == "a is at 1.000, 3.000 m, 0.0 deg now"
-    assert edit(environment, "move a to 100cm 50in -90") == "a is at 1.000, 1.270 m, 270.0 deg now"
+    assert edit(environment, "move a to 1 3") == "a is now at 1.000, 3.000 m, 0.0 deg"
+    assert edit(environment, "move a to 100cm 50in -90") == "a is now at 1.000, 1.270 m, 270.0 deg"
     assert state.heading_rad[0] == -math.pi / 2
-    assert edit(environment, "move a to 2 2").endswith("270.0 deg now")  # it keeps its heading
-    assert edit(environment, "turn b to 45deg") == "b has heading 45.0 deg now"
+    assert edit(environment, "move a to 2 2").endswith("270.0 deg")  # it keeps its heading
+    assert edit(environment, "turn b to 45deg") == "b now has heading 45.0 deg"
     assert (state.x_m[1], state.heading_rad[1]) == (5.0, math.pi / 4)
-    assert edit(environment, "move crate to 8 8 90") == "crate is at 8.000, 8.000 m, 90.0 deg now"
-    assert edit(environment, "turn crate to 0") == "crate has heading 0.0 deg now"
+    assert edit(environment, "move crate to 8 8 90") == "crate is now at 8.000, 8.000 m, 90.0 deg"
+    assert edit(environment, "turn crate to 0") == "crate now has heading 0.0 deg"
     assert state.bodies.position_m[2].tolist() == [8.0, 8.0]
     assert state.bodies.angle_rad[2] == 0.0
 
@@ -81,12 +81,12 @@ def test_charge_heat_and_links_are_changed() -> None:
     environment = driver.environment
     edit(environment, "charge robot0 12.5%")
     assert environment.charges(0)[1] == 0.125
-    assert edit(environment, "heat robot1 7") == "robot1 has a heat of 7 now"
+    assert edit(environment, "heat robot1 7") == "robot1 now has a heat of 7"
     assert driver.state.heat.left[1] == 7.0
-    assert edit(environment, "shut radio from robot0") == "radio from robot0 is blocked now"
-    assert edit(environment, "shut to robot1") == "every channel to robot1 is blocked now"
-    assert edit(environment, "open radio from robot0") == "radio from robot0 is unblocked now"
-    assert edit(environment, "shut all") == "every link is blocked now"
+    assert edit(environment, "shut radio from robot0") == "radio from robot0 is now blocked"
+    assert edit(environment, "shut to robot1") == "every channel to robot1 is now blocked"
+    assert edit(environment, "open radio from robot0") == "radio from robot0 is now unblocked"
+    assert edit(environment, "shut all") == "every link is now blocked"
     assert [each.text for each in environment.step().events][-1].endswith("blocked")
 
 
