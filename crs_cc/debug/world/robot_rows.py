@@ -83,7 +83,7 @@ def activity(session: Session, robot: int) -> str:
     if result.outcome != "running":
         return "left the world" if result.outcome == "left" else "has not joined"
     what = _pause(session, robot)
-    return f"{_motion(session.environment, robot)}: {what}" if what else "is running"
+    return f"{_motion(session.environment, robot)}: {what}" if what else "runs"
 
 
 def _pause(session: Session, robot: int) -> str:

@@ -94,7 +94,7 @@ def test_rows_have_contacts_and_degradations(drives) -> None:
 def test_a_program_without_a_robot_call_runs() -> None:
     session = Session(open_world(), [counting_program(rounds=10**9)], seed=1)
     session.step()
-    assert summary(session, 0)[3:5] == ("is running", "0.050 s")
+    assert summary(session, 0)[3:5] == ("runs", "0.050 s")
 
 
 SENSES = """

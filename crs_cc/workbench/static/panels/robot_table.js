@@ -122,7 +122,7 @@ export const robotTable = {
         [data.present ? `${data.speed.toFixed(2)} m/s` : "–", ".number"],
         [data.battery === null ? "–" : `${(100 * data.battery).toFixed(0)} %`, ".number"],
         [bumpers.length ? bumpers.join(", ") : "–", bumpers.length ? ".bad" : ""],
-        [state || "is running", isBad ? ".bad" : ""],
+        [state || "runs", isBad ? ".bad" : ""],
         [(data.fails ?? []).join("; ") || "–", data.fails?.length ? ".bad" : ""],
       ];
     };
