@@ -29,6 +29,7 @@ COLUMNS = 64
 POINTS = 180
 PAGE = 62  # numbers
 STEPS = 20
+GOAL_US = 10  # for a request
 SPEEDS = 100, 60  # 0.1 in/s
 DEFINITION = f"""<robot-definition version="1" name="ring">
   <body radius="20cm" mass="10kg"/>
@@ -102,7 +103,8 @@ def main() -> None:
     parser.add_argument("robots", nargs="?", type=int, default=1000)
     robots = parser.parse_args().robots
     environment = environment_of(robots)
-    print(f"{robots:,} robots, for each{'request':>16}{'pages':>13}")
+    goal = f"(goal of a request: {GOAL_US} us)"
+    print(f"{robots:,} robots, for each{'request':>16}{'pages':>13}   {goal}")
     for kind in KINDS:
         asked_s, pages_s = measure(environment, robots, kind)
         print(f"{kind:20}{asked_s * 1e6:12.1f} us{pages_s * 1e6:10.1f} us")

@@ -111,6 +111,9 @@ class Readings:
         return values if self.at_s[number] >= 0.0 else np.full_like(values, np.nan)
 
 
+_SHORT: Final = 16  # values in rows that are copied column by column
+
+
 class Sensor:
     """One kind of sensor, of all robots that have it.
 
@@ -228,7 +231,7 @@ class Sensor:
         lost = np.isnan(value)
         if lost.any():
             value = np.where(lost, self._missing, value)
-        if isinstance(which, slice) and len(rows) > self._width:
+        if isinstance(which, slice) and self._width <= min(_SHORT, len(rows)):
             for column in range(self._width):  # numpy goes along rows, which are short
                 readings.value[:, column] = value[:, column]
         else:

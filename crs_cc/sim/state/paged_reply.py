@@ -20,8 +20,9 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import IndexArray, Int32Array, Records
+from crs_cc.core.arrays import IndexArray, Int32Array, Records, all_of
 from crs_cc.requests import DATA_SIZE
+from crs_cc.sim.state.rows import simplest
 
 _PAGE: Final = DATA_SIZE // 4  # numbers
 
@@ -69,10 +70,16 @@ class PagedReply:
         self.width[rows], self.count[rows] = width, counts
         size = numbers.shape[1] * width
         told = numbers.reshape(len(rows), size)
-        if (counts < numbers.shape[1]).any():  # rows keep old numbers behind their readings
-            inside = np.arange(size) < (counts * width)[:, None]
-            told = np.where(inside, told, self.numbers[rows, :size])
-        self.numbers[rows, :size] = told
+        if not (counts < numbers.shape[1]).any():
+            self.numbers[rows, :size] = told
+            return
+        # Rows keep old numbers behind their readings.
+        inside = np.arange(size) < (counts * width)[:, None]
+        which = simplest(rows, len(self.count))
+        if isinstance(which, slice):
+            np.copyto(self.numbers[:, :size], told, where=inside, casting="unsafe")
+        else:
+            self.numbers[rows, :size] = np.where(inside, told, self.numbers[rows, :size])
 
     def page(
         self,
@@ -93,12 +100,33 @@ class PagedReply:
         start = np.maximum(first, 0).astype(np.intp)
         left = np.where(first >= 0, self.count[rows] - start, 0)
         count = np.clip(left, 0, _PAGE // width)
-        column, size = np.arange(_PAGE), count * width
-        inside = column < size[:, None]
+        size = count * width
         # Behind the last page the messages' data stay.
-        begin = np.where(size, start * width, 0)[:, None]
-        source = np.minimum(begin + column, self.numbers.shape[1] - 1)
-        data = messages["data"].view("<i4")
-        data[places] = np.where(inside, self.numbers[rows[:, None], source], data[places])
+        begin = np.where(size, start * width, 0)
+        self._copy(rows, begin, size, messages["data"].view("<i4"), places)
         messages["size"][places], messages["result"][places] = 4 * size, count
         messages["i"][places, 0] = width
+
+    def _copy(
+        self,
+        rows: IndexArray,
+        begin: IndexArray,
+        size: IndexArray,
+        data: Int32Array,
+        places: IndexArray,
+    ) -> None:
+        """Copy `size` numbers from `begin` on, of each device, to the starts of rows of `data`."""
+        first, column = int(begin.max(initial=0)), np.arange(_PAGE)
+        if all_of((begin == first) | (size == 0)):  # all ask for the same page
+            numbers = self.numbers[:, first : first + _PAGE]
+            numbers = numbers[simplest(rows, len(self.numbers))]
+            where, count = simplest(places, len(data)), numbers.shape[1]
+            inside = column[:count] < size[:, None]
+            if isinstance(where, slice):
+                np.copyto(data[:, :count], numbers, where=inside)
+            else:
+                data[where, :count] = np.where(inside, numbers, data[where, :count])
+            return
+        source = np.minimum(begin[:, None] + column, self.numbers.shape[1] - 1)
+        numbers = self.numbers[rows[:, None], source]
+        data[places] = np.where(column < size[:, None], numbers, data[places])

@@ -23,6 +23,7 @@ from crs_cc.sim.geometry.split_and_merge import segments
 from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.robot import devices_of
 from crs_cc.sim.state.last_measurement import CONFIGURATION
+from crs_cc.sim.state.rows import simplest
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
@@ -103,10 +104,10 @@ class Lasers:
         range_m: FloatArray,
     ) -> None:
         """Write the ranges of robots' lasers at poses, infinite for none, (k, 482)."""
-        range_m[:] = np.inf
         for laser, points, some in self._alike(numbers, laser_state(state).wanted[numbers]):
             seen_m = rays.distances_m(state, self._fan(laser, points), poses[some], own=rows[some])
-            range_m[some, :points] = seen_m
+            which = simplest(some, len(range_m))
+            range_m[which, :points], range_m[which, points:] = seen_m, np.inf
 
     def _alike(
         self, numbers: IndexArray, points: npt.NDArray[np.integer]
@@ -249,22 +250,25 @@ class Lasers:
             the points, from right to left, (k, most, 2), and their numbers, (k,).
         """
         most = int(counts.max(initial=0))
-        range_m = range_m[:, :most]
+        range_m = np.ascontiguousarray(range_m[:, :most])
         hit = np.isfinite(range_m) & (np.arange(most) < counts[:, None])
         kind, directions = np.zeros(len(numbers), dtype=np.intp), []
         for number, (laser, count, some) in enumerate(self._alike(numbers, counts)):
             kind[some] = number
             directions.append(np.pad(_directions(laser, count), (0, most - count)))
-        row, column = np.nonzero(hit)
-        direction = np.concatenate([[], *directions])
-        place, seen_m = kind.take(row) * most + column, range_m[hit]
+        direction, counts = np.concatenate([[], *directions]), hit.sum(axis=1)
+        places, row = np.flatnonzero(hit), np.repeat(np.arange(len(numbers)), counts)
+        seen_m = range_m.take(places)
         forward_m = self.sensor.settings["forward_m"][numbers].take(row)
-        found = np.empty((len(row), _POINT))
-        found[:, 0] = forward_m + seen_m * exact.cos(direction).take(place)
-        found[:, 1] = seen_m * exact.sin(direction).take(place)
-        counts = hit.sum(axis=1)
+        first = np.cumsum(counts) - counts
+        begin = np.arange(len(numbers)) * most
+        beam = places - (begin - kind * most).take(row)
+        to = np.arange(len(row)) + (begin - first).take(row)
         points = np.zeros((*hit.shape, _POINT), dtype=np.int32)
-        points[np.arange(most) < counts[:, None]] = np.rint(m_to_tenths_inch(found))
+        flat = points.reshape(-1, _POINT)
+        x_m = forward_m + seen_m * exact.cos(direction).take(beam)
+        flat[to, 0] = np.rint(m_to_tenths_inch(x_m))
+        flat[to, 1] = np.rint(m_to_tenths_inch(seen_m * exact.sin(direction).take(beam)))
         return points, counts
 
 
