@@ -63,7 +63,7 @@ class Edits:
         if name in self._robot_names:
             self.inner.remove_robot(name)
         else:
-            self.inner.environment.take_away(name)
+            self.inner.environment.remove_obstacle(name)
 
     def move(self, name: str, x_m: float, y_m: float, heading_rad: float | None = None) -> None:
         """Move a robot or a movable object to a free place, as if by hand.
@@ -85,7 +85,7 @@ class Edits:
             is_robot = body < len(self._robot_names)
             heading_rad = float((state.heading_rad if is_robot else state.bodies.angle_rad)[body])
         place = tuple(_finite(value, "a coordinate") for value in (x_m, y_m, heading_rad))
-        environment.carry(name, Pose(*place))
+        environment.teleport(name, Pose(*place))
 
     def edit(self, text: str) -> str:
         """Make a change given as a command of the debugger: `move robot0 to 1 2 90`.
@@ -147,7 +147,7 @@ class Edits:
         check_number("heat", heat)
         if not 0.0 <= heat < math.inf:
             raise ValueError(f"invalid heat {heat!r} (expected 0 or more)")
-        environment.warm(name, float(heat))
+        environment.set_heat(name, float(heat))
 
     def set_evaporation(self, field: str, evaporation_s: float) -> None:
         """Set the evaporation time of a pheromone field from now on, infinite for never."""

@@ -191,7 +191,7 @@ class Session(Edits):
     def is_over(self) -> bool:
         """Whether the duration has been reached, or all programs have ended and no robot joins."""
         state = self.inner.state
-        return self.is_time_up or not (state.running or state.environment.awaits)
+        return self.is_time_up or not (state.running or state.environment.expects_robots)
 
     def step(self, timesteps: int = 1) -> bool:
         """Run some timesteps; return whether the run continues: `while session.step(): ...`.

@@ -429,7 +429,7 @@ class Session:
 
     @property
     def _can_continue(self) -> bool:
-        return self.state.running > 0 or self.environment.awaits
+        return self.state.running > 0 or self.environment.expects_robots
 
     def now_s(self, robot: int) -> float:
         """Return a program's clock [s], also in the middle of a round."""

@@ -240,7 +240,7 @@ def test_a_change_from_outside_is_noticed(world: str, tmp_path: Path) -> None:
                 while session.timesteps < end:
                     session.advance(end - session.timesteps, calmly=True)
                 if end % 40:
-                    session.environment.carry(name, place)
+                    session.environment.teleport(name, place)
         hashes.append((session.state_hash(), session.timesteps, session.result().goals))
     assert hashes[0] == hashes[1]
 

@@ -308,9 +308,9 @@ def test_a_change_from_outside_ends_quiet_time(tmp_path: Path) -> None:
             while session.timesteps < 30 * (change + 1):
                 session.advance(30 * (change + 1) - session.timesteps)
             if change == 0:
-                session.environment.carry("a", Pose(2.0, 1.0, 0.5))
+                session.environment.teleport("a", Pose(2.0, 1.0, 0.5))
             if change == 1:
-                session.environment.take_away(session.environment.pushables[0])
+                session.environment.remove_obstacle(session.environment.pushables[0])
         hashes.append(session.state_hash())
     assert hashes[0] == hashes[1]
 

@@ -168,7 +168,7 @@ def test_carried_robot_leaves_no_trail_between(world):
     post(driver, "LAY_TRAIL", 10.0)
     driver.ask("PR", 100, 100)
     driver.run(6)
-    driver.environment.carry("robot0", Pose(4.0, 1.0, 0.0))
+    driver.environment.teleport("robot0", Pose(4.0, 1.0, 0.0))
     driver.run_s(2)
     found = driver.environment.field("trail")
     assert not found[:, 24:40].any()

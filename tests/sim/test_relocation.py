@@ -30,7 +30,7 @@ def test_teleported_robot_keeps_odometry_and_command() -> None:
     run(driver, 20)
     state = driver.state
     gone_m, believed_m = float(state.x_m[0]) - 2.0, float(state.odometry.x_m[0])
-    driver.environment.carry("a", Pose(6.0, 7.0, math.pi / 2))
+    driver.environment.teleport("a", Pose(6.0, 7.0, math.pi / 2))
     assert (state.x_m[0], state.y_m[0], state.heading_rad[0]) == (6.0, 7.0, math.pi / 2)
     assert (state.odometry.x_m[0], state.odometry.heading_rad[0]) == (believed_m, 0.0)
     run(driver, 120)
@@ -41,7 +41,7 @@ def test_teleported_robot_keeps_odometry_and_command() -> None:
 
 def test_sensors_measure_from_new_pose_at_once() -> None:
     driver = driver_of()
-    driver.environment.carry("a", Pose(9.0, 5.0, 0.0))
+    driver.environment.teleport("a", Pose(9.0, 5.0, 0.0))
     run(driver, 20)
     driver.ask("GET_SN")
     # From the shell, 9 m + 8 in, to the edge at 10 m.
@@ -65,14 +65,14 @@ def test_move_to_occupied_place_is_refused_without_effect(name, place, message) 
     run(driver, 3)
     before = driver.environment.hash()
     with pytest.raises(ValueError, match=message):
-        driver.environment.carry(name, place)
+        driver.environment.teleport(name, place)
     assert driver.environment.hash() == before
 
 
 def test_object_is_moved_and_may_touch_others() -> None:
     driver = driver_of()
     # Turned by 90 degrees it is 0.25 m wide to the left: it just touches the screen's side.
-    driver.environment.carry("crate", Pose(4.3, 1.5, math.pi / 2))
+    driver.environment.teleport("crate", Pose(4.3, 1.5, math.pi / 2))
     run(driver, 20)
     body = driver.state.bodies
     assert body.position_m[2] == pytest.approx([4.3, 1.5], abs=1e-3)
@@ -91,8 +91,8 @@ def test_held_object_stays_behind_and_cannot_be_moved() -> None:
     holds = driver.state.bodies.holds
     holds.object[0, 0] = 0
     with pytest.raises(ValueError, match="'robot0' holds 'can'"):
-        driver.environment.carry("can", Pose(1.0, 1.0))
-    driver.environment.carry("robot0", Pose(2.0, 2.0))
+        driver.environment.teleport("can", Pose(1.0, 1.0))
+    driver.environment.teleport("robot0", Pose(2.0, 2.0))
     assert holds.object[0, 0] == -1
     assert driver.state.bodies.position_m[1].tolist() == [9.0, 9.0]
 
@@ -103,7 +103,7 @@ def test_synchro_drive_is_turned_as_a_whole() -> None:
     run(driver, 200)
     state = driver.state
     assert state.heading_rad[0] == pytest.approx(math.pi / 2)
-    driver.environment.carry("robot0", Pose(1.0, 1.0, math.pi))
+    driver.environment.teleport("robot0", Pose(1.0, 1.0, math.pi))
     assert state.base_rad[0] == pytest.approx(math.pi / 2)
     assert state.mount_rad[0] == pytest.approx(3 * math.pi / 4)
     assert state.odometry.heading_rad[0] == pytest.approx(math.pi / 2)
@@ -111,11 +111,11 @@ def test_synchro_drive_is_turned_as_a_whole() -> None:
 
 def test_contact_at_new_pose_is_another_collision() -> None:
     driver = driver_of('<robot x="2m" y="2m"/>')
-    driver.environment.carry("robot0", Pose(10.0 - SCOUT_RADIUS_M, 5.0))
+    driver.environment.teleport("robot0", Pose(10.0 - SCOUT_RADIUS_M, 5.0))
     driver.ask("VM", 50, 50)
     run(driver, 20)
     assert driver.state.collisions[0] == 1
-    driver.environment.carry("robot0", Pose(10.0 - SCOUT_RADIUS_M, 7.0))
+    driver.environment.teleport("robot0", Pose(10.0 - SCOUT_RADIUS_M, 7.0))
     run(driver, 20)
     assert driver.state.collisions[0] == 2
 
@@ -123,19 +123,19 @@ def test_contact_at_new_pose_is_another_collision() -> None:
 def test_objects_can_be_removed_but_not_robots_and_edges() -> None:
     driver = driver_of()
     for name in ("crate", "screen"):
-        driver.environment.take_away(name)
+        driver.environment.remove_obstacle(name)
         assert name not in driver.environment.names
         with pytest.raises(ValueError, match=f"unknown thing '{name}'"):
-            driver.environment.take_away(name)
+            driver.environment.remove_obstacle(name)
     driver.ask(
         "ADD_OBSTACLE",
         3,
         data=bytes.fromhex("0a000000 0a000000 1e000000 0a000000 1e000000 1e000000"),
     )
-    driver.environment.take_away("obstacle-0")
+    driver.environment.remove_obstacle("obstacle-0")
     for name in ("a", "edge-north", "obstacle-0"):
         with pytest.raises(ValueError, match="unknown thing"):
-            driver.environment.take_away(name)
+            driver.environment.remove_obstacle(name)
 
 
 def test_dismissed_robot_leaves_at_end_of_cycle() -> None:
@@ -158,8 +158,8 @@ def test_run_from_snapshot_after_changes_is_bitwise_equal() -> None:
     driver.ask("VM", 60, 100, robot=1)
     run(driver, 130)  # the space has been made anew once
     driver.ask("GET_SN", at_s=driver.environment.time_s + 0.01)  # so in the middle of a cycle
-    driver.environment.carry("a", Pose(3.75 - SCOUT_RADIUS_M, 2.0, 0.3))
-    driver.environment.carry("crate", Pose(3.0, 4.0, 0.7))
+    driver.environment.teleport("a", Pose(3.75 - SCOUT_RADIUS_M, 2.0, 0.3))
+    driver.environment.teleport("crate", Pose(3.0, 4.0, 0.7))
     driver.environment.dismiss_robot(1)
     snapshot = driver.environment.snapshot()
     ends = [run(driver, 90)]

@@ -12,7 +12,7 @@ import pytest
 from crs_cc.requests import CODES, MESSAGE
 from crs_cc.sim.engine import dispatch
 from crs_cc.sim.engine.environment import Environment
-from crs_cc.sim.engine.simple_requests import serve_simply
+from crs_cc.sim.engine.simple_requests import answer_simple_requests
 from crs_cc.sim.kernels.program import Kernels
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state import robot_rows
@@ -127,13 +127,13 @@ def compare(world: WorldModel, seed: int, asked: tuple[str, ...] = ASKED) -> lis
     simply: list[bool] = []
 
     def counted(*arguments: object) -> object:
-        found = serve_simply(*arguments)  # type: ignore[arg-type]
+        found = answer_simple_requests(*arguments)  # type: ignore[arg-type]
         simply.append(found is not None)
         return found
 
-    with patch.object(dispatch, "serve_simply", counted):
+    with patch.object(dispatch, "answer_simple_requests", counted):
         told = outcome(world, seed, asked)
-    with patch.object(dispatch, "serve_simply", lambda *_: None):
+    with patch.object(dispatch, "answer_simple_requests", lambda *_: None):
         assert outcome(world, seed, asked) == told
     checked = Kernels(holds_world=True, checked=True)
     with patch.object(robot_rows, "Kernels", lambda **_: checked):

@@ -141,7 +141,7 @@ class RecordedRun:
         """Whether programs are running or robots have yet to join."""
         session = self.session
         is_before_end = session.timesteps < self.last_timestep
-        return is_before_end and (session.state.running > 0 or session.environment.awaits)
+        return is_before_end and (session.state.running > 0 or session.environment.expects_robots)
 
     def name(self, robot: int) -> str:
         """Return a robot's name."""

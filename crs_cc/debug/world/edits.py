@@ -99,7 +99,7 @@ def _move(environment: Environment, words: Words) -> str:
         raise _wrong_words("move")
     name = _name(environment, words[0])
     place = pose_of(words[2:], _heading_rad(environment, name))
-    environment.carry(name, place)
+    environment.teleport(name, place)
     return f"{name} is now at {pose_text(place.x_m, place.y_m, place.heading_rad)}"
 
 
@@ -108,7 +108,7 @@ def _turn(environment: Environment, words: Words) -> str:
         raise _wrong_words("turn")
     name = _name(environment, words[0])
     place = _pose(environment, name, ANGLE.parse(words[2]))
-    environment.carry(name, place)
+    environment.teleport(name, place)
     return f"{name} now has heading {angle(place.heading_rad)}"
 
 
@@ -119,7 +119,7 @@ def _remove(environment: Environment, words: Words) -> str:
     if name in robots:
         environment.dismiss_robot(robots.index(name))
         return f"{name} leaves the world at {instant(environment.end_s)}"
-    environment.take_away(name)
+    environment.remove_obstacle(name)
     return f"{name} is removed"
 
 
@@ -244,7 +244,7 @@ def _heat(environment: Environment, words: Words) -> str:
     heat = HEAT.parse(words[1])
     if heat < 0.0:
         raise ValueError("heat must not be negative")
-    environment.warm(name, heat)
+    environment.set_heat(name, heat)
     return f"{name} now has a heat of {heat:g}"
 
 

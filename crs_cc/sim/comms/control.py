@@ -29,7 +29,7 @@ from crs_cc.sim.model.communication import ANY
 from crs_cc.sim.state.messages import MessageState
 
 if TYPE_CHECKING:
-    from crs_cc.sim.state.running_world import Running
+    from crs_cc.sim.state.running_world import RunningWorld
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +60,7 @@ MAX_SHUTS: Final = 4096
 class CommunicationControl:
     """The communication links of a running world, to be changed between two steps."""
 
-    def __init__(self, running: Running) -> None:
+    def __init__(self, running: RunningWorld) -> None:
         """Create the control."""
         self._running = running
 

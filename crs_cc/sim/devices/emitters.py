@@ -108,11 +108,12 @@ def sense(
     places = sources.place_m
     cells = CellList(places[:, 0].copy(), places[:, 1].copy(), float(range_m.max(initial=0.0)))
     robot, source = cells.near(mounts[:, 0], mounts[:, 1])
-    way_m = places[source] - mounts[robot, :2]
-    distance_m = exact.hypot(way_m[:, 0], way_m[:, 1])
+    offset_m = places[source] - mounts[robot, :2]
+    distance_m = exact.hypot(offset_m[:, 0], offset_m[:, 1])
     keep = (distance_m <= range_m[robot]) & (sources.owner[source] != rows[robot])
-    robot, source, way_m, distance_m = robot[keep], source[keep], way_m[keep], distance_m[keep]
-    direction_rad = exact.arctan2(way_m[:, 1], way_m[:, 0])
+    robot, source = robot[keep], source[keep]
+    offset_m, distance_m = offset_m[keep], distance_m[keep]
+    direction_rad = exact.arctan2(offset_m[:, 1], offset_m[:, 0])
     poses = np.column_stack([mounts[robot, :2], direction_rad])
     hit_m, thing = rays.seen(state, fan, poses, rows[robot])
     in_sight = hit_m[:, 0] >= distance_m - _SLACK_M

@@ -92,7 +92,7 @@ class Fields:
             place_m: its place, nothing happens to those outside of the area, (k, 2).
             amount: the amount, 0 or more, (k,).
         """
-        one = _the_one(field)
+        one = _common_field(field)
         cells = self._grid.cells(one, place_m[:, 0], place_m[:, 1])
         there = cells >= 0
         if not all_of(there):
@@ -132,7 +132,7 @@ class Fields:
         """
         if not self.names:
             return
-        home = state.rows.at_home(constants.kinds)
+        home = state.rows.resident_kernels(constants.kinds)
         robots: Robots = rows
         if home is None:
             robots = mount_poses(state, constants, rows)
@@ -275,7 +275,7 @@ def _unit(cycles: int, timestep_s: float, evaporation_s: float) -> float:
     return UNIT * exact.exp(-(cycles * timestep_s / evaporation_s))
 
 
-def _the_one(field: IndexArray) -> IndexArray | int:
+def _common_field(field: IndexArray) -> IndexArray | int:
     """Return the field that all deposits are in, or the fields: one takes less time."""
     first = int(field[0]) if len(field) else 0
     return first if (field == first).all() else field

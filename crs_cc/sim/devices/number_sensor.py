@@ -131,7 +131,7 @@ def number_sensor(
         sensors = Sensor(row, world, seed, measure, len(values))
 
         def answer(context: RequestContext) -> BoolArray:
-            has, mine = sensors.asked(context)
+            has, mine = sensors.measure_on_request(context)
             value = sensors.readings(context.state).value[mine]
             there = np.isfinite(value).all(axis=1)
             has[has] = there

@@ -108,7 +108,7 @@ class RayCaster:
         """Whether beams can hit the same objects at all heights."""
         return self._outlook is None
 
-    def prospect(
+    def shapes_at_height(
         self, state: EnvState, z_m: FloatArray | float, spread: FloatArray | float
     ) -> Prospect:
         """Return what beams that start at a height can hit, see `Outlook.at`."""
@@ -170,8 +170,8 @@ class RayCaster:
             range, both of shape (k, beams).
         """
         obj = np.empty((len(poses), len(fan)), dtype=np.intp)
-        prospect = self.prospect(state, fan.z_m, 0.0)
-        distance_m = nearest(fan, poses, prospect, own=own, objects=obj)
+        shapes = self.shapes_at_height(state, fan.z_m, 0.0)
+        distance_m = nearest(fan, poses, shapes, own=own, objects=obj)
         covers = np.full_like(obj, NO_THING)
         covered = self._pieces.cover(fan, poses, covers)
         if self._outlook is not None:

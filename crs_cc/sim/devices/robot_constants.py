@@ -75,7 +75,7 @@ class RobotConstants:
             kinds=_kinds(models, drives, numbers["motor_battery"]),
         )
 
-    def last_instant_s(self, cycle: int) -> float:
+    def last_time_s(self, cycle: int) -> float:
         """Return the last time in a cycle [s]: its end belongs to the next one."""
         return math.nextafter((cycle + 1) * self.timestep_s, 0.0)
 

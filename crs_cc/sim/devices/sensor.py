@@ -241,7 +241,7 @@ class Sensor:
         readings.at_s[which] = at_s
         readings.count[which] += 1
 
-    def asked(self, context: RequestContext) -> tuple[BoolArray, IndexArray]:
+    def measure_on_request(self, context: RequestContext) -> tuple[BoolArray, IndexArray]:
         """Measure for requests with the sensors that have no timer.
 
         Returns:

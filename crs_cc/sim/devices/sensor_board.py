@@ -27,7 +27,7 @@ from crs_cc.sim.devices.vendor_state import (
     MOTOR_STATUS,
     SONAR_0,
     VEL_RIGHT,
-    Told,
+    KernelReply,
     correct_speeds,
 )
 from crs_cc.sim.devices.vendor_state import LASER as LASER_MODE
@@ -134,7 +134,7 @@ class SensorBoard:
         context["laser_count"] = laser_count
         return np.asarray(replies["state"])
 
-    def measure_simply(
+    def measure_for_simple_requests(
         self,
         state: EnvState,
         constants: RobotConstants,
@@ -142,7 +142,7 @@ class SensorBoard:
         replied: tuple[IndexArray, FloatArray],
         code: int,
         *,
-        told: Told,
+        kernel_reply: KernelReply,
     ) -> None:
         """Measure for requests of one kind, if the board is simple and these have been executed.
 
@@ -152,7 +152,7 @@ class SensorBoard:
             rays: casts rays.
             replied: the robots, k of them, and the time of each reply.
             code: the kind of requests; all robots have what it is about.
-            told: what a kernel has told of the robots.
+            kernel_reply: the results of the kernel that answered the request.
         """
         rows, at_s = replied
         about = REQUESTS[code].sensors
@@ -165,10 +165,12 @@ class SensorBoard:
             if row.number is not None:
                 which &= state.timers.on_request(rows, row.number)
             if all_of(which):
-                measure(state, constants, rays, rows, at_s, told=told)
+                measure(state, constants, rays, rows, at_s, kernel_reply=kernel_reply)
             elif which.any():
                 some = rows[which]
-                measure(state, constants, rays, some, at_s[which], told=told.of(which))
+                measure(
+                    state, constants, rays, some, at_s[which], kernel_reply=kernel_reply.of(which)
+                )
 
     def write(
         self,
@@ -247,11 +249,13 @@ def _replies(
     kinds, for_s = constants.kinds, at_s - state.presence.joined_s[rows]
     replies = state.rows.replies(simplest(rows, len(kinds.kind)), for_s, kinds)
     correct_speeds(state, constants, rows, replies["state"][:, VEL_RIGHT:MOTOR_STATUS])
-    tell(state, constants, rows, replies["state"])
+    write_readings(state, constants, rows, replies["state"])
     return replies
 
 
-def tell(state: EnvState, constants: RobotConstants, rows: IndexArray, states: Int32Array) -> None:
+def write_readings(
+    state: EnvState, constants: RobotConstants, rows: IndexArray, states: Int32Array
+) -> None:
     """Write what instruments have measured last into `State` of robots, (k, 45)."""
     level, mode, reading = rings(state).level, laser_state(state).mode, compasses(state).reading
     if len(level):

@@ -65,7 +65,7 @@ class Timers:
             if due.any():
                 mine, at_s = rows[due], soonest_s[due]
                 self._sensors[sensor][1].read(state, constants, rays, mine, at_s)
-                timers.go_on(mine, sensor, begin_s)
+                timers.restart(mine, sensor, begin_s)
 
     def set_period(self, context: RequestContext) -> BoolArray:
         """Answer PERIOD; refuse missing sensors and times below 0."""

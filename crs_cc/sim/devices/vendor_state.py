@@ -43,7 +43,7 @@ LASER: Final = 42  # mode
 COMPASS: Final = 43  # [0.1 deg], 0 to 3599
 
 
-class Told(NamedTuple):
+class KernelReply(NamedTuple):
     """Results of the kernel that answered a request, for sensors that measure for its reply.
 
     Attributes:
@@ -76,7 +76,7 @@ def correct_speeds(
     state: EnvState, constants: RobotConstants, rows: IndexArray, speeds: Int32Array
 ) -> None:
     """Set the reported speeds of robots, some of which are held up or degraded, (k, 3)."""
-    if constants.degradations.concern_motions(state):
+    if constants.degradations.affects_motion(state):
         now_s, speed = state.drive.clock_s[rows], traction.speed(state, constants, rows)
         speed = constants.degradations.speeds(state, "odometry", rows, speed, now_s)
         unit, told = constants.drives.unit[rows], np.zeros_like(speed)

@@ -84,7 +84,7 @@ class _Kind:
 
     def leave(self, kernel: CalmKernel) -> None:
         """Copy back what has been measured."""
-        self._instruments.take_over(self._data.state, self._view(kernel))
+        self._instruments.load_measurements(self._data.state, self._view(kernel))
 
     def _view(self, kernel: CalmKernel) -> Records:
         found: Records = kernel.table(self._table, len(self._robots), self._type)

@@ -37,7 +37,7 @@ def is_calm(data: WorldData, devices: Iterable[str]) -> bool:
         return False
     if len(state.pos_data.reported) or data.log.snapshot():
         return False
-    if any(constants.degradations.concern(state, device) for device in devices):
+    if any(constants.degradations.affects(state, device) for device in devices):
         return False
     messages = state.messages
     rest = messages.receptions, messages.packets, messages.shuts, messages.outbox

@@ -258,7 +258,7 @@ class CalmTime:
         self._instruments.leave(kernel)
         passage, was_served = None, bool(changed.was_served)
         if ended:
-            data.physics.pass_over(ended, changed.room_m)
+            data.physics.skip_cycles(ended, changed.room_m)
             data.is_weary = bool(changed.is_weary)
             if self._keeps:
                 passage = self._passage(ended, answers - served)

@@ -83,7 +83,7 @@ class DeviceBoard:
     @property
     def has_duties(self) -> bool:
         """Whether devices may have something to do at the end of a cycle in which none acts."""
-        return bool(self.fields.names or self._glands.are_there or len(self.handling.grippers))
+        return bool(self.fields.names or self._glands.any_installed or len(self.handling.grippers))
 
     def begin(
         self,
@@ -123,7 +123,7 @@ class DeviceBoard:
             to_s: the time for each, (k,); the cycle's end belongs to the next cycle, when the
                 bodies have moved.
         """
-        to_s = np.minimum(to_s, constants.last_instant_s(state.cycle))
+        to_s = np.minimum(to_s, constants.last_time_s(state.cycle))
         while True:
             due = state.timers.soonest_s[rows] <= to_s
             if not any_of(due):
@@ -147,5 +147,5 @@ class DeviceBoard:
             to_s: its end.
         """
         self.messenger.end_cycle(state, constants, self.log, from_s=from_s, to_s=to_s)
-        self._glands.end_cycle(state, constants, constants.last_instant_s(state.cycle))
+        self._glands.end_cycle(state, constants, constants.last_time_s(state.cycle))
         self.fields.end_cycle(state)

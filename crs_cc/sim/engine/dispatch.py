@@ -20,7 +20,7 @@ from crs_cc.requests import CODES, MESSAGE, REQUESTS, Request
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.devices.waits import when
-from crs_cc.sim.engine.simple_requests import serve_simply
+from crs_cc.sim.engine.simple_requests import answer_simple_requests
 from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.world_data import WorldData
 
@@ -50,7 +50,7 @@ class Dispatcher:
             messages["result"] = 0
             return np.array(clock_s, dtype=np.float64)
         arguments = messages["i"].copy()
-        simply = serve_simply(data, code, rows, messages, clock_s)
+        simply = answer_simple_requests(data, code, rows, messages, clock_s)
         if simply is not None:
             goes_on_s, states = simply
             self._note(code, (rows, goes_on_s), messages, arguments=arguments, states=states)
@@ -66,11 +66,11 @@ class Dispatcher:
         context = self._context(request, rows, messages, now_s)
         good = self._handle(context)
         if request.moves:
-            data.let_go_if_empty(rows, now_s)
+            data.go_limp_if_empty(rows, now_s)
         goes_on_s = now_s.copy()
         if request.changes_world:
             goes_on_s[:] = data.end_s
-            data.refurnish(moved=code == CODES["PLACE_ROBOT"] and bool(good.any()))
+            data.rebuild_scene_data(moved=code == CODES["PLACE_ROBOT"] and bool(good.any()))
             data.advance_to(rows, goes_on_s)
             context = self._context(request, rows, messages, goes_on_s)
         if not request.waits or self._ends_at_once(context, good):

@@ -180,9 +180,9 @@ class Environment:
         self._begin_cycle()
         # Part of the next cycle: waits that end in it, and robots that join or leave at its start.
         ended, at_s, messages = self._dispatcher.end_waits()
-        is_due = data.is_anybody_due()
+        is_due = data.has_pending_joins()
         if is_due:
-            data.come_and_go()
+            data.update_roster()
         self._is_untouched = not (served or len(ended) or is_due)
         return Step(
             cycle=cycle,
@@ -327,9 +327,9 @@ class Environment:
         return self._running.end_s
 
     @property
-    def awaits(self) -> bool:
+    def expects_robots(self) -> bool:
         """True if robots are still to join in the future."""
-        return self._running.awaits
+        return self._running.expects_robots
 
     @property
     def drives(self) -> Drives:
@@ -379,7 +379,7 @@ class Environment:
         drive.renew_deadline(state, robots)
         drive.run_at(state, data.constants, robots, speed)
         state.commands[robots] += 1
-        data.let_go_if_empty(robots, at_s)
+        data.go_limp_if_empty(robots, at_s)
 
     def measure(self, device: str, robots: IndexArray) -> None:
         """Measure with a device of robots now, at most at its rate; sonars measure by themselves.
@@ -433,21 +433,21 @@ class Environment:
         """Make a robot leave at the end of the current cycle."""
         self._data.dismiss_robot(number)
 
-    def carry(self, name: str, place: Pose) -> None:
+    def teleport(self, name: str, place: Pose) -> None:
         """Move a robot or a pushable object to another pose."""
-        self._data.carry(name, place)
+        self._data.teleport(name, place)
 
-    def take_away(self, name: str) -> None:
+    def remove_obstacle(self, name: str) -> None:
         """Remove an obstacle."""
-        self._data.take_away(name)
+        self._data.remove_obstacle(name)
 
     def charge(self, number: int, share: float) -> None:
         """Set the state of charge of a robot's motor battery, 0 to 1."""
         self._data.charge(number, share)
 
-    def warm(self, name: str, heat: float) -> None:
+    def set_heat(self, name: str, heat: float) -> None:
         """Set the heat of a robot or an object, 0 or more."""
-        self._data.warm(name, heat)
+        self._data.set_heat(name, heat)
 
     def set_evaporation(self, field: str, evaporation_s: float) -> None:
         """Set the evaporation time of a pheromone field, infinite for never."""

@@ -23,7 +23,7 @@ def log_falls(
     log: EventLog,
     time_s: float,
     before_m: FloatArray,
-    went_m: FloatArray,
+    displacement_m: FloatArray,
 ) -> None:
     """Log which robots fell in a cycle, and how far.
 
@@ -32,13 +32,13 @@ def log_falls(
         log: receives the events.
         time_s: the end of the cycle.
         before_m: positions of the robots at its start, (robots, 2).
-        went_m: their displacements, (robots, 2).
+        displacement_m: their displacements, (robots, 2).
     """
     if constants.inclines is None:
         return
-    terrain, after_m = constants.inclines.terrain, before_m + went_m
+    terrain, after_m = constants.inclines.terrain, before_m + displacement_m
     drop_m = terrain.height_m(*before_m.T) - terrain.height_m(*after_m.T)
     slope = exact.hypot(*terrain.gradient(*before_m.T).T)
-    fell = drop_m > constants.drives.step_m + slope * exact.hypot(*went_m.T) * 1.001
+    fell = drop_m > constants.drives.step_m + slope * exact.hypot(*displacement_m.T) * 1.001
     for robot in np.flatnonzero(fell).tolist():
         log.say(time_s, "fall", f"fell {drop_m[robot]:.2f} m", robot)

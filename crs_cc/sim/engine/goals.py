@@ -46,7 +46,7 @@ from crs_cc.sim.model.goals import (
     Reach,
     Visit,
 )
-from crs_cc.sim.state.goals import FAILED, MET, NOT_THERE, OPEN, GoalState, mark_ranges
+from crs_cc.sim.state.goals import ABSENT, FAILED, MET, OPEN, GoalState, mark_ranges
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -188,8 +188,8 @@ class GoalJudge:
         goals, ended = state.goals, state.cycle + 1
         assert goals is not None
         there, since = self._there(number, state), goals.since[:, number]
-        since[there & (since == NOT_THERE)] = ended
-        since[~there] = NOT_THERE
+        since[there & (since == ABSENT)] = ended
+        since[~there] = ABSENT
         stayed_s = (ended - since) * self._world.timestep_s
         goals.done[:, number] |= there & (stayed_s >= stay_s - ROUNDING_S)
         return self._by_robots(number, goals.done[:, number])
@@ -240,15 +240,15 @@ class GoalJudge:
     def _brings(self, number: int, condition: Bring, state: EnvState) -> bool:
         goals, ended = state.goals, state.cycle + 1
         assert goals is not None
-        if not self._are_there(condition, state):
-            goals.brought[number] = NOT_THERE
+        if not self._all_present(condition, state):
+            goals.brought[number] = ABSENT
             return False
-        if goals.brought[number] == NOT_THERE:
+        if goals.brought[number] == ABSENT:
             goals.brought[number] = ended
         stayed_s = (ended - goals.brought[number]) * self._world.timestep_s
         return bool(stayed_s >= condition.stay_s - ROUNDING_S)
 
-    def _are_there(self, condition: Bring, state: EnvState) -> bool:
+    def _all_present(self, condition: Bring, state: EnvState) -> bool:
         numbers = [self._numbers.get(thing) for thing in condition.things]
         if any(number is None for number in numbers):
             return False
@@ -259,7 +259,7 @@ class GoalJudge:
         if not len(contacts.robot):
             return False
         mine = self._chosen[number][contacts.robot]
-        allowed = [self._numbers.get(name, NOT_THERE) for name in condition.excepted]
+        allowed = [self._numbers.get(name, ABSENT) for name in condition.excepted]
         return bool((mine & ~np.isin(contacts.other, allowed)).any())
 
     def _count(self, number: int, state: EnvState, timesteps: int) -> None:
@@ -313,7 +313,7 @@ class GoalJudge:
         can = self._chosen[number] & state.presence.present
         match condition:
             case Reach() | Approach():
-                is_noted = goals.since[:, number] != NOT_THERE
+                is_noted = goals.since[:, number] != ABSENT
                 if (is_noted != self._there(number, state)).any():
                     return 0.0
                 return float(np.abs(self._outside_m(number, state)[can]).min(initial=np.inf))
@@ -325,8 +325,8 @@ class GoalJudge:
             case Cool():
                 return 0.0 if self._cools(condition, state) else math.inf
             case Bring():
-                is_noted = bool(goals.brought[number] != NOT_THERE)
-                return math.inf if is_noted == self._are_there(condition, state) else 0.0
+                is_noted = bool(goals.brought[number] != ABSENT)
+                return math.inf if is_noted == self._all_present(condition, state) else 0.0
             case NoCollision():
                 return math.inf
         return 0.0  # each timestep counts
@@ -346,7 +346,7 @@ class GoalJudge:
             waiting = goals.since[~goals.done[:, number], number].tolist()
             waiting.append(int(goals.brought[number]))
             timestep_s = self._world.timestep_s
-            found += [since * timestep_s + stay_s for since in waiting if since != NOT_THERE]
+            found += [since * timestep_s + stay_s for since in waiting if since != ABSENT]
         return min(found)
 
     def skip(self, state: EnvState, timesteps: int) -> None:

@@ -24,7 +24,7 @@ def move(data: WorldData, *, tells_slices: bool) -> tuple[Slices, Contacts, list
     before_m = state.bodies.position_m[: len(state.heading_rad)].copy()
     slices, contacts, found = NO_SLICES, NO_CONTACTS, HELD_UP
     times_s = data.timestep_s, end_s
-    if data.physics.passes(state.bodies, state.drive.moved_m, traction.facing_rad(state)):
+    if data.physics.may_skip_cycle(state.bodies, state.drive.moved_m, traction.facing_rad(state)):
         if tells_slices:
             slices = slices_of(state, data.axes, data.timestep_s)
         found, empty, data.is_weary = state.rows.finish(
@@ -35,16 +35,16 @@ def move(data: WorldData, *, tells_slices: bool) -> tuple[Slices, Contacts, list
         contacts = data.physics.step(state.bodies, pull)
     if found != ADVANCED:
         # Wheels that were held up have not turned; only now the robots' true motion is known.
-        went_m = state.bodies.position_m[: len(before_m)] - before_m
-        traction.apply_contacts(state, constants, went_m)
+        displacement_m = state.bodies.position_m[: len(before_m)] - before_m
+        traction.apply_contacts(state, constants, displacement_m)
         if tells_slices:
             slices = slices_of(state, data.axes, data.timestep_s)
-        log_falls(constants, data.log, end_s, before_m, went_m)
-        uphill_m = traction.uphill_ways_m(constants, before_m, went_m)
-        way_m = None if uphill_m is None else state.distance_m + uphill_m
+        log_falls(constants, data.log, end_s, before_m, displacement_m)
+        uphill_m = traction.ground_distances_m(constants, before_m, displacement_m)
+        total_m = None if uphill_m is None else state.distance_m + uphill_m
         _, empty, data.is_weary = state.rows.finish(state, times_s, before_m, constants.kinds)
-        if way_m is not None:
-            state.distance_m[:] = way_m
+        if total_m is not None:
+            state.distance_m[:] = total_m
     # Hands grasp what is there now; held objects change the bodies.
     if handling.end_cycle(state, constants, contacts, end_s):
         data.physics.start_from(state.bodies)

@@ -52,7 +52,7 @@ def catch_up(data: WorldData, cycles: int) -> None:
     """Execute the quiet cycles before the current one, whose number has been advanced already."""
     state, constants = data.state, data.constants
     present = np.flatnonzero(state.presence.present)
-    until_s = np.full(len(present), constants.last_instant_s(state.cycle - 1))
+    until_s = np.full(len(present), constants.last_time_s(state.cycle - 1))
     data.devices.sonars.catch_up(state, constants, data.rays, present, until_s)
     state.drive.clock_s[present] = data.time_s
     data.physics.skip(state.bodies, cycles)
@@ -69,7 +69,7 @@ def _is_at_rest(data: WorldData) -> bool:
         return False
     if bumper_state(state).pressed.any() or state.bodies.holds.any() or data.log.snapshot():
         return False
-    if any(data.constants.degradations.concern(state, device) for device in _MOTIONS):
+    if any(data.constants.degradations.affects(state, device) for device in _MOTIONS):
         return False
     devices = data.devices
     if not (devices.handling.is_idle(state) and devices.messenger.is_idle(state)):

@@ -52,7 +52,7 @@ class Timetable:
         join_s = self._join_s[_expected(presence)].min(initial=np.inf)
         return float(self._leave_s[np.isinf(presence.left_s)].min(initial=join_s))
 
-    def is_anybody_due(self, presence: PresenceState, after_s: float) -> bool:
+    def has_pending_joins(self, presence: PresenceState, after_s: float) -> bool:
         """Return whether any robot is to join after a time."""
         return bool((self._join_s[_expected(presence)] > after_s + ROUNDING_S).any())
 
@@ -71,7 +71,7 @@ class Timetable:
         joined = []
         for robot in np.flatnonzero(due).tolist():
             wanted = self._robots[robot]
-            obj = in_the_way(state, constants, wanted.start, wanted.model.radius_m)
+            obj = obstructing_object(state, constants, wanted.start, wanted.model.radius_m)
             if not obj:
                 join(state, constants, robot, now_s, log)
                 joined.append(robot)
@@ -110,7 +110,7 @@ def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> Non
         log.say(now_s, "leave", "left without having joined" if never else "left", robot)
 
 
-def in_the_way(
+def obstructing_object(
     state: EnvState, constants: RobotConstants, place: Pose, radius_m: float, robot: int = -1
 ) -> str:
     """Return the name of the object that a robot would overlap at a position; empty for none.
@@ -139,7 +139,7 @@ def in_the_way(
     return f"'{constants.scene.names[near[0]]}'" if len(near) else ""
 
 
-def complaint(robot: Robot, names: Sequence[str], now_s: float) -> str:
+def validation_error(robot: Robot, names: Sequence[str], now_s: float) -> str:
     """Return why a robot cannot be added to a world, overlaps aside; empty if it can.
 
     Args:
@@ -148,7 +148,7 @@ def complaint(robot: Robot, names: Sequence[str], now_s: float) -> str:
         now_s: the time.
     """
     start = robot.start
-    if wrong := object_ids.complaint(robot.id):
+    if wrong := object_ids.validation_error(robot.id):
         return f"its id: {wrong}"
     if robot.id in names:
         return "its id is in use"

@@ -13,8 +13,8 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Records
 from crs_cc.sim.devices import drive
-from crs_cc.sim.devices.sensor_board import tell
-from crs_cc.sim.devices.vendor_state import Told
+from crs_cc.sim.devices.sensor_board import write_readings
+from crs_cc.sim.devices.vendor_state import KernelReply
 from crs_cc.sim.kernels.tables import ADVANCED, SENSOR_DUE
 from crs_cc.sim.state.rows import simplest
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.world_data import WorldData
 
 
-def serve_simply(
+def answer_simple_requests(
     data: WorldData, code: int, rows: IndexArray, messages: Records, clock_s: FloatArray
 ) -> tuple[FloatArray, Int32Array] | None:
     """Answer requests of one kind, if they are simple.
@@ -43,7 +43,7 @@ def serve_simply(
         return None
     state, constants, cycle = data.state, data.constants, data.state.cycle
     some = simplest(rows, len(state.connected))
-    service = data.end_s, constants.last_instant_s(cycle), command, cycle
+    service = data.end_s, constants.last_time_s(cycle), command, cycle
     asked = clock_s, state.presence.joined_s[some], messages["i"]
     found, at_s, mounts, replies = state.rows.serve(some, service, asked, constants.kinds)
     if found == SENSOR_DUE:
@@ -53,9 +53,11 @@ def serve_simply(
     if found != ADVANCED:
         return None
     board = data.devices.sensor_board
-    told = Told.by(replies["state"], mounts)
-    board.measure_simply(state, constants, data.rays, (rows, at_s), code, told=told)
-    tell(state, constants, rows, replies["state"])
+    kernel_reply = KernelReply.by(replies["state"], mounts)
+    board.measure_for_simple_requests(
+        state, constants, data.rays, (rows, at_s), code, kernel_reply=kernel_reply
+    )
+    write_readings(state, constants, rows, replies["state"])
     board.write(state, constants, (rows, at_s), replies, messages)
     messages["result"] = 1
     return at_s, replies["state"]
@@ -67,5 +69,5 @@ def _is_simple(data: WorldData) -> bool:
     return (
         drive.moves_as_commanded(state, constants)
         and not len(state.pos_data.reported)
-        and not constants.degradations.concern(state, "battery")
+        and not constants.degradations.affects(state, "battery")
     )

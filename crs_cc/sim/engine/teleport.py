@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
-from crs_cc.sim.engine.roster import EDGE, in_the_way
+from crs_cc.sim.engine.roster import EDGE, obstructing_object
 from crs_cc.sim.geometry.overlap import overlap_m
 from crs_cc.sim.geometry.placement import TOLERANCE_M
 from crs_cc.sim.geometry.scene import corners_m
@@ -57,14 +57,14 @@ def put_robot(
     _part(state, constants, robot)
 
 
-def carry_robot(state: EnvState, constants: RobotConstants, robot: int, place: Pose) -> str:
+def teleport_robot(state: EnvState, constants: RobotConstants, robot: int, place: Pose) -> str:
     """Move a robot to a pose, turned as a whole, if the place is free.
 
     Returns:
         the name of what it would overlap; empty if it was moved.
     """
     radius_m = float(constants.radius_m[robot])
-    if obj := in_the_way(state, constants, place, radius_m, robot):
+    if obj := obstructing_object(state, constants, place, radius_m, robot):
         return obj
     turn_rad = place.heading_rad - float(state.heading_rad[robot])
     base_rad = float(state.base_rad[robot]) + turn_rad
@@ -73,7 +73,7 @@ def carry_robot(state: EnvState, constants: RobotConstants, robot: int, place: P
     return ""
 
 
-def carry_object(state: EnvState, constants: RobotConstants, body: int, place: Pose) -> str:
+def teleport_object(state: EnvState, constants: RobotConstants, body: int, place: Pose) -> str:
     """Move a pushable object to a pose, if the place is free.
 
     Returns:

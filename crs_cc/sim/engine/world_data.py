@@ -37,9 +37,9 @@ from crs_cc.sim.engine.device_board import DeviceBoard
 from crs_cc.sim.engine.goal_floor import Floor
 from crs_cc.sim.engine.goals import GoalJudge
 from crs_cc.sim.engine.handlers import handlers_of, simple_commands, waits_of
-from crs_cc.sim.engine.roster import Timetable, complaint, in_the_way, leave
+from crs_cc.sim.engine.roster import Timetable, leave, obstructing_object, validation_error
 from crs_cc.sim.engine.step import Served
-from crs_cc.sim.engine.teleport import carry_object, carry_robot
+from crs_cc.sim.engine.teleport import teleport_object, teleport_robot
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.kernels.tables import ADVANCED
@@ -111,7 +111,7 @@ class WorldData:
     def _start(self, world: WorldModel) -> None:
         """Set up the state of a world before its first cycle."""
         self.state = EnvState.at_start(world)
-        self._equip(world)
+        self._build_robot_data(world)
         self._begin(np.flatnonzero(self.state.presence.present))
 
     @property
@@ -145,9 +145,9 @@ class WorldData:
         return (self.state.cycle + 1) * self.timestep_s
 
     @property
-    def awaits(self) -> bool:
+    def expects_robots(self) -> bool:
         """Return whether robots are still to join in the future."""
-        return self._timetable.is_anybody_due(self.state.presence, self.time_s)
+        return self._timetable.has_pending_joins(self.state.presence, self.time_s)
 
     def add_robot(self, robot: Robot) -> int:
         """Add a robot to the world, between two cycles; return its number.
@@ -158,16 +158,16 @@ class WorldData:
         Raises:
             ValueError: it is invalid, or its place is occupied.
         """
-        wrong = complaint(robot, self.names, self.time_s)
+        wrong = validation_error(robot, self.names, self.time_s)
         if not wrong and robot.join_s <= self.time_s:
-            obj = in_the_way(self.state, self.constants, robot.start, robot.model.radius_m)
+            obj = obstructing_object(self.state, self.constants, robot.start, robot.model.radius_m)
             wrong = f"it would overlap {obj}" if obj else ""
         if wrong:
             raise ValueError(f"robot {robot.id!r} cannot join: {wrong}")
         world = replace(self.world, robots=(*self.world.robots, robot))
         self.state = grown(self.state, world)
-        self._equip(world)
-        self.come_and_go()
+        self._build_robot_data(world)
+        self.update_roster()
         return len(world.robots) - 1
 
     def remove_robot(self, number: int) -> None:
@@ -181,7 +181,7 @@ class WorldData:
         if np.isfinite(self.state.presence.left_s[number]):
             raise ValueError(f"robot {self.world.robots[number].id!r} has already left")
         leave(self.state, np.array([number]), self.time_s, self.log)
-        self.come_and_go()
+        self.update_roster()
 
     def admit_robots(self, numbers: Sequence[int]) -> None:
         """Let robots join now that are to join later, or when their place is free, between cycles.
@@ -197,8 +197,8 @@ class WorldData:
                 if np.isfinite(times_s[number]):
                     raise ValueError(f"robot {robots[number].id!r} has already {done}")
             robots[number] = replace(robots[number], join_s=self.time_s)
-        self._equip(replace(self.world, robots=tuple(robots)))
-        self.come_and_go()
+        self._build_robot_data(replace(self.world, robots=tuple(robots)))
+        self.update_roster()
 
     def delay_robots(self, numbers: Sequence[int]) -> None:
         """Start again without some robots, which join when they are admitted.
@@ -225,9 +225,9 @@ class WorldData:
             raise ValueError(f"robot {self.world.robots[number].id!r} has already left")
         robots = list(self.world.robots)
         robots[number] = replace(robots[number], leave_s=self.end_s)
-        self._equip(replace(self.world, robots=tuple(robots)))
+        self._build_robot_data(replace(self.world, robots=tuple(robots)))
 
-    def carry(self, name: str, place: Pose) -> None:
+    def teleport(self, name: str, place: Pose) -> None:
         """Move a robot or a pushable object to another pose.
 
         A robot is turned as a whole, without a change of its odometry; see `teleport`.
@@ -238,23 +238,23 @@ class WorldData:
         number = self.names.index(name) if name in self.names else -1
         if number in range(len(self.world.robots)):
             self._demand_presence(number)
-            obj = carry_robot(self.state, self.constants, number, place)
+            obj = teleport_robot(self.state, self.constants, number, place)
         else:
             if wrong := self._immovable(name):
                 raise ValueError(wrong)
-            obj = carry_object(self.state, self.constants, number, place)
+            obj = teleport_object(self.state, self.constants, number, place)
         if obj:
             raise ValueError(f"cannot move {name!r}: it would overlap {obj}")
-        self.refurnish(moved=True)
+        self.rebuild_scene_data(moved=True)
 
-    def take_away(self, name: str) -> None:
+    def remove_obstacle(self, name: str) -> None:
         """Remove an obstacle from the world.
 
         Raises:
             ValueError: it does not exist, or is the edge of the world or a robot.
         """
         self.state.obstacles = without(self.state.obstacles, self.world, name)
-        self.refurnish(moved=False)
+        self.rebuild_scene_data(moved=False)
 
     def charges(self, number: int) -> tuple[float, float]:
         """Return the state of charge of a robot's computer and motor batteries, 0 to 1."""
@@ -275,7 +275,7 @@ class WorldData:
         batteries = self.devices.sensor_board.batteries
         batteries.charge(self.state, self.constants, number, at_s=self.time_s, share=share)
 
-    def warm(self, name: str, heat: float) -> None:
+    def set_heat(self, name: str, heat: float) -> None:
         """Set the heat of a robot or an object, 0 or more."""
         self.state.heat.left[self.names.index(name)] = heat
 
@@ -294,9 +294,9 @@ class WorldData:
         self.is_weary = True
         self.state.replace(before)
         if snapshot.world is not self.world:
-            self._equip(snapshot.world)
-        elif not self._is_furnished():
-            self._furnish(Scene(self.world_now, self.state.presence.present))
+            self._build_robot_data(snapshot.world)
+        elif not self._has_same_objects():
+            self._build_scene_data(Scene(self.world_now, self.state.presence.present))
         self._due_s = self._timetable.due_s(self.state.presence)
         self.physics.restore(snapshot.physics)
         self.log.restore(snapshot.events)
@@ -311,7 +311,7 @@ class WorldData:
             renews: whether their command timeouts begin anew then.
         """
         state, constants = self.state, self.constants
-        last_s = constants.last_instant_s(state.cycle)
+        last_s = constants.last_time_s(state.cycle)
         some = ALL if len(rows) == len(state.drive.clock_s) else rows
         done = drive.advance_freely(state, constants, some, to_s, last_s, renews=renews)
         if done == ADVANCED:
@@ -322,7 +322,7 @@ class WorldData:
         if renews:
             drive.renew_deadline(state, rows)
 
-    def let_go_if_empty(self, rows: IndexArray, at_s: FloatArray) -> None:
+    def go_limp_if_empty(self, rows: IndexArray, at_s: FloatArray) -> None:
         """Make the axes of robots with empty batteries limp."""
         batteries = self.devices.sensor_board.batteries
         if not (self.is_weary and len(rows)) or batteries.last:
@@ -345,7 +345,7 @@ class WorldData:
         holders = np.flatnonzero((self.state.bodies.holds.object == number).any(axis=1)).tolist()
         return f"{self._robot_ids[holders[0]]!r} holds {name!r}" if holders else ""
 
-    def _equip(self, world: WorldModel) -> None:
+    def _build_robot_data(self, world: WorldModel) -> None:
         """Build all that is derived from the set of robots."""
         self.world, self.is_weary = world, True
         self.constants = RobotConstants.of(world, self._seed)
@@ -358,9 +358,9 @@ class WorldData:
         self.line = SerialLine(world)
         self._timetable = Timetable(world)
         self._due_s = self._timetable.due_s(self.state.presence)
-        self._furnish(Scene(self.world_now, self.state.presence.present))
+        self._build_scene_data(Scene(self.world_now, self.state.presence.present))
 
-    def _furnish(self, scene: Scene) -> None:
+    def _build_scene_data(self, scene: Scene) -> None:
         """Build all that is derived from the scene."""
         self._furnished = self.state.obstacles, self.state.presence.present
         self.names = scene.names
@@ -369,9 +369,9 @@ class WorldData:
         self.rays = RayCaster(scene, self.devices.fans, self._threads)
         self.goals = GoalJudge(self.world, self.names, self.constants, self._floor)
 
-    def refurnish(self, moved: bool) -> None:
+    def rebuild_scene_data(self, moved: bool) -> None:
         """Rebuild it if objects were added or removed, or a robot was moved."""
-        if self._is_furnished():
+        if self._has_same_objects():
             if moved:
                 self.physics.start_from(self.state.bodies)
                 self.rays.forget()
@@ -379,9 +379,9 @@ class WorldData:
         scene = Scene(self.world_now, self.state.presence.present)
         if scene.names != self.names:
             self.state.renumber(self.names, scene.names)
-        self._furnish(scene)
+        self._build_scene_data(scene)
 
-    def _is_furnished(self) -> bool:
+    def _has_same_objects(self) -> bool:
         """Return whether the scene still has the same objects."""
         obstacles, present = self._furnished
         same = np.array_equal(self.state.presence.present, present)
@@ -392,17 +392,17 @@ class WorldData:
         """Return the time of the next join or leave, infinite for never."""
         return self._due_s
 
-    def is_anybody_due(self) -> bool:
+    def has_pending_joins(self) -> bool:
         """Return whether it is time for a robot to join or to leave."""
         return self.time_s >= self._due_s - ROUNDING_S
 
-    def come_and_go(self) -> None:
+    def update_roster(self) -> None:
         """Remove and add the robots whose time to leave or to join has come."""
         self.is_weary = True
         now_s = self.time_s
         self._timetable.leave(self.state, now_s, self.log)
         joined = self._timetable.join(self.state, self.constants, now_s, self.log)
-        self.refurnish(moved=False)
+        self.rebuild_scene_data(moved=False)
         self._begin(joined)
         self._due_s = self._timetable.due_s(self.state.presence)
 

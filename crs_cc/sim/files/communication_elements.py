@@ -63,17 +63,17 @@ def _channel(element: Element, before: Channel, reader: Reader) -> Channel:
     return replace(
         before,
         range_m=reader.positive(element, "range", LENGTH, before.range_m),
-        walls=reader.share(element, "walls", before.walls),
+        walls=reader.fraction(element, "walls", before.walls),
         delay_s=_delay(element, "delay", before.delay_s, reader),
         jitter_s=_delay(element, "jitter", before.jitter_s, reader),
         bandwidth_bps=_bandwidth(element, before.bandwidth_bps, reader),
         queue=reader.whole(element, "queue", 1, LONGEST_QUEUE, before.queue),
         drops_oldest=before.drops_oldest if drop is None else drop == "oldest",
-        loss=reader.share(element, "loss", before.loss),
-        burst_begin=reader.share(element, "burst-begin", before.burst_begin),
-        burst_end=reader.share(element, "burst-end", before.burst_end),
-        burst_loss=reader.share(element, "burst-loss", before.burst_loss),
-        corruption=reader.share(element, "corruption", before.corruption),
+        loss=reader.fraction(element, "loss", before.loss),
+        burst_begin=reader.fraction(element, "burst-begin", before.burst_begin),
+        burst_end=reader.fraction(element, "burst-end", before.burst_end),
+        burst_loss=reader.fraction(element, "burst-loss", before.burst_loss),
+        corruption=reader.fraction(element, "corruption", before.corruption),
     )
 
 

@@ -25,12 +25,12 @@ from crs_cc.sim.model.degradation import (
     HOLD,
     MAX_MEMORY,
     Degradation,
-    complaint,
     degradables,
     element_of,
     memory_size,
     out_of_range,
     shown,
+    validation_error,
 )
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import Robot
@@ -97,7 +97,7 @@ def degradation(element: Element, model: RobotModel, reader: Reader) -> Degradat
     )
     for wrong in out_of_range(found):
         reader.refuse(element, wrong)
-    if not element.broken and (wrong := complaint(found, model)):
+    if not element.broken and (wrong := validation_error(found, model)):
         reader.refuse(element, wrong)
     return None if element.broken else found
 

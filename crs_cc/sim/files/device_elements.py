@@ -34,7 +34,7 @@ def models(root: Element, reader: Reader) -> tuple[tuple[str, Any], ...]:
 
 
 def _model(device: Device, root: Element, reader: Reader) -> Any | None:
-    element = root.maybe(device.element)
+    element = root.find_child(device.element)
     return None if element is None else read_attributes(device.model, element, reader)
 
 

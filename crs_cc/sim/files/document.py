@@ -73,7 +73,7 @@ class Element:
         """Return the first child with a tag, or an empty element."""
         return next(self.all(tag), Element(tag, self.line))
 
-    def maybe(self, tag: str) -> Element | None:
+    def find_child(self, tag: str) -> Element | None:
         """Return the first child with a tag, or None."""
         return next(self.all(tag), None)
 
@@ -138,7 +138,7 @@ class Reader:
         self.refuse(element, f"{name}: {_find(element, name)!r} must not be negative")
         return absent
 
-    def share(self, element: Element, name: str, absent: float = 0.0) -> float:
+    def fraction(self, element: Element, name: str, absent: float = 0.0) -> float:
         """Return a value from 0 to 1."""
         value = self.quantity(element, name, _SHARE, absent)
         if 0.0 <= value <= 1.0:
@@ -162,5 +162,5 @@ class Reader:
 
 def _find(element: Element, name: str) -> str | None:
     """Return the text of the attribute or child element with a name."""
-    child = element.maybe(name)
+    child = element.find_child(name)
     return element.attributes.get(name, None if child is None else child.text)

@@ -183,7 +183,7 @@ class _GoalReader:
         return self.reader.not_negative(element, "stay", TIME)
 
     def _share(self, element: Element) -> float:
-        share = self.reader.share(element, "share", 1.0)
+        share = self.reader.fraction(element, "share", 1.0)
         if share == 0.0:
             self.reader.refuse(element, "share: must be greater than 0")
         return share

@@ -44,8 +44,8 @@ class Materials:
             reader.refuse(element, f"material: {unknown('material', name, tuple(self._known))}")
         infrared = base.infrared
         if "infrared" in element.attributes:
-            infrared = reader.share(element, "infrared", 1.0)
-        sonar = reader.share(element, "sonar", base.sonar)
+            infrared = reader.fraction(element, "infrared", 1.0)
+        sonar = reader.fraction(element, "sonar", base.sonar)
         return replace(base, colour=_colour(element, base, reader), sonar=sonar, infrared=infrared)
 
 

@@ -18,10 +18,10 @@ _OURS: Final = ("edge-", "obstacle-")  # reserved; `obstacle-` is for objects th
 _ID: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]{0,63}")
 
 
-def complaint(name: str) -> str:
+def validation_error(name: str) -> str:
     """Return why an id is invalid; empty if it is valid.
 
-    >>> complaint("edge-north")
+    >>> validation_error("edge-north")
     'the prefix edge- is reserved'
     """
     if name.startswith(_OURS):
@@ -46,7 +46,7 @@ def name_objects(elements: Sequence[Element], reader: Reader) -> None:
                 element,
                 f"duplicate id {name!r} (first used in {used[name].place})",
             )
-        elif wrong := complaint(name):
+        elif wrong := validation_error(name):
             reader.error(element, f"invalid id {name!r}: {wrong}")
         used.setdefault(name, element)
 

@@ -118,7 +118,7 @@ def _odometry(element: Element, reader: Reader) -> Odometry:
 
 
 def _turning(drive: Element, name: str, reader: Reader) -> Axis | None:
-    element = drive.maybe(name)
+    element = drive.find_child(name)
     return None if element is None else _axis(element, reader, TURN_RATE, TURN_ACCELERATION)
 
 

@@ -75,7 +75,7 @@ class Scatter:
             }  # fmt: skip
 
 
-def taken_out(root: Element, most: int, reader: Reader) -> list[Scatter]:
+def extract_scatters(root: Element, most: int, reader: Reader) -> list[Scatter]:
     """Take the scatters out of a world, and return them; errors go to the reader.
 
     Args:

@@ -10,7 +10,7 @@ import numpy as np
 from crs_cc.core.quantity import ANGLE, HEAT, LENGTH, MASS
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.material_elements import Materials
-from crs_cc.sim.model.polygon import area_m2, complaint
+from crs_cc.sim.model.polygon import area_m2, validation_error
 from crs_cc.sim.model.world import (
     EVERYWHERE_M,
     FIXED_KG,
@@ -104,7 +104,7 @@ class SolidElements:
     def _polygon(self, element: Element) -> Polygon:
         corners = self._corners(element)
         name = element.attributes["id"]
-        if not element.broken and (wrong := complaint(np.array(corners).reshape(-1, 2))):
+        if not element.broken and (wrong := validation_error(np.array(corners).reshape(-1, 2))):
             self.reader.error(element, f"polygon {name!r}: {wrong}")
             element.broken = True
         if element.broken:

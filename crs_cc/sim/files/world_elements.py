@@ -12,6 +12,7 @@ from crs_cc.sim.files.communication_elements import communication
 from crs_cc.sim.files.composite_elements import CompositeElements
 from crs_cc.sim.files.degradation_elements import degradations
 from crs_cc.sim.files.document import MAX_MESSAGES, Element, Reader
+from crs_cc.sim.files.entities import MAX_OBJECTS, Entities, FindModel
 from crs_cc.sim.files.field_elements import fields_of
 from crs_cc.sim.files.foraging_elements import nests_of, sources_of
 from crs_cc.sim.files.goal_elements import goals
@@ -19,9 +20,8 @@ from crs_cc.sim.files.ground_elements import ground
 from crs_cc.sim.files.include import Included
 from crs_cc.sim.files.material_elements import Materials
 from crs_cc.sim.files.object_ids import name_objects
-from crs_cc.sim.files.scatter_elements import taken_out
+from crs_cc.sim.files.scatter_elements import extract_scatters
 from crs_cc.sim.files.solid_elements import SHORTEST_M, SolidElements
-from crs_cc.sim.files.things import MAX_THINGS, FindModel, Things
 from crs_cc.sim.geometry.placement import misplaced, overlapping_objects
 from crs_cc.sim.model.beacons import TONES, Light, Sound
 from crs_cc.sim.model.world import Area, Box, Cylinder, Polygon, Solid, Wall, WorldModel
@@ -79,24 +79,24 @@ def world_model(
         seed: the random seed of what is scattered; by default that of the world.
     """
     name_objects(root.children, reader)
-    scatters = taken_out(root, MAX_THINGS, reader)
-    if len(root.children) + sum(len(each.copies) for each in scatters) > MAX_THINGS:
-        reader.error(root, f"more than {MAX_THINGS} objects")
+    scatters = extract_scatters(root, MAX_OBJECTS, reader)
+    if len(root.children) + sum(len(each.copies) for each in scatters) > MAX_OBJECTS:
+        reader.error(root, f"more than {MAX_OBJECTS} objects")
         root.children, scatters = root.children[:1], []
     definitions = included.definitions(root)
     materials = Materials((each for each in definitions if each.tag == "material"), reader)
     area = _area(root.first("area"), reader, materials)
     solids = SolidElements(reader, materials)
     composites = CompositeElements((e for e in definitions if e.tag == "define"), solids)
-    things = Things(area, included.folder, materials, solids, composites, find_model)
-    things.read(root.children)
+    entities = Entities(area, included.folder, materials, solids, composites, find_model)
+    entities.read(root.children)
     world_seed = _seed(root, reader)
     if scatters:
-        things.scatter(root, scatters, seed if seed is not None else world_seed or 0)
-    if not (things.robots or (scatters and reader.diagnostics.errors)):
+        entities.scatter(root, scatters, seed if seed is not None else world_seed or 0)
+    if not (entities.robots or (scatters and reader.diagnostics.errors)):
         reader.error(root, "no robot in the world", "add <robot x='1m' y='1m'/>")
-    things.check_ids(root)
-    robots = things.robots
+    entities.check_ids(root)
+    robots = entities.robots
     world = WorldModel(
         root.attributes.get("name", name),
         area,
@@ -115,9 +115,9 @@ def world_model(
         nests=nests_of(root, reader),
     )
     world = replace(world, fields=fields_of(root, area, world.timestep_s, reader))
-    world = _with(world, things.objects)
+    world = _with(world, entities.objects)
     world = replace(world, goals=goals(root, world, reader))
-    _check(world, root, {solid.id: element for element, solid in things.objects}, reader)
+    _check(world, root, {solid.id: element for element, solid in entities.objects}, reader)
     return world
 
 

@@ -7,11 +7,11 @@ in the device's unit: metres, radians, seconds, volts.
 
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> scout = empty_world().robots[0].model
->>> complaint(Degradation("robot0", "sonar", element=3, bias=0.5, onset_s=10.0), scout)
+>>> validation_error(Degradation("robot0", "sonar", element=3, bias=0.5, onset_s=10.0), scout)
 ''
->>> complaint(Degradation("robot0", "sonar", element=16, dead=True), scout)
+>>> validation_error(Degradation("robot0", "sonar", element=16, dead=True), scout)
 'unknown element 16 of sonar (known: 0 to 15)'
->>> complaint(Degradation("robot0", "compass", dead=True), scout)
+>>> validation_error(Degradation("robot0", "compass", dead=True), scout)
 'the robot has no compass'
 """
 
@@ -142,7 +142,7 @@ def degradables() -> Mapping[str, Degradable]:
     return dict(sorted({**_OTHERS, **ours}.items()))
 
 
-def complaint(degradation: Degradation, model: RobotModel) -> str:
+def validation_error(degradation: Degradation, model: RobotModel) -> str:
     """Return an error message for a degradation of a robot; empty if it is valid."""
     texts = (degradation.robot, degradation.device, degradation.id)
     if not all(isinstance(text, str) for text in texts):

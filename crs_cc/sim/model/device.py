@@ -92,7 +92,7 @@ class Device:
         """The device's folder, which may contain a C file of its own."""
         return Path(self.source).parent
 
-    def complaint(self) -> str:
+    def validation_error(self) -> str:
         """Return why the row is invalid; empty if it is valid."""
         is_shared = not self.element and self.read is not None
         if not NAME.fullmatch(self.name) or not (is_shared or _ELEMENT.fullmatch(self.element)):

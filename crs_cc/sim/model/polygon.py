@@ -5,11 +5,11 @@ ear clipping (Meisters, "Polygons have ears", 1975): every simple polygon has tw
 neighbours see each other through the inside.
 
 >>> hook = np.array([(0, 0), (4, 0), (4, 3), (2, 1), (0, 3)], dtype=float)
->>> area_m2(hook), complaint(hook)
+>>> area_m2(hook), validation_error(hook)
 (8.0, '')
 >>> triangles(hook).tolist()
 [[1, 2, 3], [3, 4, 0], [0, 1, 3]]
->>> complaint(hook[[0, 2, 1, 3, 4]])
+>>> validation_error(hook[[0, 2, 1, 3, 4]])
 'the side from corner 1 to 2 meets the side from corner 4 to 5'
 """
 
@@ -83,7 +83,7 @@ def distances_m(points_m: FloatArray, corners_m: FloatArray, counts: IndexArray)
     return np.where(inside, -nearest_m, nearest_m)
 
 
-def complaint(corners_m: FloatArray) -> str:
+def validation_error(corners_m: FloatArray) -> str:
     """Return why corners, in either order, are not a valid polygon; empty if they are."""
     count = len(corners_m)
     if count < 3:

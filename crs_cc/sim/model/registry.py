@@ -92,7 +92,7 @@ def _complaint(device: Device, found: dict[str, Device]) -> str:
         return "duplicate sensor number"
     if device.element and device.element in {each.element for each in found.values()}:
         return "duplicate device element"
-    return device.complaint()
+    return device.validation_error()
 
 
 def _ours() -> Iterator[tuple[str, object]]:

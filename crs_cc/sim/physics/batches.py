@@ -52,7 +52,7 @@ class Batches:
         self._write_motion.set_float_buf(self._motion)
         self._write_force.set_float_buf(self._forces_n)
 
-    def learn(self, space: Space) -> None:
+    def map_bodies(self, space: Space) -> None:
         """Find out in which order pymunk lists a space's bodies, and which ids it gave them."""
         ids = np.array([body.id for body in space.bodies], dtype=np.uintp)
         numbers = np.array(space.numbers, dtype=np.intp)

@@ -138,7 +138,7 @@ class Load:
             hands = compose(frames[self.lifters], pull.hand[self.lifters])
             self._put(bodies, self.lifted, compose(hands, self.lift))
 
-    def stretch_m(self, bodies: Bodies) -> FloatArray:
+    def slip_m(self, bodies: Bodies) -> FloatArray:
         """Return how far shared objects have slipped from the centre of the fingers, (s,)."""
         mounts = np.column_stack([bodies.position_m, bodies.angle_rad])
         fingers, points = np.zeros((2, len(self.sharers), 3))
@@ -188,10 +188,10 @@ def release(state: EnvState, rows: IndexArray) -> None:
     objects = holds.object[rows]
     for kind in (GRIPPER, HAND):
         holds.drop(rows, kind)
-    grasp_anew(state, objects[objects >= 0].astype(np.intp))
+    recompute_grasps(state, objects[objects >= 0].astype(np.intp))
 
 
-def grasp_anew(state: EnvState, objects: IndexArray) -> None:
+def recompute_grasps(state: EnvState, objects: IndexArray) -> None:
     """Recompute the grasps of objects from the current poses."""
     bodies, holds = state.bodies, state.bodies.holds
     rows, held = holds.in_grippers()

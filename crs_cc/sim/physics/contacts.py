@@ -42,7 +42,7 @@ def first_contacts(scene: Scene, found: list[tuple[IndexArray, FloatArray]]) -> 
     return Contacts(pairs[mine, 0], pairs[mine, 1], x_m, y_m, NO_CONTACTS.torn)
 
 
-def told_apart(
+def separate_loads(
     load: Load, pairs: IndexArray, places: FloatArray, position_m: FloatArray
 ) -> tuple[IndexArray, IndexArray]:
     """Separate contacts of loads from those of their carriers.
@@ -65,11 +65,11 @@ def told_apart(
 
 def with_slipped(contacts: Contacts, load: Load, bodies: Bodies) -> Contacts:
     """Add the robots whose shared loads have slipped from their fingers."""
-    slipped = load.sharers[load.stretch_m(bodies) > STRETCH_M]
+    slipped = load.sharers[load.slip_m(bodies) > STRETCH_M]
     return replace(contacts, torn=np.union1d(contacts.torn, slipped))
 
 
 def is_settled(scene: Scene, pairs: IndexArray, places: FloatArray) -> bool:
-    """Return whether no object presses on another; arguments as for `told_apart`."""
+    """Return whether no object presses on another; arguments as for `separate_loads`."""
     objects = ((pairs >= scene.robots) & (pairs < len(scene.start))).any(axis=1)
     return bool((places[objects, 2] >= -2 * SLOP_M).all())

@@ -63,9 +63,9 @@ class DriveForce:
         self._own_grip_n = np.array([drive.grip_n for drive in drives])
         self._force_n = np.array([drive.force_n for drive in drives])
         self._roll_out_mps2 = np.array([drive.roll_out_mps2 for drive in drives])
-        self.bear(None)
+        self.set_loads(None)
 
-    def bear(self, load: Load | None) -> None:
+    def set_loads(self, load: Load | None) -> None:
         """Update the masses on the wheels for the robots' loads."""
         self.borne_kg = self._own_kg + (load.weight_kg if load else 0.0)
         self.mass_kg = self._own_kg + (load.mass_kg if load else 0.0)
@@ -107,7 +107,7 @@ class DriveForce:
         if incline is not None:
             for robot, joint in zip(jointed.tolist(), space.joints, strict=True):
                 joint.max_force *= float(incline.hold[robot])
-            space.rub(incline.grip[space.robots :])
+            space.scale_friction(incline.grip[space.robots :])
             roll_n = self._roll_n * np.sqrt(incline.grip[: space.robots])
             limit_n = np.where(pull.limp, roll_n, limit_n)
             rolls = pull.limp & (incline.sloping | bodies.slipping)

@@ -24,7 +24,7 @@ mechanics; the simplifications are our choice.
 ...   <robot x="4m" y="4m"/></world>''', "ramp")
 >>> from crs_cc.sim.geometry.scene import Scene
 >>> scene = Scene(world)
->>> incline = Inclines(world, scene).under(scene.start[:, :2], np.zeros(1), np.array([23.0]))
+>>> incline = Inclines(world, scene).slope_under(scene.start[:, :2], np.zeros(1), np.array([23.0]))
 >>> -incline.pull_n.round(3), round(23 * 9.80665 * 0.25 / (1 + 0.25**2), 3)
 (array([[53.071,  0.   ]]), 53.071)
 """
@@ -114,7 +114,9 @@ class Inclines:
         self._reach_m = radius_m + fastest_m * world.timestep_s + _MARGIN_M
         self._near = self.terrain.grid(self._reach_m)
 
-    def under(self, position_m: FloatArray, facing_rad: FloatArray, mass_kg: FloatArray) -> Incline:
+    def slope_under(
+        self, position_m: FloatArray, facing_rad: FloatArray, mass_kg: FloatArray
+    ) -> Incline:
         """Return the slope under bodies.
 
         Args:
@@ -161,7 +163,7 @@ class Inclines:
         )
         return x_m * share, y_m * share
 
-    def longer(self, position_m: FloatArray, direction: FloatArray) -> FloatArray:
+    def length_ratios(self, position_m: FloatArray, direction: FloatArray) -> FloatArray:
         """Return the ratios of lengths along the ground to those in the horizontal plane.
 
         Args:

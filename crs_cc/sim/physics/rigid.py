@@ -25,7 +25,7 @@ from crs_cc.sim.state.bodies import Bodies
 
 
 @dataclass(frozen=True, slots=True)
-class Whole:
+class CompositeBody:
     """The body of a composite object.
 
     Attributes:
@@ -70,7 +70,7 @@ class Rigid:
         for number, obj in enumerate(scene.pushables):
             if obj.part_of:
                 groups.setdefault(obj.part_of, []).append(number)
-        self.wholes = [Whole.of([(obj, np.zeros(3))]) for obj in scene.pushables]
+        self.wholes = [CompositeBody.of([(obj, np.zeros(3))]) for obj in scene.pushables]
         rows: list[int] = []
         first: list[int] = []
         places = [np.zeros((0, 3))]
@@ -81,7 +81,7 @@ class Rigid:
             middle = np.zeros((len(objects), 3))
             middle[:, :2] = (mass_kg[:, None] * start[:, :2]).sum(axis=0) / mass_kg.sum()
             place = relative(middle, start)
-            self.wholes[numbers[0]] = Whole.of(list(zip(objects, place, strict=True)))
+            self.wholes[numbers[0]] = CompositeBody.of(list(zip(objects, place, strict=True)))
             first += [len(rows)] * len(numbers)
             rows += numbers
             places.append(place)

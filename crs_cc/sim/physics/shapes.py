@@ -12,7 +12,7 @@ from crs_cc.sim.geometry.frames import compose
 from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene, convex_parts_of, corners_m, own_corners_m
 from crs_cc.sim.model.world import Box, Cylinder, Polygon, Solid, Thing, Wall
-from crs_cc.sim.physics.rigid import Whole
+from crs_cc.sim.physics.rigid import CompositeBody
 from crs_cc.sim.state.bodies import Bodies
 
 SURFACE_FRICTION: Final = 0.5
@@ -31,7 +31,7 @@ def add(space: pymunk.Space, body: pymunk.Body, *shapes: pymunk.Shape) -> None:
 
 
 def floor_friction(
-    floor: pymunk.Body, body: pymunk.Body, whole: Whole
+    floor: pymunk.Body, body: pymunk.Body, whole: CompositeBody
 ) -> tuple[pymunk.Constraint, pymunk.Constraint]:
     """Return joints that model an object's friction on the floor."""
     slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
@@ -41,7 +41,7 @@ def floor_friction(
     return slide, turn
 
 
-def shapes_of(body: pymunk.Body, whole: Whole) -> list[pymunk.Shape]:
+def shapes_of(body: pymunk.Body, whole: CompositeBody) -> list[pymunk.Shape]:
     """Return the shapes of all parts of a composite body."""
     return [shape for obj, place in whole.parts for shape in object_shapes(body, obj, place)]
 

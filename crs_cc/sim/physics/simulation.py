@@ -44,7 +44,7 @@ from crs_cc.sim.physics.contacts import (
     SLOP_M,
     first_contacts,
     is_settled,
-    told_apart,
+    separate_loads,
     with_slipped,
 )
 from crs_cc.sim.physics.drive_force import DriveForce
@@ -134,7 +134,7 @@ class Physics:
             self._catch_up()
         return self._spaces[0]
 
-    def passes(self, bodies: Bodies, way_m: FloatArray, facing_rad: FloatArray) -> bool:
+    def may_skip_cycle(self, bodies: Bodies, way_m: FloatArray, facing_rad: FloatArray) -> bool:
         """Return whether no contact is possible in this cycle, which is then over.
 
         The robots are then to be moved as their wheels have turned. Otherwise call `step`.
@@ -157,13 +157,13 @@ class Physics:
         return True
 
     def calm_cycles(self, bodies: Bodies) -> tuple[int, float]:
-        """Return for how many cycles `pass_over` may be called, and how much room robots have."""
+        """Return for how many cycles `skip_cycles` may be called, and how much room robots have."""
         if self._inclines is not None or not self._is_settled(bodies) or bodies.touching.any():
             return 0, 0.0
         return REBUILD - self._cycles, self._room_m
 
-    def pass_over(self, cycles: int, room_m: float) -> None:
-        """Count cycles in which no contact was possible, as if `passes` had been called for each.
+    def skip_cycles(self, cycles: int, room_m: float) -> None:
+        """Count cycles in which no contact was possible, as if `may_skip_cycle` had been called.
 
         Args:
             cycles: how many, see `calm_cycles`.
@@ -207,8 +207,8 @@ class Physics:
         bodies.velocity_mps[self._absent] = 0.0
         bodies.slipping[:] = bodies.touching[:] = False
         bodies.put(rows, mine, some)
-        went_m = np.abs(some.position_m - before.position_m).sum(axis=1).max(initial=0.0)
-        self._nearness.use(max(self._need_m, 2 * float(went_m)))
+        displacement_m = np.abs(some.position_m - before.position_m).sum(axis=1).max(initial=0.0)
+        self._nearness.use(max(self._need_m, 2 * float(displacement_m)))
         return contacts
 
     def _robots_of(self, near: IndexArray) -> IndexArray:
@@ -264,7 +264,7 @@ class Physics:
         self._ran, self._room_m = list(snapshot.ran), snapshot.room_m
         holds = self._start.holds
         self._load = Load.of(self._world, self._scene, holds) if holds.any() else None
-        self._drive_force.bear(self._load)
+        self._drive_force.set_loads(self._load)
         is_plain = self._load is None and self._inclines is None
         self._leaves_some_out = (
             self.leaves_out and is_plain and len(self._start.position_m) > _FEW_BODIES
@@ -315,7 +315,7 @@ class Physics:
             return None
         pulled_kg = np.concatenate([self._drive_force.borne_kg, self._space.object_kg])
         self._ledges.place(bodies.position_m, bodies.angle_rad)
-        return self._inclines.under(bodies.position_m, facing_rad, pulled_kg)
+        return self._inclines.slope_under(bodies.position_m, facing_rad, pulled_kg)
 
     def _nothing_near(self, bodies: Bodies, way_m: FloatArray) -> bool:
         """Return whether no contact is possible in this cycle, so that no step is needed.
@@ -368,7 +368,7 @@ class Physics:
         is_whole = not self._leaves_some_out
         space = self._builder.build(position_m, mass_kg, self._load, is_whole=is_whole)
         self._spaces[:] = [space]
-        self._batches.learn(space)
+        self._batches.map_bodies(space)
 
     def _admit(self, near: IndexArray, bodies: Bodies) -> IndexArray:
         """Have some robots only in the space, whose bodies are the first; return which."""
@@ -382,7 +382,7 @@ class Physics:
 
         others = near[len(robots) :].tolist()
         if self._space.admit(robots.tolist(), others, body_of):
-            self._batches.learn(self._space)
+            self._batches.map_bodies(self._space)
         return robots
 
     def _run_space(
@@ -416,7 +416,7 @@ class Physics:
             pairs, places = batches.touching(space)
             touched[pairs] = True
             if load is not None:
-                pairs, torn = told_apart(load, pairs, places, batches.position_m(space))
+                pairs, torn = separate_loads(load, pairs, places, batches.position_m(space))
             found.append((pairs, places))
             glides = glides and not (forced or len(pairs))
             if not glides:  # else nothing has changed a velocity

@@ -109,7 +109,7 @@ class Space:
         self.joints = joints
         self.inner.add(*joints)
 
-    def rub(self, grip: FloatArray) -> None:
+    def scale_friction(self, grip: FloatArray) -> None:
         """Scale the friction of each object by a factor, (objects,)."""
         for number in np.flatnonzero(grip != self.grip).tolist():
             for joint, most in self.rubs.get(number, ()):

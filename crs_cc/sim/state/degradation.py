@@ -144,7 +144,7 @@ def record(degradation: Degradation, robot: int, serial: int) -> Records:
     """Return a degradation as a record of the table.
 
     Args:
-        degradation: the degradation, validated by `complaint`.
+        degradation: the degradation, validated by `validation_error`.
         robot: its robot's number.
         serial: its number among those of its robot.
     """

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 OPEN, MET, FAILED = range(3)
 """The status of a goal; one that is met or failed stays so."""
 
-NOT_THERE: Final = -1
+ABSENT: Final = -1
 
 
 @dataclass(slots=True)
@@ -29,7 +29,7 @@ class GoalState:
     Attributes:
         status: `OPEN`, `MET` or `FAILED`, (g,).
         at_s: when each was met or failed, infinite for neither, (g,).
-        since: since when each robot has been in the place, `NOT_THERE` for not, (robots, g).
+        since: since when each robot has been in the place, `ABSENT` for not, (robots, g).
         done: whether each robot has met it, (robots, g).
         brought: since when the objects of a `Bring` have been in their place, (g,).
         right: timesteps in which the distance of a `Follow` was right, (g,).
@@ -56,9 +56,9 @@ class GoalState:
         return cls(
             np.zeros(goals, np.int64),
             np.full(goals, np.inf),
-            np.full((robots, goals), NOT_THERE, np.int64),
+            np.full((robots, goals), ABSENT, np.int64),
             np.zeros((robots, goals), np.bool_),
-            np.full(goals, NOT_THERE, np.int64),
+            np.full(goals, ABSENT, np.int64),
             np.zeros(goals, np.int64),
             np.zeros(goals, np.int64),
             np.zeros(mark_ranges(world)[-1].stop, np.bool_),

@@ -58,7 +58,7 @@ class LastMeasurement:
         self.at_s[rows] = at_s
         self.configuration[rows] = configuration
 
-    def take_over(self, table: Records) -> None:
+    def load_measurements(self, table: Records) -> None:
         """Take over all last measurements from the table of a kernel, see `instruments.h`."""
         self.at_s[:] = table["at_s"]
         self.configuration[:] = table["configuration"][:, :CONFIGURATION]

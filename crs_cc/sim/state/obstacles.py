@@ -50,7 +50,7 @@ class ObstacleState:
     def at_start(cls, world: WorldModel) -> Self:
         """Return the obstacles of a world that no program has changed."""
         none = np.zeros(0, dtype=np.int64)
-        things = np.ones(len(things_of(world)), dtype=np.bool_)
+        things = np.ones(len(world_objects(world)), dtype=np.bool_)
         return cls(np.zeros((0, MAX_VERTICES, 2), np.int32), none, none, none, 0, things)
 
     def of(self, added: int) -> Corners:
@@ -98,7 +98,7 @@ def without(obstacles: ObstacleState, world: WorldModel, name: str) -> ObstacleS
     added = [f"{_ADDED}{number}" for number in obstacles.numbers.tolist()]
     if name in added:
         return obstacles.take(np.delete(np.arange(len(added)), added.index(name)))
-    names = [thing.id for thing in things_of(world)]
+    names = [thing.id for thing in world_objects(world)]
     there = list(compress(names, obstacles.standing.tolist()))
     if name not in there:
         raise ValueError(unknown("thing", name, (*there, *added)))
@@ -106,7 +106,7 @@ def without(obstacles: ObstacleState, world: WorldModel, name: str) -> ObstacleS
     return replace(obstacles, standing=standing)
 
 
-def things_of(world: WorldModel) -> tuple[Solid, ...]:
+def world_objects(world: WorldModel) -> tuple[Solid, ...]:
     """Return all objects of a world file, except its edge and its robots."""
     return (*world.walls, *world.boxes, *world.cylinders, *world.polygons)
 

@@ -100,11 +100,11 @@ class RobotRows:
         self._kinds: RobotKinds | None = None  # in the kernels' memory
         if len(state.drive.clock_s) <= ROBOTS and len(state.bodies.angle_rad) <= BODIES:
             self._home = (before and before._home) or Kernels(holds_world=True)
-        home = self._home
+        resident = self._home
         homes: tuple[Any, ...] = (None,) * len(_TABLES)
-        if home is not None:
-            rings = home.sonars if len(state.drive.clock_s) <= RINGS else None
-            homes = home.robots, home.bodies, home.batteries, rings
+        if resident is not None:
+            rings = resident.sonars if len(state.drive.clock_s) <= RINGS else None
+            homes = resident.robots, resident.bodies, resident.batteries, rings
         self.table, self.bodies, self.batteries, self.sonars = (
             _moved(state, parts, size, memory)
             for (parts, size), memory in zip(_TABLES, homes, strict=True)
@@ -117,7 +117,7 @@ class RobotRows:
 
     def tables(self, kinds: RobotKinds) -> tuple[FloatArray, ...]:
         """Return the rows of robots, with their kinds, of bodies, batteries and sonars."""
-        self.at_home(kinds)
+        self.resident_kernels(kinds)
         return self.table, self.bodies, self.batteries, self.sonars
 
     def advance(
@@ -135,15 +135,15 @@ class RobotRows:
         Returns:
             `ADVANCED`, or what happens to one of them; then some of the others may be advanced.
         """
-        home = self.at_home(kinds)
-        if home is not None:
-            return home.advance(_selected(rows), to_s, last_s, renews=renews)
+        resident = self.resident_kernels(kinds)
+        if resident is not None:
+            return resident.advance(_selected(rows), to_s, last_s, renews=renews)
         found = ADVANCED
-        for lent in self._lent(rows, len(to_s), kinds):
-            found = lent.own.advance(None, to_s[lent.part], last_s, renews=renews)
+        for staged in self._staged(rows, len(to_s), kinds):
+            found = staged.own.advance(None, to_s[staged.part], last_s, renews=renews)
             if found != ADVANCED:
                 break
-            self._take_back(lent)
+            self._copy_back(staged)
         return found
 
     def set_speeds(
@@ -165,14 +165,14 @@ class RobotRows:
             which: the axes to change, (k, 3); by default all.
         """
         flags = None if which is None else which.astype(np.float64)
-        home = self.at_home(kinds)
-        if home is not None:
-            home.set_speeds(_selected(rows), speed, ramp, flags)
+        resident = self.resident_kernels(kinds)
+        if resident is not None:
+            resident.set_speeds(_selected(rows), speed, ramp, flags)
             return
-        for lent in self._lent(rows, len(speed), kinds):
-            ramps, marks = (None if each is None else each[lent.part] for each in (ramp, flags))
-            lent.own.set_speeds(None, speed[lent.part], ramps, marks)
-            self._take_back(lent)
+        for staged in self._staged(rows, len(speed), kinds):
+            ramps, marks = (None if each is None else each[staged.part] for each in (ramp, flags))
+            staged.own.set_speeds(None, speed[staged.part], ramps, marks)
+            self._copy_back(staged)
 
     def reports(self, rows: Rows, count: int, kinds: RobotKinds) -> Int32Array:
         """Return what `State` says of the motions of robots, shape (k, 8), see `Kernels.reports`.
@@ -182,22 +182,22 @@ class RobotRows:
             count: their number.
             kinds: their constants.
         """
-        home = self.at_home(kinds)
-        if home is not None:
-            return home.reports(_selected(rows), count)
-        lent = self._lent(rows, count, kinds)
-        return np.concatenate([each.own.reports(None, each.robots) for each in lent])
+        resident = self.resident_kernels(kinds)
+        if resident is not None:
+            return resident.reports(_selected(rows), count)
+        staged = self._staged(rows, count, kinds)
+        return np.concatenate([each.own.reports(None, each.robots) for each in staged])
 
-    def at_home(self, kinds: RobotKinds) -> Kernels | None:
+    def resident_kernels(self, kinds: RobotKinds) -> Kernels | None:
         """Return the kernels in whose memory the rows lie, with the constants; None if too many."""
-        home = self._home
-        if home is None or len(kinds.table) > KINDS:
+        resident = self._home
+        if resident is None or len(kinds.table) > KINDS:
             return None
         if kinds is not self._kinds:
-            _lay(home.kinds, kinds.table)
+            _lay(resident.kinds, kinds.table)
             self.table[:, KIND], self.table[:, BATTERY] = kinds.kind, kinds.battery
             self._kinds = kinds
-        return home
+        return resident
 
     def replies(self, rows: Rows, for_s: FloatArray, kinds: RobotKinds) -> Records:
         """Return the contents of replies of robots, (k,) of dtype `REPLY`.
@@ -207,11 +207,11 @@ class RobotRows:
             for_s: the time for which each has been in the world, (k,).
             kinds: their constants.
         """
-        home = self.at_home(kinds)
-        if home is not None:
-            return home.replies(_selected(rows), for_s)
-        lent = self._lent(rows, len(for_s), kinds)
-        return np.concatenate([each.own.replies(None, for_s[each.part]) for each in lent])
+        resident = self.resident_kernels(kinds)
+        if resident is not None:
+            return resident.replies(_selected(rows), for_s)
+        staged = self._staged(rows, len(for_s), kinds)
+        return np.concatenate([each.own.replies(None, for_s[each.part]) for each in staged])
 
     def serve(
         self,
@@ -228,10 +228,10 @@ class RobotRows:
             asked: when they arrive, when the robots have joined, and the integers of the messages.
             kinds: the robots' constants.
         """
-        home = self.at_home(kinds)
-        if home is None:
+        resident = self.resident_kernels(kinds)
+        if resident is None:
             return HELD_UP, *_NO_REPLIES
-        return home.serve(_selected(rows), service, *asked)
+        return resident.serve(_selected(rows), service, *asked)
 
     def fire(
         self,
@@ -250,8 +250,8 @@ class RobotRows:
             sizes: how much of it there is.
             kinds: the robots' constants.
         """
-        home = self.at_home(kinds) if len(self.sonars) <= RINGS else None
-        return HELD_UP if home is None else home.fire(_selected(rows), to_s, numbers, sizes)
+        resident = self.resident_kernels(kinds) if len(self.sonars) <= RINGS else None
+        return HELD_UP if resident is None else resident.fire(_selected(rows), to_s, numbers, sizes)
 
     def charges(self, rows: Rows, for_s: FloatArray, kinds: RobotKinds) -> FloatArray:
         """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).
@@ -261,11 +261,11 @@ class RobotRows:
             for_s: the time for which each has been in the world, (k,).
             kinds: their constants.
         """
-        home = self.at_home(kinds)
-        if home is not None:
-            return home.charges(_selected(rows), for_s)
-        lent = self._lent(rows, len(for_s), kinds)
-        return np.concatenate([each.own.charges(None, for_s[each.part]) for each in lent])
+        resident = self.resident_kernels(kinds)
+        if resident is not None:
+            return resident.charges(_selected(rows), for_s)
+        staged = self._staged(rows, len(for_s), kinds)
+        return np.concatenate([each.own.charges(None, for_s[each.part]) for each in staged])
 
     def finish(
         self,
@@ -283,24 +283,24 @@ class RobotRows:
             kinds: their constants.
         """
         joined_s, count = state.presence.joined_s, len(self.table)
-        home = self.at_home(kinds)
-        if home is not None:
+        resident = self.resident_kernels(kinds)
+        if resident is not None:
             cycle = *times_s, before_m is None, _UNKNOWN
-            return home.finish(count, cycle, joined_s, before_m)
+            return resident.finish(count, cycle, joined_s, before_m)
         # What is true of all is not known to a part of them; few enough to be free are one part.
         works, is_weary = state.drive.slice.any() or state.bodies.slipping.any(), False
         found, empty = ADVANCED, list[int]()
-        for lent in self._lent(ALL, count, kinds):
-            part = lent.part
+        for staged in self._staged(ALL, count, kinds):
+            part = staged.part
             before = None if before_m is None else before_m[part]
             cycle = *times_s, before is None, float(works)
-            found, some, weary = lent.own.finish(lent.robots, cycle, joined_s[part], before)
+            found, some, weary = staged.own.finish(staged.robots, cycle, joined_s[part], before)
             is_weary |= weary
             empty += [part.start + each for each in some]
-            self._take_back(lent)
+            self._copy_back(staged)
         return found, empty, is_weary
 
-    def _lent(self, rows: Rows, count: int, kinds: RobotKinds) -> Iterator[_Lent]:
+    def _staged(self, rows: Rows, count: int, kinds: RobotKinds) -> Iterator[_StagedRows]:
         """Yield this thread's kernels with copies of some rows, as often as needed for all."""
         own = kernels()
         for some, part in parts(rows, count, ROBOTS_AT_ONCE):
@@ -312,17 +312,17 @@ class RobotRows:
             _lay(own.robots, copies)
             _lay(own.bodies, self.bodies[: len(self.table)][some])
             _lay(own.batteries, self.batteries[numbers[has]])
-            yield _Lent(own, some, part, numbers[has])
+            yield _StagedRows(own, some, part, numbers[has])
 
-    def _take_back(self, lent: _Lent) -> None:
+    def _copy_back(self, staged: _StagedRows) -> None:
         """Copy rows back after a kernel has changed them."""
-        own, count, batteries = lent.own, lent.robots, len(lent.batteries)
-        self.table[lent.some] = _table(own.robots, count, ROBOT_SIZE)
-        self.bodies[: len(self.table)][lent.some] = _table(own.bodies, count, BODY_SIZE)
-        self.batteries[lent.batteries] = _table(own.batteries, batteries, BATTERY_SIZE)
+        own, count, batteries = staged.own, staged.robots, len(staged.batteries)
+        self.table[staged.some] = _table(own.robots, count, ROBOT_SIZE)
+        self.bodies[: len(self.table)][staged.some] = _table(own.bodies, count, BODY_SIZE)
+        self.batteries[staged.batteries] = _table(own.batteries, batteries, BATTERY_SIZE)
 
 
-class _Lent(NamedTuple):
+class _StagedRows(NamedTuple):
     """Copies of rows in the memory of kernels.
 
     Attributes:

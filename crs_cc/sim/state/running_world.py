@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
 
-class Running(Protocol):
+class RunningWorld(Protocol):
     """A running world. Keep no reference to parts of it: a restored world has another state."""
 
     @property

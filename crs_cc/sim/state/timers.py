@@ -64,7 +64,7 @@ class TimerState:
         self.next_s[robot, sensor] = now_s if period_s > 0.0 else np.inf
         self.soonest_s[robot] = self.next_s[robot].min()
 
-    def go_on(self, rows: IndexArray, sensor: int, now_s: float) -> None:
+    def restart(self, rows: IndexArray, sensor: int, now_s: float) -> None:
         """Start the next period of expired timers, the first one that ends after now."""
         begun = (now_s - self.start_s[rows, sensor]) / self.period_s[rows, sensor]
         turn = np.maximum(self.turn[rows, sensor] + 1, np.ceil(begun - _ROUNDING))

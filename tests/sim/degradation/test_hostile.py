@@ -8,7 +8,7 @@ import pytest
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.model.degradation import Degradation, complaint, degradables
+from crs_cc.sim.model.degradation import Degradation, degradables, validation_error
 from crs_cc.sim.model.world import Robot
 from tests.sim.degradation.law import world_with
 
@@ -48,7 +48,7 @@ def anything(rng: np.random.Generator, robot: Robot) -> Degradation:
 def some(rng: np.random.Generator, world, most: int = 30) -> list[Degradation]:
     tries = (anything(rng, world.robots[rng.integers(2)]) for _ in range(most))
     models = {robot.id: robot.model for robot in world.robots}
-    return [each for each in tries if not complaint(each, models[each.robot])]
+    return [each for each in tries if not validation_error(each, models[each.robot])]
 
 
 @pytest.mark.parametrize("kind", ["scout", "nomad200"])

@@ -8,7 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from crs_cc.sim.geometry.placement import misplaced
-from crs_cc.sim.model.polygon import area_m2, centroid_m, complaint, second_moment_m4, triangles
+from crs_cc.sim.model.polygon import (
+    area_m2,
+    centroid_m,
+    second_moment_m4,
+    triangles,
+    validation_error,
+)
 from crs_cc.sim.model.robot import Drive, RobotModel
 from crs_cc.sim.model.world import Area, Cylinder, Polygon, Pose, Robot, WorldModel
 
@@ -48,7 +54,7 @@ def spiral(turns: int) -> np.ndarray:
 
 @pytest.mark.parametrize("corners", [comb(60), spiral(5)], ids=["comb", "spiral"])
 def test_triangulation_of_combs_and_spirals(corners):
-    assert complaint(corners) == ""
+    assert validation_error(corners) == ""
     parts = [area_m2(corners[three]) for three in triangles(corners)]
     assert min(parts) > 0
     assert sum(parts) == pytest.approx(area_m2(corners))
@@ -65,9 +71,9 @@ def test_area_centroid_and_moment_match_the_formulas():
 @pytest.mark.parametrize("step", [1, -1])
 def test_sides_too_close_are_found_for_any_first_corner(turn, step):
     narrow = np.array([(0, 0), (4, 0), (4, 3), (2, 0.0005), (0, 3)])
-    assert "meets the side" in complaint(np.roll(narrow, turn, axis=0)[::step])
+    assert "meets the side" in validation_error(np.roll(narrow, turn, axis=0)[::step])
     spike = np.array([(0, 0), (4, 0), (4, 3), (6, 3), (2, 3.0001)])
-    assert "meets the side" in complaint(np.roll(spike, turn, axis=0)[::step])
+    assert "meets the side" in validation_error(np.roll(spike, turn, axis=0)[::step])
 
 
 def test_clockwise_corners_are_reversed():

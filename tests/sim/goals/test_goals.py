@@ -24,7 +24,7 @@ class Course:
 
     def step(self, count: int = 1, **places: tuple[float, float]) -> None:
         for name, (x_m, y_m) in places.items():
-            self.environment.carry(name, Pose(x_m, y_m))
+            self.environment.teleport(name, Pose(x_m, y_m))
         for _ in range(count):
             events = self.environment.step().events
             self.events += [each.text for each in events if each.kind == "goal"]
@@ -117,10 +117,10 @@ def test_heat_is_gone_when_all_hot_objects_are_cool() -> None:
         for name, x, heat in (("c0", 3, 2), ("c1", 5, 2), ("c2", 7, 0))
     )
     course = Course(ROBOT + things + "<goal><cool/></goal>")
-    course.environment.warm("c0", 0.0)
+    course.environment.set_heat("c0", 0.0)
     course.step()
     assert (course.status(), course.progress()) == ("open", "1 of 2 cool")
-    course.environment.warm("c1", 0.0)
+    course.environment.set_heat("c1", 0.0)
     course.step()
     assert course.status() == "met"
 
@@ -216,7 +216,7 @@ def test_what_programs_remove_can_be_neither_approached_nor_cooled() -> None:
         f'{ROBOT}{box}<goal><approach object="b" distance="60cm"/></goal><goal><cool/></goal>'
         '<goal><follow target="robot0" most="1m" share="1"/></goal>'
     )
-    course.environment.take_away("b")
+    course.environment.remove_obstacle("b")
     course.step(robot0=(4.0, 5.0))
     assert [course.status(n) for n in range(3)] == ["open"] * 3
 

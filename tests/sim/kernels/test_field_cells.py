@@ -86,7 +86,7 @@ def test_robots_are_where_their_mounts_are() -> None:
     state.base_rad[:] = np.linspace(1, 5, len(state.base_rad))
     assert constants.drives.turrets
     assert constants.drives.synchros
-    home = state.rows.at_home(constants.kinds)
+    home = state.rows.resident_kernels(constants.kinds)
     assert home is not None
     grid, ends_m = FieldGrid(Area(-9.0, -9.0, 30.0, 30.0), FIELDS), np.full((2, 2, 1), 0.7)
     for rows in (np.arange(len(state.base_rad)), np.array([4, 1, 2, 8])):

@@ -38,7 +38,7 @@ class Bench:
         """Move robots by displacements; all face ahead, along x."""
         count = len(ways_m)
         pull = Pull(ways_m, np.zeros(count), np.full(count, limp))
-        if self.physics.passes(self.bodies, ways_m, pull.facing_rad):
+        if self.physics.may_skip_cycle(self.bodies, ways_m, pull.facing_rad):
             self.bodies.position_m[:count] += ways_m
             self.bodies.velocity_mps[:count] = ways_m / self.world.timestep_s
             return NO_CONTACTS

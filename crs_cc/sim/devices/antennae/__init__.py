@@ -143,7 +143,7 @@ class _AllAntennae:
 
     def smell(self, context: RequestContext) -> BoolArray:
         """Answer SMELL; refuse unknown fields and antennae."""
-        has, mine = self._sensor.asked(context)
+        has, mine = self._sensor.measure_on_request(context)
         where = ALL if all_of(has) else has
         asked = context.columns("field", "antenna", "gradient")[where]
         field, antenna, gradients = np.ascontiguousarray(asked.T)

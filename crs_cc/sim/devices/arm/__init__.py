@@ -142,9 +142,9 @@ class Arms:
     def _angles_rad(self, state: EnvState, which: IndexArray, at_s: FloatArray) -> FloatArray:
         arm = arm_of(state)
         most_rad = self._speed_radps[which] * (at_s - arm.since_s[which])[:, None]
-        way_rad = arm.to_rad[which] - arm.from_rad[which]
+        turn_rad = arm.to_rad[which] - arm.from_rad[which]
         return np.asarray(
-            arm.from_rad[which] + np.minimum(np.maximum(way_rad, -most_rad), most_rad)
+            arm.from_rad[which] + np.minimum(np.maximum(turn_rad, -most_rad), most_rad)
         )
 
     def _hands(self, which: IndexArray, angles_rad: FloatArray) -> FloatArray:

@@ -62,7 +62,7 @@ class Arm:
 
 def read(root: Element, reader: Reader) -> Arm | None:
     """Return the arm of a robot definition, None without one; errors go to the reader."""
-    element = root.maybe("arm")
+    element = root.find_child("arm")
     if element is None:
         return None
     arm: Arm = read_attributes(Arm, element, reader)

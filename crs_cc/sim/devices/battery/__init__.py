@@ -126,7 +126,7 @@ class Batteries:
             charge: the state of charge of both then, (k, 2).
         """
         kinds = self._kind.take(rows)
-        if not constants.degradations.concern(state, "battery"):
+        if not constants.degradations.affects(state, "battery"):
             if self._voltages.full_bytes is not None:
                 return np.asarray(self._voltages.full_bytes.take(kinds, axis=0))
             return self._voltages.bytes(kinds, charge)

@@ -96,7 +96,7 @@ class Bumpers:
         robot = contacts.robot
         before = bumper_state(state).pressed
         quiet = not (len(robot) or len(state.contacts_before) or np.count_nonzero(before))
-        if quiet and not constants.degradations.concern(state, "bumper"):
+        if quiet and not constants.degradations.affects(state, "bumper"):
             return contacts
         keys = robot * len(constants.scene.names) + contacts.other
         began = ~_are_in(keys, state.contacts_before)
@@ -129,7 +129,7 @@ class Bumpers:
         at_s: float,
     ) -> Int32Array:
         """Return the pressed switches at a time after degradation, (robots,)."""
-        if not constants.degradations.concern(state, "bumper"):
+        if not constants.degradations.affects(state, "bumper"):
             return pressed
         robots, places = np.arange(len(pressed)), np.arange(BUMPER_BITS)
         values = ((pressed[:, None] >> places) & 1).astype(np.float64)

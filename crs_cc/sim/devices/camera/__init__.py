@@ -105,7 +105,7 @@ def read(root: Element, reader: Reader) -> Camera | None:
 
     The report's `<sensor>` of this type, if there is one, sets its pose, field of view and range.
     """
-    element, places = root.maybe("camera"), list(root.sensors("camera"))
+    element, places = root.find_child("camera"), list(root.sensors("camera"))
     for place in places[1:]:
         reader.error(place, "duplicate camera: a robot has at most one")
     for place in places:
@@ -232,7 +232,7 @@ class _Cameras:
 
     def take_picture(self, context: RequestContext) -> BoolArray:
         """Answer CAMERA with the number of pixels or blobs; refuse robots without a camera."""
-        has, mine = self._sensor.asked(context)
+        has, mine = self._sensor.measure_on_request(context)
         wants_blobs = context["blobs"] != 0
         reply = camera_state(context.state).reply
         for are_blobs, keep in ((False, self._keep_pixels), (True, self._keep_blobs)):

@@ -39,7 +39,7 @@ from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.timers import read_on_request
-from crs_cc.sim.devices.vendor_state import Told, configuration
+from crs_cc.sim.devices.vendor_state import KernelReply, configuration
 from crs_cc.sim.kernels import exact
 from crs_cc.sim.kernels.tables import COMPASS
 from crs_cc.sim.model.attribute import Choice, attribute, period, rate
@@ -161,7 +161,7 @@ class Compasses:
         rows: IndexArray,
         at_s: FloatArray,
         *,
-        told: Told | None = None,
+        kernel_reply: KernelReply | None = None,
     ) -> None:
         """Measure with the compasses that are on and may measure again.
 
@@ -170,7 +170,7 @@ class Compasses:
             constants: the robots' constants.
             rows: the robots, k of them.
             at_s: the time for each, (k,).
-            told: what a kernel has told of them, if it just has.
+            kernel_reply: the results of the kernel that answered the request, if one did.
         """
         compass = compasses(state)
         mine = constants.numbers[self._row.name][rows]
@@ -178,7 +178,7 @@ class Compasses:
         if not due.any():
             return
         rows, mine = rows[due], mine[due]
-        known = None if told is None else told.of(due)
+        known = None if kernel_reply is None else kernel_reply.of(due)
         poses = mount_poses(state, constants, rows) if known is None else known.mounts
         angle_rad = poses[:, 2].copy()
         deviation_rad = np.where(compass.calibrated[mine], 0.0, self._deviation_rad[mine])
@@ -193,7 +193,8 @@ class Compasses:
         tenths = np.rint(rad_to_tenths_deg(angle_rad[reported])).astype(np.int32)
         compass.reading[mine[reported]] = tenths % _FULL_TURN
         compass.count[mine] += 1
-        known = Told(configuration(state, constants, rows), poses) if known is None else known
+        if known is None:
+            known = KernelReply(configuration(state, constants, rows), poses)
         compass.measured.note(mine, at_s[due], known.configuration)
 
     def draw(self, robots: IndexArray, numbers: Int64Array) -> FloatArray:
@@ -212,11 +213,11 @@ class Compasses:
         table["configuration"][:, :CONFIGURATION] = compass.measured.configuration
         return table
 
-    def take_over(self, state: EnvState, table: Records) -> None:
+    def load_measurements(self, state: EnvState, table: Records) -> None:
         """Take over from such a table what compasses have measured."""
         compass = compasses(state)
         compass.reading[:], compass.count[:] = table["reading"], table["count"]
-        compass.measured.take_over(table)
+        compass.measured.load_measurements(table)
 
     def get_cp(self, context: RequestContext) -> BoolArray:
         """Answer GET_CP: measure, for `State`; refuse robots without a compass."""

@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.core.suggest import unknown
-from crs_cc.sim.model.degradation import MAX_MEMORY, Degradation, complaint, described
+from crs_cc.sim.model.degradation import MAX_MEMORY, Degradation, described, validation_error
 from crs_cc.sim.state.degradation import (
     ACTS,
     FADES,
@@ -45,7 +45,7 @@ from crs_cc.sim.state.degradation import (
 if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
     from crs_cc.sim.state.events import EventLog
-    from crs_cc.sim.state.running_world import Running
+    from crs_cc.sim.state.running_world import RunningWorld
 
 PHASES: Final = {WAITS: "waits", ACTS: "acts", FADES: "fades", OVER: "over"}
 """The names of the phases."""
@@ -57,7 +57,7 @@ _LONGEST_ID: Final = 64
 class DegradationControl:
     """The degradations of a running world, to be read and changed between two steps."""
 
-    def __init__(self, running: Running, log: EventLog) -> None:
+    def __init__(self, running: RunningWorld, log: EventLog) -> None:
         """Create the control."""
         self._running, self._log = running, log
 
@@ -196,7 +196,7 @@ class DegradationControl:
             raise ValueError(unknown("robot", str(degradation.robot), self._robots))
         if len(degradation.id) > _LONGEST_ID:
             raise ValueError(f"a degradation's id has at most {_LONGEST_ID} characters")
-        wrong = complaint(degradation, self._model(degradation.robot))
+        wrong = validation_error(degradation, self._model(degradation.robot))
         if wrong:
             raise ValueError(wrong)
 

@@ -82,20 +82,20 @@ class Degradations:
         self._seed = seed
         self._of: BoolArray | None = None
         self._known: BoolArray | None = None
-        self._concerns_motions = False
+        self._affects_motion = False
         self._layers: dict[int, list[_Layer]] = {}
 
-    def concern(self, state: EnvState, device: str) -> bool:
+    def affects(self, state: EnvState, device: str) -> bool:
         """Return whether any robot has a degradation of a device."""
         return bool(state.degradation.present[number_of(device)])
 
-    def concern_motions(self, state: EnvState) -> bool:
+    def affects_motion(self, state: EnvState) -> bool:
         """Return whether any robot has a degradation of `MOTIONS`."""
         present = state.degradation.present
         if present is not self._known:
             self._known = present
-            self._concerns_motions = any(self.concern(state, device) for device in MOTIONS)
-        return self._concerns_motions
+            self._affects_motion = any(self.affects(state, device) for device in MOTIONS)
+        return self._affects_motion
 
     def alter(
         self,

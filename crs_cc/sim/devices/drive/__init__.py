@@ -119,7 +119,7 @@ def advance_freely(
 
 def moves_as_commanded(state: EnvState, constants: RobotConstants) -> bool:
     """Return whether robots that nothing holds up move as their axes are commanded."""
-    return constants.inclines is None and not constants.degradations.concern_motions(state)
+    return constants.inclines is None and not constants.degradations.affects_motion(state)
 
 
 def renew_deadline(state: EnvState, rows: IndexArray) -> None:
@@ -160,8 +160,8 @@ def _turn(
         return
     facing_rad = state.drive.facing_rad[rows]
     turn_rad = weighted(way, take(constants.drives.true_turn, rows))
-    way_m = weighted(way, take(constants.drives.true_forward, rows))
-    x_m, y_m = odometry.arc(facing_rad, way_m, turn_rad)
+    arc_m = weighted(way, take(constants.drives.true_forward, rows))
+    x_m, y_m = odometry.arc(facing_rad, arc_m, turn_rad)
     if constants.inclines is not None:
         place_m = state.bodies.position_m[: len(state.heading_rad)][rows]
         x_m, y_m = constants.inclines.shortened(place_m, x_m, y_m)
@@ -223,7 +223,7 @@ def mv(context: RequestContext) -> BoolArray:
         _set(setting, limit, constants, rows, values, which=modes == mode)
     _run_at(state, constants, rows, values, modes == VELOCITY)
     _move(state, constants, rows, values, modes == RELATIVE)
-    _let_go(state, constants, rows, modes == LIMP)
+    _release(state, constants, rows, modes == LIMP)
     moves = ((modes == VELOCITY) | (modes == RELATIVE) | (modes == LIMP)).any(axis=1)
     _remember(context, rows[moves])
     return good
@@ -242,7 +242,7 @@ def lp(context: RequestContext) -> None:
 
 def go_limp(state: EnvState, constants: RobotConstants, rows: IndexArray) -> None:
     """Make the axes of robots limp, as `lp` does."""
-    _let_go(state, constants, rows)
+    _release(state, constants, rows)
     _note_command(state, rows, CODES["LP"])
 
 
@@ -342,7 +342,7 @@ def run_at(
         speed: of each axis [m/s or rad/s], clipped to its limit, (k, 3).
         which: which axes, (k, 3).
     """
-    _take_up(state, constants, rows, which)
+    _engage_motors(state, constants, rows, which)
     _set_speeds(state, constants, rows, speed, which=which)
 
 
@@ -369,7 +369,7 @@ def _move(
     values: Int32Array,
     which: BoolArray | bool = True,
 ) -> None:
-    _take_up(state, constants, rows, which)
+    _engage_motors(state, constants, rows, which)
     motion_profile.plan_move(
         state.drive.axes,
         rows,
@@ -384,28 +384,30 @@ def _move(
 def _stop(
     state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool = True
 ) -> None:
-    _take_up(state, constants, rows, which)
+    _engage_motors(state, constants, rows, which)
     _set_speeds(state, constants, rows, np.zeros((len(rows), AXES)), which=which)
 
 
-def turn_turret(state: EnvState, rows: IndexArray, way_rad: float, speed_radps: FloatArray) -> None:
+def turn_turret(
+    state: EnvState, rows: IndexArray, turn_rad: float, speed_radps: FloatArray
+) -> None:
     """Turn turrets by an angle, independently of the speed set by `sp`; other axes continue.
 
     Args:
         state: changed in place.
         rows: robots that have a turret, k of them.
-        way_rad: the angle, counter-clockwise.
+        turn_rad: the angle, counter-clockwise.
         speed_radps: the speed of each, shape (k,).
     """
     turret = np.arange(AXES) == AXES - 1
     now_s, ramp = state.drive.clock_s[rows], state.drive.ramp[rows]
-    way, limit = np.full_like(ramp, way_rad), np.broadcast_to(speed_radps[:, None], ramp.shape)
+    way, limit = np.full_like(ramp, turn_rad), np.broadcast_to(speed_radps[:, None], ramp.shape)
     motion_profile.plan_move(
         state.drive.axes, rows, now_s, way, limit=limit, ramp=ramp, which=turret
     )
 
 
-def _take_up(
+def _engage_motors(
     state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool
 ) -> None:
     """Engage the motors of limp wheels again, at the speed at which these roll."""
@@ -417,7 +419,7 @@ def _take_up(
         state.drive.limp[rows] &= ~limp
 
 
-def _let_go(
+def _release(
     state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool = True
 ) -> None:
     rolls = constants.drives.rolls[rows] > 0.0

@@ -42,7 +42,7 @@ class RollingNoise:
         noises = np.array([(e.way_noise_m, e.turn_noise_rad, e.spin_noise_rad) for e in errors])
         noises = noises.reshape(-1, 3)
         self._robots = np.flatnonzero(noises.any(axis=1))
-        self._way_m, self._turn_rad, self._spin_rad = noises[self._robots].T
+        self._distance_noise_m, self._turn_rad, self._spin_rad = noises[self._robots].T
         self._noise = Noise(seed, ROLLING, 2, len(world.robots) if len(self._robots) else 0)
 
     @property
@@ -56,13 +56,13 @@ class RollingNoise:
         if not len(robots):
             return
         slice_ = state.drive.slice[robots]
-        way_m = np.abs(weighted(slice_, constants.drives.forward[robots]))
+        arc_m = np.abs(weighted(slice_, constants.drives.forward[robots]))
         turn_rad = np.abs(weighted(slice_, constants.drives.turn[robots]))
         way, turn = self._noise.rows(robots, np.full(len(robots), state.cycle)).T
-        off_m = way * self._way_m * np.sqrt(way_m)
+        off_m = way * self._distance_noise_m * np.sqrt(arc_m)
         spin_rad = self._spin_rad * np.sqrt(turn_rad / _TURN)
         facing_rad = state.drive.facing_rad[robots]
         state.drive.moved_m[robots, 0] += off_m * exact.cos(facing_rad)
         state.drive.moved_m[robots, 1] += off_m * exact.sin(facing_rad)
-        off_rad = turn * exact.hypot(self._turn_rad * np.sqrt(way_m), spin_rad)
+        off_rad = turn * exact.hypot(self._turn_rad * np.sqrt(arc_m), spin_rad)
         state.drive.facing_rad[robots] = facing_rad + off_rad

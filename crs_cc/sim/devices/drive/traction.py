@@ -104,15 +104,15 @@ def speed(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Float
     return np.asarray(driven - lag_mps[:, None] * constants.drives.rolls[rows])
 
 
-def apply_contacts(state: EnvState, constants: RobotConstants, went_m: FloatArray) -> None:
+def apply_contacts(state: EnvState, constants: RobotConstants, displacement_m: FloatArray) -> None:
     """End a cycle: apply the effect of contacts on robots to their axes and encoders.
 
     Args:
         state: changed in place; its headings are still those of the cycle's start.
         constants: the robots' constants.
-        went_m: true displacement of each robot, world frame, (robots, 2).
+        displacement_m: true displacement of each robot, world frame, (robots, 2).
     """
-    off_m = went_m - state.drive.moved_m
+    off_m = displacement_m - state.drive.moved_m
     is_off, hindered = np.abs(off_m) > _SAME_M, state.drive.hindered
     if not (any_of(is_off) or any_of(hindered)):
         return
@@ -126,8 +126,8 @@ def apply_contacts(state: EnvState, constants: RobotConstants, went_m: FloatArra
     ahead = pairs(exact.turn(facing_rad))
     longer = np.ones(len(rows))
     if constants.inclines is not None:
-        before_m = state.bodies.position_m[rows] - went_m[rows]
-        longer = constants.inclines.longer(before_m, ahead)
+        before_m = state.bodies.position_m[rows] - displacement_m[rows]
+        longer = constants.inclines.length_ratios(before_m, ahead)
     short_m = np.where(held_up, -weighted(off_m[rows], ahead) * longer, 0.0)
     counted = (state.drive.ahead_m[rows] - short_m)[:, None] * drives.rolls[rows]
     odometry.count_turns(state, constants, rows, counted)
@@ -153,21 +153,21 @@ def _arrive(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Non
     motion_profile.end_here(axes, rows, np.asarray(rolls & arrived))
 
 
-def uphill_ways_m(
-    constants: RobotConstants, before_m: FloatArray, went_m: FloatArray
+def ground_distances_m(
+    constants: RobotConstants, before_m: FloatArray, displacement_m: FloatArray
 ) -> FloatArray | None:
     """Return the distances that robots moved along the ground [m], (robots,); None if it is flat.
 
     Args:
         constants: the robots' constants.
         before_m: their positions before, (robots, 2).
-        went_m: their displacements, (robots, 2).
+        displacement_m: their displacements, (robots, 2).
     """
     if constants.inclines is None:
         return None
-    way_m = exact.hypot(went_m[:, 0], went_m[:, 1])
-    direction = went_m / np.maximum(way_m, _SAME_M)[:, None]
-    return np.asarray(way_m * constants.inclines.longer(before_m, direction))
+    distance_m = exact.hypot(displacement_m[:, 0], displacement_m[:, 1])
+    direction = displacement_m / np.maximum(distance_m, _SAME_M)[:, None]
+    return np.asarray(distance_m * constants.inclines.length_ratios(before_m, direction))
 
 
 def _give_up(

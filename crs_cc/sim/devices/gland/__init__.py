@@ -90,7 +90,7 @@ class Glands:
         self._robots = simplest(self._rows, len(found))
 
     @property
-    def are_there(self) -> bool:
+    def any_installed(self) -> bool:
         """Whether any robot has one."""
         return len(self._most) > 0
 
@@ -157,7 +157,7 @@ class Glands:
         at_s: FloatArray,
     ) -> FloatArray:
         """Return amounts after degradation, (k,)."""
-        if not constants.degradations.concern(state, self._name):
+        if not constants.degradations.affects(state, self._name):
             return amount
         values = constants.degradations.alter(state, self._name, rows, amount[:, None], at_s)
         return np.maximum(np.nan_to_num(values[:, 0], nan=0.0), 0.0)

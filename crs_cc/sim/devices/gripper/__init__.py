@@ -35,7 +35,7 @@ from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
-from crs_cc.sim.physics.carrying import grasp_anew
+from crs_cc.sim.physics.carrying import recompute_grasps
 from crs_cc.sim.state.holds import GRIPPER
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ class Grippers:
         closing = commanded >= _CLOSE
         new = (gripper.closing[which] != closing) & np.isfinite(commanded)
         which, at_s, closing = which[new], at_s[new], closing[new]
-        gripper.from_m[which] = self._apart_m(state, which, at_s)
+        gripper.from_m[which] = self._current_opening_m(state, which, at_s)
         gripper.since_s[which], gripper.closing[which] = at_s, closing
         return np.asarray(good)
 
@@ -95,7 +95,7 @@ class Grippers:
         mine = context.constants.numbers["gripper"][context.rows]
         has = np.asarray(mine >= 0)
         which, rows = mine[has], context.rows[has]
-        apart_m = self._apart_m(context.state, which, context.at_s[has])
+        apart_m = self._current_opening_m(context.state, which, context.at_s[has])
         context.put("opening", np.rint(m_to_tenths_inch(apart_m)), has)
         context.put("beam", self._broken(context, which, rows), has)
         weight_g = np.rint(_weight_kg(context.state, context.constants, rows) * _GRAMS)
@@ -115,21 +115,25 @@ class Grippers:
         torn, opens = np.isin(self._rows, contacts.torn), (held >= 0) & ~gripper.closing
         gone = np.flatnonzero(torn | opens)
         if len(gone):
-            self._let_go(state, constants, gone, torn[gone], end_s)
+            self._release(state, constants, gone, torn[gone], end_s)
         free = state.bodies.holds.object[self._rows, GRIPPER] < 0
         gripper.width_m[free] = 0.0
-        apart_m = self._apart_m(state, np.arange(len(self._rows)), np.full(len(self._rows), end_s))
+        apart_m = self._current_opening_m(
+            state, np.arange(len(self._rows)), np.full(len(self._rows), end_s)
+        )
         closed = free & gripper.closing & (apart_m < gripper.before_m)
         taken = self._take(state, constants, np.flatnonzero(closed), apart_m, end_s)
         gripper.before_m = np.where(gripper.width_m > 0.0, gripper.width_m, apart_m)
         return bool(len(gone)) or taken
 
-    def _apart_m(self, state: EnvState, which: IndexArray, at_s: FloatArray) -> FloatArray:
+    def _current_opening_m(
+        self, state: EnvState, which: IndexArray, at_s: FloatArray
+    ) -> FloatArray:
         """Return the distance between the fingers of grippers."""
         gripper = gripper_of(state)
-        way_m = (at_s - gripper.since_s[which]) * self._speed_mps[which]
+        travel_m = (at_s - gripper.since_s[which]) * self._speed_mps[which]
         closing = gripper.closing[which]
-        apart_m = gripper.from_m[which] + np.where(closing, -way_m, way_m)
+        apart_m = gripper.from_m[which] + np.where(closing, -travel_m, travel_m)
         least_m = np.where(closing, gripper.width_m[which], 0.0)
         return np.asarray(np.minimum(np.maximum(apart_m, least_m), self._opening_m[which]))
 
@@ -174,13 +178,13 @@ class Grippers:
         fingers.width_m[takers] = np.maximum(found.width_m[first], _SAME_M)
         bodies.holds.take(self._rows[takers], GRIPPER, things, np.zeros((len(first), 3)))
         bodies.holds.grip[self._rows[takers]] = self._grip[takers]
-        grasp_anew(state, things)
+        recompute_grasps(state, things)
         for gripper, number in zip(takers.tolist(), things.tolist(), strict=True):
             name = scene.pushables[number].id
             self._log.say(end_s, "grip", f"took {name}", int(self._rows[gripper]))
         return True
 
-    def _let_go(
+    def _release(
         self,
         state: EnvState,
         constants: RobotConstants,
@@ -194,7 +198,7 @@ class Grippers:
         bodies.holds.drop(rows, GRIPPER)
         still = things[~np.isin(things, bodies.holds.in_grippers()[1])] + len(state.heading_rad)
         bodies.velocity_mps[still] = bodies.spin_radps[still] = 0.0
-        grasp_anew(state, things)
+        recompute_grasps(state, things)
         for robot, thing, lost in zip(rows.tolist(), things.tolist(), torn.tolist(), strict=True):
             name = constants.scene.pushables[thing].id
             kind, text = ("lost", f"lost {name}") if lost else ("release", f"released {name}")

@@ -42,7 +42,7 @@ class Gripper:
 
 def read(root: Element, reader: Reader) -> Gripper | None:
     """Return the gripper of a robot definition, None without one; errors go to the reader."""
-    element, body = root.maybe("gripper"), root.first("body")
+    element, body = root.find_child("gripper"), root.first("body")
     if element is None:
         return None
     gripper: Gripper = read_attributes(Gripper, element, reader)

@@ -51,9 +51,9 @@ class Heat:
     period_s: float = period()
 
 
-def both(root: Element, reader: Reader) -> Heat | None:
+def heat_and_tag(root: Element, reader: Reader) -> Heat | None:
     """Return what the element of a robot definition describes, None without it."""
-    element = root.maybe("heat")
+    element = root.find_child("heat")
     if element is None:
         return None
     heat: Heat = read_attributes(Heat, element, reader)
@@ -62,20 +62,20 @@ def both(root: Element, reader: Reader) -> Heat | None:
 
 def read(root: Element, reader: Reader) -> Heat | None:
     """Return the heat sensor of a robot definition, None for a robot without one."""
-    heat = both(root, reader)
+    heat = heat_and_tag(root, reader)
     return heat if heat is not None and heat.range_m > 0.0 else None
 
 
 def measure(now: Measurement) -> FloatArray:
     """Return the heat around robots, (k, 1)."""
     range_m = now.settings["range_m"]
-    robot, thing, distance_m = hot_things(now.state, now.constants, now.rows, range_m)
+    robot, thing, distance_m = hot_objects(now.state, now.constants, now.rows, range_m)
     share = np.clip(1.0 - distance_m / now.constants.shapes.spread_m[thing], 0.0, 1.0)
     heat = np.bincount(robot, share * now.state.heat.left[thing], minlength=len(now.rows))
     return heat.astype(np.float64)[:, None]
 
 
-def hot_things(
+def hot_objects(
     state: EnvState, constants: RobotConstants, rows: IndexArray, range_m: FloatArray
 ) -> tuple[IndexArray, IndexArray, FloatArray]:
     """Return pairs of a robot and a hot object, other than itself, in its range.
@@ -104,7 +104,7 @@ def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Instal
 
     def get_heat(context: RequestContext) -> BoolArray:
         """Answer HEAT and SENSE_HEAT with the heat around; refuse robots without such a sensor."""
-        has, mine = sensors.asked(context)
+        has, mine = sensors.measure_on_request(context)
         heat = sensors.readings(context.state).value[mine, 0]
         context.clear_data()
         context.put("heat", np.clip(np.rint(heat), 0.0, LARGEST).astype(np.int32), has)

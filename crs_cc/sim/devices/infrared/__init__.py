@@ -47,7 +47,7 @@ from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor_order import orders
 from crs_cc.sim.devices.timers import read_on_request
-from crs_cc.sim.devices.vendor_state import Told, configuration
+from crs_cc.sim.devices.vendor_state import KernelReply, configuration
 from crs_cc.sim.files.device_elements import read_attributes
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.kernels import exact
@@ -107,7 +107,7 @@ class Infrared:
 
 def read(root: Element, reader: Reader) -> Infrared | None:
     """Return the infrared ring of a robot definition, None for a robot without one."""
-    element = root.maybe("infrared")
+    element = root.find_child("infrared")
     if element is None:
         return None
     ring: Infrared = read_attributes(Infrared, element, reader)
@@ -202,7 +202,7 @@ class InfraredRing:
         rows: IndexArray,
         at_s: FloatArray,
         *,
-        told: Told | None = None,
+        kernel_reply: KernelReply | None = None,
     ) -> None:
         """Measure with the rings that may measure again.
 
@@ -212,7 +212,7 @@ class InfraredRing:
             rays: casts rays.
             rows: the robots, k of them.
             at_s: the time for each, (k,).
-            told: what a kernel has told of them, if it just has.
+            kernel_reply: the results of the kernel that answered the request, if one did.
         """
         ring = rings(state)
         mine = constants.numbers[self._row.name].take(rows)
@@ -221,12 +221,12 @@ class InfraredRing:
             return
         if not all_of(due):
             rows, mine, at_s = rows[due], mine[due], at_s[due]
-            told = None if told is None else told.of(due)
-        poses = mount_poses(state, constants, rows) if told is None else told.mounts
+            kernel_reply = None if kernel_reply is None else kernel_reply.of(due)
+        poses = mount_poses(state, constants, rows) if kernel_reply is None else kernel_reply.mounts
         distance_m, step_m = self._see(state, constants, rays, rows, poses)
         if self.is_noisy:
             distance_m += self._noise.rows(rows, ring.count[mine]) * self._noise_m[mine]
-        if constants.degradations.concern(state, self._row.name):
+        if constants.degradations.affects(state, self._row.name):
             distance_m = constants.degradations.alter(state, self._row.name, rows, distance_m, at_s)
             distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
         level = _steps(distance_m, step_m)
@@ -240,8 +240,9 @@ class InfraredRing:
             level = np.where(on, level, FARTHEST)
         ring.level[mine] = level
         ring.count[mine] += 1
-        told = Told(configuration(state, constants, rows), poses) if told is None else told
-        ring.measured.note(mine, at_s, told.configuration)
+        if kernel_reply is None:
+            kernel_reply = KernelReply(configuration(state, constants, rows), poses)
+        ring.measured.note(mine, at_s, kernel_reply.configuration)
 
     def get_ir(self, context: RequestContext) -> BoolArray:
         """Answer GET_IR: measure, for `State`; refuse robots without infrared sensors."""
@@ -299,11 +300,11 @@ class InfraredRing:
         table["configuration"][:, :CONFIGURATION] = ring.measured.configuration
         return table
 
-    def take_over(self, state: EnvState, table: Records) -> None:
+    def load_measurements(self, state: EnvState, table: Records) -> None:
         """Take over from such a table what rings have measured."""
         ring = rings(state)
         ring.level[:], ring.count[:] = table["level"], table["count"]
-        ring.measured.take_over(table)
+        ring.measured.load_measurements(table)
 
     def _see(
         self,

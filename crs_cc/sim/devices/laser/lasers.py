@@ -122,14 +122,14 @@ class Lasers:
 
         The reply has the number of readings, see `reply`.
         """
-        return self.sensor.asked(context)[0]
+        return self.sensor.measure_on_request(context)[0]
 
     def get_ranges(self, context: RequestContext) -> BoolArray:
         """Answer LASER with the number of ranges, which are kept for READINGS.
 
         Refuse lasers that are off or missing.
         """
-        has, numbers = self.sensor.asked(context)
+        has, numbers = self.sensor.measure_on_request(context)
         laser = laser_state(context.state)
         on = _is_on(laser.mode[numbers])
         has[has] = on

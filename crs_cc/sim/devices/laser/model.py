@@ -62,7 +62,7 @@ class Laser:
 
 def read(root: Element, reader: Reader) -> Laser | None:
     """Return the laser of a robot definition, None for a robot without one."""
-    element = root.maybe("laser")
+    element = root.find_child("laser")
     if element is None:
         return None
     laser: Laser = read_attributes(Laser, element, reader)

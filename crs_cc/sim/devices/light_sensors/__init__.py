@@ -105,7 +105,7 @@ class _Rings:
 
     def get_light(self, context: RequestContext) -> BoolArray:
         """Answer GET_LIGHT with the number of sensors, and their readings as data."""
-        has, mine = self._sensor.asked(context)
+        has, mine = self._sensor.measure_on_request(context)
         readings = self._sensor.readings(context.state).value[mine]
         context.put_data(np.clip(np.rint(readings), 0, LARGEST), has)
         context.put("sensors", self._sensor.settings["number"][mine], has)

@@ -99,7 +99,7 @@ class _Ears:
 
     def get_sound(self, context: RequestContext) -> BoolArray:
         """Answer GET_SOUND with the levels of all tones, and the direction of the loudest."""
-        has, mine = self._sensor.asked(context)
+        has, mine = self._sensor.measure_on_request(context)
         value = self._sensor.readings(context.state).value[mine]
         level, bearing_rad = value[:, :TONES], value[:, TONES:]
         bearing_rad = bearing_rad[np.arange(len(mine)), level.argmax(axis=1)]

@@ -48,19 +48,19 @@ _FULL_TURN: Final = 3600  # [0.1 deg]
 
 
 def arc(
-    heading_rad: FloatArray, way_m: FloatArray, turn_rad: FloatArray
+    heading_rad: FloatArray, arc_m: FloatArray, turn_rad: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Return the displacement along an arc.
 
     Args:
         heading_rad: the heading before, shape (k,).
-        way_m: length of the arc, shape (k,).
+        arc_m: length of the arc, shape (k,).
         turn_rad: change of the heading on it, shape (k,).
 
     Returns:
         change of x and of y [m].
     """
-    return kernels().arcs(heading_rad, way_m, turn_rad)
+    return kernels().arcs(heading_rad, arc_m, turn_rad)
 
 
 def count_turns(

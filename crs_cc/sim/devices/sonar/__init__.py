@@ -54,7 +54,7 @@ from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor_order import orders
-from crs_cc.sim.devices.sonar.beams import Beams, overheard
+from crs_cc.sim.devices.sonar.beams import Beams, crosstalk_pings
 from crs_cc.sim.devices.sonar.element import read
 from crs_cc.sim.devices.sonar.errors import SonarErrors
 from crs_cc.sim.devices.sonar.missed import Firings, MissedFirings
@@ -174,7 +174,7 @@ class SonarRing:
         """
         sonar = sonar_state(state)
         fires = sonar.next_s[rows] <= to_s
-        if constants.degradations.concern(state, "sonar") or not fires.any():
+        if constants.degradations.affects(state, "sonar") or not fires.any():
             self.advance(state, constants, rays, rows, to_s)
             return
         firing, until_s = rows[fires], to_s[fires]
@@ -195,7 +195,7 @@ class SonarRing:
         at_s: FloatArray,
     ) -> FloatArray:
         """Return the ranges that all sonars would report if they fired at `at_s` [m], (k, 16)."""
-        distance_m = self._around(state, rays, rows, *self._stands(state, constants, rows))
+        distance_m = self._around(state, rays, rows, *self._ring_poses(state, constants, rows))
         reported_m = np.empty_like(distance_m)
         for number in range(MAX_SONARS):
             deviates = self._errors.draw(rows, sonar_state(state).count[rows])
@@ -255,7 +255,7 @@ class SonarRing:
         sonar_state(state).reorder(
             rows, np.where(given, order, 0), given.sum(axis=1), state.drive.clock_s[rows]
         )
-        until_s = np.minimum(context.at_s[good], constants.last_instant_s(state.cycle))
+        until_s = np.minimum(context.at_s[good], constants.last_time_s(state.cycle))
         self.advance(state, constants, context.rays, rows, until_s)
         return good
 
@@ -318,16 +318,17 @@ class SonarRing:
         """
         rows, number, before, at_s = firings
         sonar = sonar_state(state)
-        place, turn = self._stands(state, constants, rows)
+        place, turn = self._ring_poses(state, constants, rows)
         pings = self._beams.pings(rows, number, place, turn, sonar.mode[rows])
         gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
         deviates = self._errors.draw(rows, before)
-        voices, confused = None, self._errors.confused(rows, sonar.mode[rows], deviates)
-        if len(confused):
-            from_s, to_s = at_s[confused], (at_s + gives_up_s)[confused]
-            voices = overheard(state, self._beams, pings, confused, from_s=from_s, to_s=to_s)
-        prospect = self._prospect(state, rays, pings, number)
-        distance_m = first_echo(pings, prospect, voices, rays.surfaces.hushed)
+        affected = self._errors.affected_by_crosstalk(rows, sonar.mode[rows], deviates)
+        voices = None
+        if len(affected):
+            from_s, to_s = at_s[affected], (at_s + gives_up_s)[affected]
+            voices = crosstalk_pings(state, self._beams, pings, affected, from_s=from_s, to_s=to_s)
+        shapes = self._shapes_hit(state, rays, pings, number)
+        distance_m = first_echo(pings, shapes, voices, rays.surfaces.hushed)
         reported_m = self._reported_m(state, constants, (rows, number, at_s), distance_m, deviates)
         in_time = 2 * reported_m / SOUND_MPS <= gives_up_s
         heard_s = at_s + np.where(in_time, 2 * reported_m / SOUND_MPS, gives_up_s)
@@ -354,7 +355,7 @@ class SonarRing:
         reported_m = self._errors.reported_m(
             rows, sonar_state(state).mode[rows], distance_m, deviates
         )
-        if not constants.degradations.concern(state, "sonar"):
+        if not constants.degradations.affects(state, "sonar"):
             return reported_m
         elements = np.broadcast_to(number, rows.shape)
         reported_m = constants.degradations.alter(
@@ -362,7 +363,7 @@ class SonarRing:
         )[:, 0]
         return np.where(np.isnan(reported_m), np.inf, np.maximum(reported_m, 0.0))
 
-    def _stands(
+    def _ring_poses(
         self, state: EnvState, constants: RobotConstants, rows: IndexArray
     ) -> tuple[ComplexArray, ComplexArray]:
         """Return positions of robots and directions of their rings' fronts."""
@@ -396,18 +397,18 @@ class SonarRing:
         number = np.tile(np.arange(MAX_SONARS), len(rows))
         mode = sonar_state(state).mode[rows[each]]
         pings = self._beams.pings(rows[each], number, place[each], turn[each], mode)
-        prospect = self._prospect(state, rays, pings, number)
-        heard_m = first_echo(pings, prospect, hushed=rays.surfaces.hushed)
+        shapes = self._shapes_hit(state, rays, pings, number)
+        heard_m = first_echo(pings, shapes, hushed=rays.surfaces.hushed)
         return heard_m.reshape(-1, MAX_SONARS)
 
-    def _prospect(
+    def _shapes_hit(
         self, state: EnvState, rays: RayCaster, pings: Pings, number: IndexArray
     ) -> Prospect:
         """Return what pings of the sonars with these numbers can hit."""
         if rays.all_alike:
             return rays.obstacles(state)
         z_m = self._beams.z_m(pings.own, number)
-        return rays.prospect(state, z_m, exact.tan(pings.half_rad))
+        return rays.shapes_at_height(state, z_m, exact.tan(pings.half_rad))
 
 
 def _fan(model: SonarMode) -> Fan:

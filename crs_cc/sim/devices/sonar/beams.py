@@ -129,7 +129,7 @@ class Beams:
         )
 
 
-def overheard(
+def crosstalk_pings(
     state: EnvState,
     beams: Beams,
     pings: Pings,
@@ -154,26 +154,26 @@ def overheard(
     fires = (sonar.length[other] > 0) & (pings.own[listeners[listener]] != other)
     fires &= state.presence.present[other]
     listener, other = listener[fires], other[fires]
-    way_m = exact.magnitude(state.x_m[other] + 1j * state.y_m[other] - start[listener])
-    near = np.flatnonzero(way_m <= beams.reach_m)
-    listener, other, way_m = listener[near], other[near], way_m[near]
+    distance_m = exact.magnitude(state.x_m[other] + 1j * state.y_m[other] - start[listener])
+    near = np.flatnonzero(distance_m <= beams.reach_m)
+    listener, other, distance_m = listener[near], other[near], distance_m[near]
     # At most one ping of another robot arrives: its board fires again only later than sound from
     # the end of the range takes to arrive.
     round_s = sonar.interval_s[other]
-    since_s = from_s[listener] - way_m / SOUND_MPS - sonar.start_s[other]
+    since_s = from_s[listener] - distance_m / SOUND_MPS - sonar.start_s[other]
     turn = np.maximum(np.ceil(since_s / round_s), 0).astype(np.int64)
     number = sonar.order[other, turn % sonar.length[other]]
     place = state.x_m[other] + 1j * state.y_m[other]
     turn_there = exact.turn(state.mount_rad)[other]
     theirs = beams.pings(other, number, place, turn_there, sonar.mode[other])
     seen = theirs.local(np.arange(len(other)), start[listener])
-    way_m = exact.magnitude(seen)
-    come_s = sonar.start_s[other] + turn * round_s + way_m / SOUND_MPS
+    distance_m = exact.magnitude(seen)
+    come_s = sonar.start_s[other] + turn * round_s + distance_m / SOUND_MPS
     told_m = (come_s - from_s[listener]) * SOUND_MPS / 2
-    likely = (seen.real > 0.0) & (way_m <= theirs.range_m)  # few are
+    likely = (seen.real > 0.0) & (distance_m <= theirs.range_m)  # few are
     heard = np.flatnonzero(likely & (told_m >= 0.0) & (come_s <= to_s[listener]))
     angle_rad = exact.angle(seen[heard])
     in_beam = np.abs(angle_rad) <= theirs.half_rad[heard]
-    heard = heard[in_beam & (way_m[heard] <= theirs.reach_m(heard, angle_rad))]
+    heard = heard[in_beam & (distance_m[heard] <= theirs.reach_m(heard, angle_rad))]
     ping = listeners[listener[heard]]
     return Points(ping, pings.local(ping, theirs.start[heard]), told_m[heard], np.ones(len(ping)))

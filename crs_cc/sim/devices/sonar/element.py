@@ -122,9 +122,9 @@ def _heard(element: Element, usual: SonarBoard, reader: Reader) -> SonarBoard:
         blind_m=reader.not_negative(element, "blind", LENGTH, usual.blind_m),
         minimum_m=reader.not_negative(element, "minimum", LENGTH, usual.minimum_m),
         noise_m=reader.not_negative(element, "noise", LENGTH, usual.noise_m),
-        noise_share=reader.share(element, "noise-share", usual.noise_share),
-        dropouts=reader.share(element, "dropouts", usual.dropouts),
-        crosstalk=reader.share(element, "crosstalk", usual.crosstalk),
+        noise_share=reader.fraction(element, "noise-share", usual.noise_share),
+        dropouts=reader.fraction(element, "dropouts", usual.dropouts),
+        crosstalk=reader.fraction(element, "crosstalk", usual.crosstalk),
         resolution_m=reader.not_negative(element, "resolution", LENGTH, usual.resolution_m),
     )
 

@@ -84,7 +84,9 @@ class SonarErrors:
             return np.zeros((len(rows), _DEVIATES))
         return np.asarray(self._noise.rows(rows, numbers))
 
-    def confused(self, rows: IndexArray, mode: IndexArray, deviates: FloatArray) -> IndexArray:
+    def affected_by_crosstalk(
+        self, rows: IndexArray, mode: IndexArray, deviates: FloatArray
+    ) -> IndexArray:
         """Return which of some robots mistake others' pings for their own in this firing."""
         if self._noise is None:
             return _NOBODY

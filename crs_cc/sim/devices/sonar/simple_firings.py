@@ -90,7 +90,7 @@ class SimpleFirings:
         """
         if not self.know(rays):
             return False
-        if constants.degradations.concern(state, "sonar"):
+        if constants.degradations.affects(state, "sonar"):
             return False
         shapes = rays.few_shapes(state, len(rows))
         if shapes is None or not drive.moves_as_commanded(state, constants):
@@ -101,7 +101,7 @@ class SimpleFirings:
         sonar = sonar_state(state)
         while True:
             deviates = self._errors.draw(rows, sonar.count[rows])
-            if len(self._errors.confused(rows, sonar.mode[rows], deviates)):
+            if len(self._errors.affected_by_crosstalk(rows, sonar.mode[rows], deviates)):
                 return False
             numbers = modes + deviates.tobytes() + content
             found = state.rows.fire(some, to_s, numbers, sizes, constants.kinds)

@@ -51,7 +51,7 @@ def read(root: Element, reader: Reader) -> Tag | None:
 
     It has no element of its own: the heat sensor's describes it, and reports errors.
     """
-    found = heat.both(root, Reader(reader.file, Diagnostics()))
+    found = heat.heat_and_tag(root, Reader(reader.file, Diagnostics()))
     return Tag(found.tag_range_m) if found is not None and found.tag_range_m > 0.0 else None
 
 
@@ -79,7 +79,7 @@ def install(row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Insta
             state, row.name, rows, range_m[:, None], state.drive.clock_s[rows]
         )[:, 0]
         reach_m = np.where(np.isnan(reach_m), _NOTHING_M, reach_m)
-        robot, thing, _ = heat.hot_things(state, constants, rows, reach_m)
+        robot, thing, _ = heat.hot_objects(state, constants, rows, reach_m)
         state.heat.left[thing] = 0.0
         context.clear_data()
         context.put("things", np.bincount(robot, minlength=len(rows)), has)

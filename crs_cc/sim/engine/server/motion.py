@@ -115,9 +115,9 @@ class Straight:
     direction: complex
     length_m: float
 
-    def at(self, way_m: FloatArray) -> ComplexArray:
+    def at(self, path_m: FloatArray) -> ComplexArray:
         """Return the points at distances along the path."""
-        return np.asarray(self.start + way_m * self.direction)
+        return np.asarray(self.start + path_m * self.direction)
 
     def around(self) -> tuple[complex, float]:
         """Return the centre and the radius of a disc that contains the path."""
@@ -155,9 +155,9 @@ class Arc:
     sense: int
     length_m: float
 
-    def at(self, way_m: FloatArray) -> ComplexArray:
+    def at(self, path_m: FloatArray) -> ComplexArray:
         """Return the points at distances along the path."""
-        angle = self.begin_rad + self.sense * way_m / self.radius_m
+        angle = self.begin_rad + self.sense * path_m / self.radius_m
         return np.asarray(self.centre + self.radius_m * exact.turn(angle))
 
     def around(self) -> tuple[complex, float]:
@@ -169,16 +169,16 @@ class Arc:
         away = self.centre - point
         apart = exact.magnitude(away)
         more_m2 = np.square(distance_m) - np.square(apart) - np.square(self.radius_m)
-        return self._ways(exact.angle(away), more_m2 / (2 * self.radius_m * apart))
+        return self._path_lengths(exact.angle(away), more_m2 / (2 * self.radius_m * apart))
 
     def beside(
         self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
     ) -> list[FloatArray]:
         """Return the distances at which the circle is so far along a normal from points."""
         before = exact.dot(self.centre - point, normal)
-        return self._ways(exact.angle(normal), (distance_m - before) / self.radius_m)
+        return self._path_lengths(exact.angle(normal), (distance_m - before) / self.radius_m)
 
-    def _ways(self, middle_rad: FloatArray, cos: FloatArray) -> list[FloatArray]:
+    def _path_lengths(self, middle_rad: FloatArray, cos: FloatArray) -> list[FloatArray]:
         half_rad = exact.arccos(cos)
         ends_rad = (middle_rad + half_rad, middle_rad - half_rad)
         return [self.sense * (end - self.begin_rad) % _TURN * self.radius_m for end in ends_rad]
@@ -191,17 +191,17 @@ def first_contact(path: Path, shapes: Shapes) -> tuple[complex, float] | None:
     """Return a robot's centre at its first contact, and the normal [rad]."""
     middle, radius_m = path.around()
     shapes = shapes.take(np.flatnonzero(shapes.room_m(middle) <= radius_m + _AHEAD_M))
-    ways_m = np.stack([np.zeros(len(shapes.reach_m)), *_candidates(path, shapes)])
-    ways_m[(ways_m < 0.0) | (ways_m > path.length_m)] = np.nan
-    room_m = shapes.room_m(path.at(ways_m))
-    ahead_m = shapes.room_m(path.at(np.minimum(ways_m + _AHEAD_M, path.length_m)))
+    paths_m = np.stack([np.zeros(len(shapes.reach_m)), *_candidates(path, shapes)])
+    paths_m[(paths_m < 0.0) | (paths_m > path.length_m)] = np.nan
+    room_m = shapes.room_m(path.at(paths_m))
+    ahead_m = shapes.room_m(path.at(np.minimum(paths_m + _AHEAD_M, path.length_m)))
     touches = np.abs(room_m) <= _ON_M
     touches[0] = room_m[0] <= _ON_M
-    ways_m[~touches | ~(ahead_m < room_m - _CLOSER_M)] = np.inf
-    if not ways_m.size or not math.isfinite(float(ways_m.min())):
+    paths_m[~touches | ~(ahead_m < room_m - _CLOSER_M)] = np.inf
+    if not paths_m.size or not math.isfinite(float(paths_m.min())):
         return None
-    shape = int(ways_m.min(axis=0).argmin())
-    place = complex(path.at(ways_m[:, shape].min()))
+    shape = int(paths_m.min(axis=0).argmin())
+    place = complex(path.at(paths_m[:, shape].min()))
     return place, float(exact.angle(shapes.nearest(place)[shape] - place))
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
-from crs_cc.sim.engine.roster import in_the_way
+from crs_cc.sim.engine.roster import obstructing_object
 from crs_cc.sim.engine.teleport import put_robot
 from crs_cc.sim.model.world import Pose
 
@@ -40,7 +40,7 @@ def place_robot(context: RequestContext) -> BoolArray:
             tenths_deg_to_rad(float(heading % _FULL_TURN)),
         )
         radius_m = float(constants.radius_m[robot])
-        good[row] = not in_the_way(state, constants, place, radius_m, robot)
+        good[row] = not obstructing_object(state, constants, place, radius_m, robot)
         if good[row]:
             _put(state, constants, robot, place, tenths_deg_to_rad(float(turret % _FULL_TURN)))
     return good

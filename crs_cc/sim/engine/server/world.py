@@ -22,9 +22,15 @@ from crs_cc.core.quantity import LENGTH
 from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
 from crs_cc.sim.geometry.placement import TOLERANCE_M, distance_from_m
 from crs_cc.sim.geometry.scene import corners_m
-from crs_cc.sim.model.polygon import area_m2, complaint
+from crs_cc.sim.model.polygon import area_m2, validation_error
 from crs_cc.sim.model.world import Box, Polygon, Solid, is_pushable
-from crs_cc.sim.state.obstacles import MAX_VERTICES, Corners, ObstacleState, polygon_of, things_of
+from crs_cc.sim.state.obstacles import (
+    MAX_VERTICES,
+    Corners,
+    ObstacleState,
+    polygon_of,
+    world_objects,
+)
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -115,7 +121,7 @@ def _add(
     if len(obstacles.sizes) >= MAX_ALL or (obstacles.owners == robot).sum() >= MAX_OWN:
         return False
     places_m = tenths_inch_to_m(corners.astype(np.float64))
-    if complaint(places_m):
+    if validation_error(places_m):
         return False
     if area_m2(places_m) < 0.0:
         corners = corners[::-1]
@@ -151,7 +157,7 @@ def _find(
     for added in np.flatnonzero(obstacles.sizes == len(corners)).tolist():
         if _in_order(obstacles.of(added)) == wanted:
             return int(added)
-    objects = things_of(constants.world)
+    objects = world_objects(constants.world)
     for number in np.flatnonzero(obstacles.standing).tolist():
         if _in_order(_tenths_inch(objects[number])) == wanted:
             return ~int(number)

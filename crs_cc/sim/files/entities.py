@@ -23,7 +23,7 @@ from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import Area, Robot, Solid
 
-MAX_THINGS: Final = 100_000
+MAX_OBJECTS: Final = 100_000
 _DIALECTS: Final[dict[str, Literal["nomad", "report"]]] = {"nomad": "nomad", "report": "report"}
 _SIMPLE: Final = frozenset({"wall", "box", "cylinder", "polygon"})
 
@@ -32,7 +32,7 @@ FindModel: TypeAlias = Callable[[Element], RobotModel]
 
 
 @dataclass(slots=True)
-class Things:
+class Entities:
     """The robots, walls and objects that have been read; errors go to the reader of `solids`.
 
     Attributes:
@@ -64,8 +64,8 @@ class Things:
                 self.robots.append(self._robot(element))
                 continue
             self.objects += [(element, part) for part in self._solids(element)]
-            if len(self.objects) > MAX_THINGS:
-                self.solids.reader.error(element, f"more than {MAX_THINGS} objects")
+            if len(self.objects) > MAX_OBJECTS:
+                self.solids.reader.error(element, f"more than {MAX_OBJECTS} objects")
                 self.objects.clear()
                 return
 
