@@ -7,13 +7,13 @@ the program posts no request, is done in WebAssembly.
 from __future__ import annotations
 
 import functools
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 import wasmtime
 
 from crs_cc.requests import FAILED, slot_offset
-from crs_cc.runtime.driver import CURRENT, SLOTS
+from crs_cc.runtime.driver import HEADER, SLOTS
 from crs_cc.runtime.executable import engine
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.shard import view
@@ -36,6 +36,10 @@ most_fuel, most_rounds: no further round begins when so much was used
 used: fuel used in all rounds but the last
 rounds: rounds begun
 """
+
+
+CURRENT: Final = dict(HEADER.fields or {})["current"][1]
+"""Offset of the number of the robot to begin with, in the header of the only shard."""
 
 
 def _at(field: str) -> str:
@@ -89,14 +93,14 @@ class Rounds:
         (shard,) = fleet._shards
         shard.raise_instance_limit()
         store = shard.store
-        parts = [shard.mailbox, shard.round]
+        parts: list[Any] = [shard.mailbox, shard.round]
         instance = wasmtime.Instance(store, _loop(engine()), parts)
         exports = instance.exports(store)
         self._fleet = fleet
         self._state = view(store, exports["state"])[: STATE.itemsize].view(STATE)
         rounds = exports["rounds"]
         assert isinstance(rounds, wasmtime.Func)
-        shard.round = rounds
+        shard._round = shard.prepared(rounds)
 
     def run(self, fuel: int, statements: int, most_fuel: int, most_rounds: int) -> tuple[int, int]:
         """Run rounds until the program posts a request or fails, or has used up so much.
