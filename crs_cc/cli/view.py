@@ -146,7 +146,7 @@ def _open(word: str, token: str | None, *, opens: bool) -> int:
         warning = f"crs: warning: {at.hostname}:{at.port} is not encrypted"
     say(f"crs: open {address}")
     if fingerprint:
-        say(f"crs: the certificate there has the fingerprint {fingerprint}")
+        say(f"crs: fingerprint of the certificate: {fingerprint}")
     if warning:
         say(warning)
     if opens:

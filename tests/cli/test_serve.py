@@ -431,7 +431,7 @@ def test_the_address_of_a_page_says_whether_the_run_is_encrypted(
             expected = "https" if word != at else scheme
             assert said[0] == f"crs: open {expected}://{at}/#token={'x' * 22}"
             if printed:
-                assert said[1:] == [f"crs: the certificate there has the fingerprint {printed}"]
+                assert said[1:] == [f"crs: fingerprint of the certificate: {printed}"]
             else:
                 is_wrong = expected != scheme
                 assert said[1:] == [f"crs: warning: {at} is not encrypted"] * is_wrong
