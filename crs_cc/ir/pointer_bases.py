@@ -50,7 +50,7 @@ NEAR: Final = 16
 _FARTHEST: Final = 64
 """Distances are not followed further than this, so that loops come to an end [bytes]."""
 
-MOST_BLOCKS: Final = 2000
+MAX_BLOCKS: Final = 2000
 """Larger functions are not analysed."""
 
 _Object: TypeAlias = "Slot | str | Instruction | Register"
@@ -94,7 +94,7 @@ def find_bases(function: Function, sizes: Mapping[str, int]) -> None:
         function: the function.
         sizes: the sizes of global objects, as far as they are known.
     """
-    if len(function.blocks) <= MOST_BLOCKS and _has_bases(function):
+    if len(function.blocks) <= MAX_BLOCKS and _has_bases(function):
         _Analysis(function, sizes).run()
 
 

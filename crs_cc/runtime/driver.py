@@ -52,8 +52,8 @@ loaded: receives what was prefetched, so that the loads are not optimised away
 end_s: the end of the cycle [s]
 """
 _AT: Final = {name: int(field[1]) for name, field in (HEADER.fields or {}).items()}
-MOST_SHARDS: Final = 64
-SLOTS: Final = MOST_SHARDS * HEADER.itemsize
+MAX_SHARDS: Final = 64
+SLOTS: Final = MAX_SHARDS * HEADER.itemsize
 """Address of the first slot, after the headers."""
 BATCH: Final = 16
 """Robots prefetched together: measured; 8 and 32 are as good within a tenth."""

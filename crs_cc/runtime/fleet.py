@@ -28,7 +28,7 @@ from crs_cc.core.arrays import ByteArray, IndexArray, Records
 from crs_cc.core.source import Location
 from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE
 from crs_cc.runtime import resident_pages
-from crs_cc.runtime.driver import MOST_SHARDS, SLOTS
+from crs_cc.runtime.driver import MAX_SHARDS, SLOTS
 from crs_cc.runtime.executable import Driver, Executable, compile_driver
 from crs_cc.runtime.shard import Mailbox, RunResult, Sandbox, Shard, Trapped, memory_errors
 from crs_cc.runtime.site_tests import STOP, TEST, UNPASSED, SiteTests
@@ -78,13 +78,13 @@ class Fleet:
         Args:
             executables: the programs.
             driver: the module that `compile_driver` returns, if it is known.
-            threads: how many threads may run programs at the same time, `MOST_SHARDS` at most;
+            threads: how many threads may run programs at the same time, `MAX_SHARDS` at most;
                 by default as many as there are processors. No result depends on it.
 
         Raises:
             OSError: there is not enough memory or address space.
         """
-        shards = default_threads(executables) if threads is None else min(threads, MOST_SHARDS)
+        shards = default_threads(executables) if threads is None else min(threads, MAX_SHARDS)
         with memory_errors(len(executables)):
             self._create(executables, driver or compile_driver(), shards)
 

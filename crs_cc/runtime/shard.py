@@ -21,7 +21,7 @@ from wasmtime import _bindings, _ffi
 from crs_cc.core.arrays import ByteArray, Records
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Location
-from crs_cc.runtime.driver import HEADER, MOST_SHARDS
+from crs_cc.runtime.driver import HEADER, MAX_SHARDS
 from crs_cc.runtime.executable import Driver, Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES, PAGE, STACK_TOP
 from crs_cc.runtime.resident_pages import CHUNK
@@ -36,7 +36,7 @@ Trapped: TypeAlias = tuple[int, Exception]
 _HEADER: Final = struct.Struct("<10Id")  # faster than numpy
 _CURRENT, _ROUNDS, _RAN = map(HEADER.names.index, ("current", "rounds", "ran"))  # type: ignore[union-attr]
 _FUNCTIONS: Final = "round", "begin", "end"
-_MOST_PAGES: Final = 2**16  # of the mailbox: the maximum, so that it never moves
+_MAX_PAGES: Final = 2**16  # of the mailbox: the maximum, so that it never moves
 _NONE: Final = np.zeros(0, np.uint8)
 
 QUICKEST_CALL: Final = "wasmtime_func_call_unchecked", _ffi.dll
@@ -67,7 +67,7 @@ class Mailbox(wasmtime.SharedMemory):
     @classmethod
     def of_size(cls, size: int) -> Self:
         """Create a mailbox [bytes]."""
-        limits = wasmtime.Limits(-(-size // PAGE), _MOST_PAGES)
+        limits = wasmtime.Limits(-(-size // PAGE), _MAX_PAGES)
         return cls(engine(), wasmtime.MemoryType(limits, shared=True))
 
     def resize(self, size: int) -> None:
@@ -82,7 +82,7 @@ class Mailbox(wasmtime.SharedMemory):
 
     def headers(self) -> Records:
         """Return the headers of the shards, of dtype `HEADER`."""
-        return self.view()[: MOST_SHARDS * HEADER.itemsize].view(HEADER)
+        return self.view()[: MAX_SHARDS * HEADER.itemsize].view(HEADER)
 
     def _as_extern(self) -> Any:
         # That of wasmtime 50 passes a pointer to the pointer.

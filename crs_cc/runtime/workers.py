@@ -14,7 +14,7 @@ from queue import SimpleQueue
 from typing import TYPE_CHECKING, Final, TypeAlias
 
 from crs_cc.core.host_system import available_cores
-from crs_cc.runtime.driver import MOST_SHARDS
+from crs_cc.runtime.driver import MAX_SHARDS
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
@@ -32,7 +32,7 @@ ROBOTS_PER_SHARD: Final = 4
 
 def default_threads(executables: Sequence[Executable]) -> int:
     """Return how many shards are worth while; programs with marks run one by one."""
-    most = min(available_cores(), MOST_SHARDS, len(executables) // ROBOTS_PER_SHARD)
+    most = min(available_cores(), MAX_SHARDS, len(executables) // ROBOTS_PER_SHARD)
     if most <= 1 or any(
         each.has_marks for each in {id(each): each for each in executables}.values()
     ):

@@ -327,7 +327,7 @@ class CheckedMemory(CheckedPointers):
         bits = shadow.WRITABLE if writes else shadow.ACCESSIBLE
         writer = self.writer
         self._exclude_last_bytes(writer.value(address), Site("memory", location, access))
-        few = inline_ranges.short(size, inline_ranges.MOST_COPIED)
+        few = inline_ranges.short(size, inline_ranges.MAX_COPIED)
         if few:
             push = writer.value(address)
             for test in shadow.any_in_range_without(bits, push, few):
@@ -355,7 +355,7 @@ class CheckedMemory(CheckedPointers):
 
         If not all of it is, the call is made: a member may never be used.
         """
-        few = inline_ranges.short(size, inline_ranges.MOST_COPIED)
+        few = inline_ranges.short(size, inline_ranges.MAX_COPIED)
         if not few:
             self.check_range(address, size, location, "read")
         elif not self._valued(address, 0, few):
@@ -370,7 +370,7 @@ class CheckedMemory(CheckedPointers):
     def copy(self, it: Copy) -> None:
         """Write a `memmove`, which copies states too."""
         self.check_range(it.target, it.size, it.location, "write")
-        if inline_ranges.short(it.size, inline_ranges.MOST_COPIED):
+        if inline_ranges.short(it.size, inline_ranges.MAX_COPIED):
             self.check_range(it.source, it.size, it.location, "read")
             super().copy(it)
         else:

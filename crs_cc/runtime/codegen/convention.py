@@ -26,8 +26,8 @@ from crs_cc.runtime.codegen.stopping import IS_STOPPED
 from crs_cc.runtime.layout import HEADER_SIZE, RESULT, argument_offsets
 from crs_cc.runtime.wasm import TYPE_CALL, Code, FuncType, Instr
 
-MOST_WORDS: Final = 4
-MOST_FLOATS: Final = 8
+MAX_WORDS: Final = 4
+MAX_FLOATS: Final = 8
 """Limits on the integers and floating-point numbers that are passed in registers."""
 
 GENERAL_FORM: Final = 16
@@ -81,7 +81,7 @@ def convention_of(function: Function) -> Convention:
     in_bytes = function.variadic or any(
         each.memory is not None and not isinstance(each.place, Register) for each in parameters
     )
-    left = {True: MOST_FLOATS, False: MOST_WORDS}
+    left = {True: MAX_FLOATS, False: MAX_WORDS}
     registers: list[MemoryType | None] = []
     for each in parameters:
         is_float = each.memory in ("f32", "f64")

@@ -16,7 +16,7 @@ from typing import Final
 from crs_cc.runtime.codegen.flow_graph import LANDING, Landing, Node
 from crs_cc.runtime.codegen.fuel_charges import charge
 
-MOST_NESTED_LOOPS: Final = 16
+MAX_NESTED_LOOPS: Final = 16
 """Loops nested deeper, which only irreducible jumps create, become one flat dispatcher.
 
 It keeps the work linear in the size of the function.
@@ -80,7 +80,7 @@ class _Loops:
         """Return the header of the loop; create one if it has several entries."""
         inside = set(component)
         heads = [node for node in component if self._header(node, inside)] or component[:1]
-        if depth >= MOST_NESTED_LOOPS:
+        if depth >= MAX_NESTED_LOOPS:
             heads = component
         landings = [self.landing_of[node] for node in component if node in self.landing_of]
         if len(heads) == 1 and all(landing.node is heads[0] for landing in landings):

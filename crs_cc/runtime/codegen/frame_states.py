@@ -14,7 +14,7 @@ from crs_cc.ir.instruction import ByteState, Lifetime, Slot
 from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen import origins, same_object, shadow
 from crs_cc.runtime.codegen.indices import FP, MEMORY, PASSED, SHADOW, SP, STATES
-from crs_cc.runtime.codegen.inline_ranges import MOST_FILLED
+from crs_cc.runtime.codegen.inline_ranges import MAX_FILLED
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.layout import HEADER_SIZE, RESULT, Frame
 from crs_cc.runtime.sites import ARGUMENT_UNIT, FRAME_BITS, SITE_BITS
@@ -37,7 +37,7 @@ def passed() -> Code:
     return Code("passed", (("i32", "i32", "i32"), ()), [], body)
 
 
-MOST_STORES: Final = 32
+MAX_STORES: Final = 32
 """Slots that need more stores than this are made inaccessible by one `memory.fill`."""
 
 _SP: Final[Instr] = ("local.get", SP)
@@ -80,7 +80,7 @@ def leave(function: Function, frame: Frame) -> list[Instr]:
     if function.slots:  # together with the red zones between them, if that is shorter
         start = min(frame.offsets[slot] for slot in function.slots)
         end = max(frame.offsets[slot] + slot.size for slot in function.slots)
-        if end - start <= MOST_FILLED or len(code) > 3 * MOST_STORES:
+        if end - start <= MAX_FILLED or len(code) > 3 * MAX_STORES:
             code = min(code, shadow.fill(_SP, start, end - start, gone), key=len)
     for slot in _parameters(function):
         code += shadow.fill(_SP, frame.offsets[slot], slot.size, gone)

@@ -79,7 +79,7 @@ from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
 MESSAGE_OFFSET = slot_offset("message")
 RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
 
-MOST_OUTLINED: Final = 8
+MAX_OUTLINED: Final = 8
 """Functions with more calls resume themselves."""
 
 
@@ -205,7 +205,7 @@ class _FunctionCode:
         is_small = self.names.bodies.is_small(self.function.name)
         if is_small or self.build.debug or in_library(self.function.location):
             return False
-        return is_plain and calls and 0 < len(self.landings) <= MOST_OUTLINED
+        return is_plain and calls and 0 < len(self.landings) <= MAX_OUTLINED
 
     def body_from(self, entry: Node) -> list[Instr]:
         """Return the code from an entry on."""

@@ -25,9 +25,9 @@ class Place(NamedTuple):
     offset: int = 0
 
 
-MOST_COPIED: Final = 64
+MAX_COPIED: Final = 64
 """Larger ranges are copied by `memory.copy` [bytes]."""
-MOST_FILLED: Final = 256
+MAX_FILLED: Final = 256
 """Larger ranges are filled by `memory.fill` [bytes]."""
 
 LOADS: Final = {1: "i32.load8_s", 2: "i32.load16_s", 4: "i32.load", 8: "i64.load"}

@@ -37,7 +37,7 @@ from crs_cc.runtime.codegen.switches import lower_switch
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.sites import Site
 
-MOST_INLINED: Final = 300
+MAX_INLINED: Final = 300
 """The limit on the fuel of all functions inlined in one function."""
 
 
@@ -50,7 +50,7 @@ def inlined_calls(blocks: list[Block], bodies: Bodies) -> dict[Call, Body]:
         body = bodies.of(call) if isinstance(call, Call) else None
         if body is not None and isinstance(call, Call):
             size += sum(body.fuel.values())
-            if size > MOST_INLINED:
+            if size > MAX_INLINED:
                 break
             found[call] = body
     return found

@@ -20,18 +20,18 @@ from crs_cc.runtime.codegen.memory_instructions import LOADS, STORES
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.wasm import Instr
 
-MOST_BLOCKS: Final = 1000
+MAX_BLOCKS: Final = 1000
 """Functions with more blocks are large."""
 
-MOST_CHECKED: Final = 3000
-MOST_IN_BLOCK: Final = 500
+MAX_CHECKED: Final = 3000
+MAX_IN_BLOCK: Final = 500
 """Limits on the instructions of checked functions and of their blocks.
 
 Where a check fails, all registers are saved. The host computes their values there anew from what
 was loaded, so that a hundred sums before a check are computed twice.
 """
 
-MOST_WAYS: Final = 100_000
+MAX_WAYS: Final = 100_000
 """The limit on registers times places to resume; each of the former is joined at all the latter."""
 
 _FIRST: Final = jumps.JUMP_SITE + 1
@@ -68,8 +68,8 @@ def homes_of(
             resumptions += sum(isinstance(each, Statement) for each in block.instructions)
     ways = resumptions * len(registers.lasting)
     sizes = [len(block.instructions) for block in function.blocks] if checked else [0]
-    is_long = sum(sizes) > MOST_CHECKED or max(sizes) > MOST_IN_BLOCK
-    if not is_long and len(function.blocks) <= MOST_BLOCKS and ways <= MOST_WAYS:
+    is_long = sum(sizes) > MAX_CHECKED or max(sizes) > MAX_IN_BLOCK
+    if not is_long and len(function.blocks) <= MAX_BLOCKS and ways <= MAX_WAYS:
         return {}
     return {register: Register(-1, register.type) for register in registers.lasting}
 

@@ -55,7 +55,7 @@ def begin(slot: Slot, offset: int, location: Location, names: Symbols) -> list[I
     if slot.variable is None or in_library(location):
         return shadow.fill(sp, offset, slot.size, ByteState.WITHOUT_VALUE)
     number = FIRST_VARIABLE + names.origin_number(slot.variable)
-    if slot.size > inline_ranges.MOST_FILLED:
+    if slot.size > inline_ranges.MAX_FILLED:
         at: list[Instr] = [sp, ("i32.const", offset), ("i32.add",)]
         return [*at, ("i32.const", slot.size), ("i32.const", number), ("call", UNSET)]
     code: list[Instr] = []

@@ -109,7 +109,7 @@ class PlainMemory:
         """Write a `memmove`."""
         writer = self.writer
         writer.charge(it.size)
-        size = short(it.size, inline_ranges.MOST_COPIED)
+        size = short(it.size, inline_ranges.MAX_COPIED)
         target, source = writer.value(it.target), writer.value(it.source)
         for memory in (MEMORY, SHADOW) if self.shadowed else (MEMORY,):
             if size:
@@ -123,7 +123,7 @@ class PlainMemory:
         """Write a `memset`."""
         writer = self.writer
         writer.charge(it.size)
-        size = short(it.size, inline_ranges.MOST_FILLED)
+        size = short(it.size, inline_ranges.MAX_FILLED)
         if size and isinstance(it.value, Constant):
             target, value = writer.value(it.target), int(it.value.value)
             writer.code += inline_ranges.fill(MEMORY, target, 0, size, value)
@@ -137,7 +137,7 @@ class PlainMemory:
         writer = self.writer
         self.check_range(value, size, location, "read")
         writer.charge(size)
-        few = short(size, inline_ranges.MOST_COPIED)
+        few = short(size, inline_ranges.MAX_COPIED)
         sp, source = ("local.get", SP), writer.value(value)
         for memory in (MEMORY, SHADOW) if self.shadowed else (MEMORY,):
             if few:
@@ -180,7 +180,7 @@ class PlainMemory:
 
     def set_states(self, address: Operand, size: Operand, state: int) -> None:
         """Set the states of bytes, if there is a shadow memory."""
-        few = short(size, inline_ranges.MOST_FILLED)
+        few = short(size, inline_ranges.MAX_FILLED)
         if self.shadowed and few:
             self.writer.code += shadow.fill(self.writer.value(address), 0, few, state)
         elif self.shadowed:

@@ -13,9 +13,9 @@ from crs_cc.ir.instruction import Block, Branch, Switch
 from crs_cc.ir.loops import edges
 from crs_cc.ir.program import Function
 
-MOST_COPIED: Final = 12
+MAX_COPIED: Final = 12
 """A header with more instructions is not copied."""
-MOST_BLOCKS: Final = 400
+MAX_BLOCKS: Final = 400
 """A loop of more blocks is not examined, which keeps the work linear."""
 
 
@@ -37,7 +37,7 @@ def rotated_loops(function: Function, headers: Iterable[Block]) -> dict[Block, s
 
 
 def _is_test(block: Block) -> bool:
-    is_short = len(block.instructions) <= MOST_COPIED
+    is_short = len(block.instructions) <= MAX_COPIED
     return is_short and isinstance(block.terminator, Branch) and block not in block.successors()
 
 
@@ -59,7 +59,7 @@ def _natural_loop(
     inside = {header, *latches}
     work = list(latches)
     while work:
-        if len(inside) > MOST_BLOCKS:
+        if len(inside) > MAX_BLOCKS:
             return set()
         for source in predecessors[work.pop()]:
             if source not in inside:

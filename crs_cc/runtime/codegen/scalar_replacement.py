@@ -44,10 +44,10 @@ from crs_cc.runtime.codegen.fuel_charges import FREE_BYTES
 from crs_cc.runtime.codegen.known_values import judged_in_memory, read_unassigned
 from crs_cc.runtime.codegen.slot_uses import NotReplaceableError, Place, Uses
 
-MOST_FIELDS: Final = 32
+MAX_FIELDS: Final = 32
 """The limit on the registers that replace the slots of a function."""
 
-MOST_BYTES: Final = 128
+MAX_BYTES: Final = 128
 """Larger slots of a function that is not inlined stay in memory."""
 
 _UNKNOWN: Final = Variable("", INT, Location(""))
@@ -135,7 +135,7 @@ def replace_some(
     deferred = DeferredChecks(function, Liveness(function), keep=False) if checked else None
     kept: set[Slot] = {VARARGS}
     kept.update(each.place for each in function.parameters if isinstance(each.place, Slot))
-    kept.update(slot for slot in function.slots if slot.size > MOST_BYTES)
+    kept.update(slot for slot in function.slots if slot.size > MAX_BYTES)
     while not kept.issuperset(function.slots):
         replacement = _Replacement(function, fuel, kept=kept, loads=not checked, deferred=deferred)
         try:
@@ -239,7 +239,7 @@ class _Replacement:
                 made = Register(len(registers), VALUE_TYPE[memory], variable)
                 self.registers[slot, at] = made
                 registers.append(made)
-        if len(self.registers) > MOST_FIELDS:
+        if len(self.registers) > MAX_FIELDS:
             raise NotReplaceableError(None)
         copied = {block: Block(block.label) for block in function.blocks}
         for block, copy in copied.items():

@@ -73,7 +73,7 @@ def unsealing(size: int) -> list[Instr]:
 
 def fill(base: Instr, offset: int, size: int, state: int) -> list[Instr]:
     """Set the states of `size` bytes at `base + offset`; `base` is an instruction that pushes."""
-    if size > inline_ranges.MOST_FILLED:
+    if size > inline_ranges.MAX_FILLED:
         at = [base, ("i32.const", offset), ("i32.add",)]
         return [*at, ("i32.const", state), ("i32.const", size), ("memory.fill", SHADOW)]
     return inline_ranges.fill(SHADOW, base, offset, size, state) if size else []

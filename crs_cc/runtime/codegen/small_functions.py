@@ -50,7 +50,7 @@ from crs_cc.runtime.codegen.scalar_replacement import ReadCheck, WriteCheck, rep
 from crs_cc.runtime.codegen.signatures import ends_without_value
 from crs_cc.runtime.codegen.value_numbering import KnownBytes, ValueNumbers
 
-MOST_WORK: Final = 60
+MAX_WORK: Final = 60
 """The fuel of the largest small function, with that of the functions that it calls."""
 
 _ENDS: Final = (Jump, Branch, Switch, Return, Stop, Call)
@@ -69,7 +69,7 @@ def small_functions(functions: Mapping[str, Function]) -> dict[str, Function]:
     callers: dict[str, list[str]] = {}
     for name, function in functions.items():
         own = _own_work(function)
-        if own <= MOST_WORK:
+        if own <= MAX_WORK:
             callees = [end.callee for end in calls_of(function)]
             work[name], pending[name] = own, [each for each in callees if isinstance(each, str)]
             for callee in pending[name]:
@@ -77,7 +77,7 @@ def small_functions(functions: Mapping[str, Function]) -> dict[str, Function]:
     small: dict[str, Function] = {}
     ready = [name for name, callees in pending.items() if not callees]
     for name in ready:  # callees first: those of a cycle are never ready
-        if work[name] > MOST_WORK:
+        if work[name] > MAX_WORK:
             continue
         small[name] = functions[name]
         for caller in callers.get(name, ()):
@@ -91,12 +91,12 @@ def small_functions(functions: Mapping[str, Function]) -> dict[str, Function]:
 def _own_work(function: Function) -> int:
     """Return the fuel of all blocks of a function; more than the limit if it cannot be small."""
     ends = [block.terminator for block in function.blocks]
-    is_plain = len(ends) <= MOST_WORK and all(
+    is_plain = len(ends) <= MAX_WORK and all(
         isinstance(end, _ENDS) and not (isinstance(end, Call) and isinstance(end.callee, Register))
         for end in ends
     )
     if not is_plain or function.trusted or function.variadic or loop_headers(function):
-        return MOST_WORK + 1
+        return MAX_WORK + 1
     return sum(block.fuel for block in function.blocks)
 
 

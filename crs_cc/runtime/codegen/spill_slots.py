@@ -15,7 +15,7 @@ from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import FUNCTION, RESUME, Frame
 from crs_cc.runtime.wasm import Instr
 
-MOST_INLINE: Final = 64
+MAX_INLINE: Final = 64
 """More bytes than this are cleared by `memory.fill`, which is a call into the host."""
 
 _SIZES: Final = {"i32": 4, "f32": 4, "i64": 8, "f64": 8}
@@ -45,7 +45,7 @@ def clear(frame: Frame, saved: list[Register]) -> list[Instr]:
         return []
     start = min(frame.offsets[register] for register in saved)
     end = max(frame.offsets[register] + _SIZES[register.type] for register in saved)
-    if end - start > MOST_INLINE:
+    if end - start > MAX_INLINE:
         at: list[Instr] = [("local.get", SP), ("i32.const", start), ("i32.add",), ("i32.const", 0)]
         return [*at, ("i32.const", end - start), ("memory.fill", MEMORY)]
     code: list[Instr] = []

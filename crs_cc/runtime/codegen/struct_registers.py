@@ -19,8 +19,8 @@ from crs_cc.runtime.codegen.inlined_calls import inlined_calls
 from crs_cc.runtime.codegen.scalar_replacement import PartiallyReplaced, replace_some
 from crs_cc.runtime.codegen.small_functions import Bodies
 
-MOST_BLOCKS: Final = 300
-MOST_SLOTS: Final = 16
+MAX_BLOCKS: Final = 300
+MAX_SLOTS: Final = 16
 """Functions with more are left as they are: each slot that stays in memory is found by a pass."""
 
 
@@ -31,7 +31,7 @@ def with_structs_in_registers(function: Function, bodies: Bodies | None) -> Part
         function: the function.
         bodies: the small functions; None in a debug build.
     """
-    is_small = len(function.blocks) <= MOST_BLOCKS and len(function.slots) <= MOST_SLOTS
+    is_small = len(function.blocks) <= MAX_BLOCKS and len(function.slots) <= MAX_SLOTS
     if bodies is not None and function.slots and is_small:
         replaced = _replaced(function, bodies)
         if replaced is not None:

@@ -17,7 +17,7 @@ from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, NULL_SIZE, RESUME, STACK_TOP, Frame
 from crs_cc.runtime.link import ROOT
 
-MOST_ACTIVE: Final = (STACK_TOP - NULL_SIZE) // HEADER_SIZE
+MAX_ACTIVE: Final = (STACK_TOP - NULL_SIZE) // HEADER_SIZE
 _ROOM: Final = 16
 """For so many calls there is room at first."""
 
@@ -112,7 +112,7 @@ class CallStack(Sequence[StackFrame]):
             start = self._numbers[same - 1], self._frames[same - 1].fp
             calls = islice(_active_calls(memory, self.compiled, start), 1, None)
         del self._frames[same:], self._numbers[same:]
-        for number, frame in islice(calls, MOST_ACTIVE - same):
+        for number, frame in islice(calls, MAX_ACTIVE - same):
             self._keep(number, frame, words)
 
     def _unchanged(self, words: npt.NDArray[np.int64]) -> int:
@@ -162,7 +162,7 @@ def call_stack(
         compiled: the program.
         failed_at: the location at which the innermost function failed, if it did.
     """
-    found = islice(_active_calls(memory, compiled), MOST_ACTIVE)
+    found = islice(_active_calls(memory, compiled), MAX_ACTIVE)
     frames = [frame for _, frame in found]
     if failed_at is not None:
         frames[-1] = replace(frames[-1], location=failed_at)

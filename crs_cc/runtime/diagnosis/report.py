@@ -24,9 +24,9 @@ from crs_cc.runtime.diagnosis.variables import Variables
 
 FIRST_CALLS: Final = 3
 LAST_CALLS: Final = 2
-MOST_VALUES: Final = 4
+MAX_VALUES: Final = 4
 LONGEST_STRUCT: Final = 24  # characters; longer ones are omitted from arguments
-MOST_NAMES: Final = 3
+MAX_NAMES: Final = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,7 +141,7 @@ class _Reporter:
             target = self.variables.values.show_target(known.variable.ctype, known.content)
             if target:
                 values.append((f"*{name}", target))
-        return tuple(values[:MOST_VALUES])
+        return tuple(values[:MAX_VALUES])
 
     def folded(self, rows: Sequence[StackFrame]) -> tuple[ActiveCall, ...]:
         """Return the call stack; of a long one the first and the last calls."""
@@ -149,7 +149,7 @@ class _Reporter:
             return tuple(map(self.call, rows))
         hidden = rows[FIRST_CALLS:-LAST_CALLS]
         names = list(dict.fromkeys(plain_name(frame.function) for frame in hidden))
-        shown = " and ".join(names) if len(names) <= MOST_NAMES else ""
+        shown = " and ".join(names) if len(names) <= MAX_NAMES else ""
         return (
             *map(self.call, rows[:FIRST_CALLS]),
             ActiveCall(shown, count=len(hidden)),

@@ -21,7 +21,7 @@ from crs_cc.runtime.layout import HEADER_SIZE, RESUME, STACK_TOP
 from crs_cc.runtime.sites import call_site
 from crs_cc.runtime.wasm import TYPE_CALL, Code, encode
 
-MOST_FRAMES: Final = 20
+MAX_FRAMES: Final = 20
 """Maximum number of frames of the host's stack reported by wasmtime."""
 
 _OWN_PARAMETERS: Final = len(TYPE_CALL[0])
@@ -37,7 +37,7 @@ def blamed_site(trap: wasmtime.Trap, memory: ByteArray, compiled: Compiled) -> i
         return None
     site = _next_site(compiled.module.functions[frames[0][0]], frames[0][1])
     active = [index for index, _ in frames if compiled.first_function <= index < last]
-    if site is not None and len(trap.frames) < MOST_FRAMES:
+    if site is not None and len(trap.frames) < MAX_FRAMES:
         _store_landings(active[::-1], memory, compiled)
     return site
 

@@ -35,7 +35,7 @@ _BUMPERS: Final = ("bumper", slice(BUMPER, BUMPER + 1))
 _POSE: Final = ("pose", slice(CONF_X, CONF_X + 3))
 _SPEEDS: Final = ("speed", slice(VEL_RIGHT, VEL_RIGHT + 2))
 _MOTORS: Final = ("motors", slice(MOTOR_STATUS, MOTOR_STATUS + 1))
-_MOST_CYCLES: Final = 2**53  # longer motions count as endless; doubles are exact up to here
+_MAX_CYCLES: Final = 2**53  # longer motions count as endless; doubles are exact up to here
 _ANSWERS: Final = {
     CODES["GS"]: (_SONARS, _BUMPERS, _POSE, _SPEEDS, _MOTORS),
     CODES["GET_SN"]: (_SONARS,),
@@ -230,7 +230,7 @@ def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: fl
     """Return the slices of a cycle, complete when the axes have been turned to its end."""
     end_s = state.drive.axes.end_s()
     end_s = np.maximum(np.maximum(end_s[:, 0], end_s[:, 1]), end_s[:, 2])
-    endless = end_s > _MOST_CYCLES * timestep_s
+    endless = end_s > _MAX_CYCLES * timestep_s
     last = np.ceil(np.where(endless, 0.0, end_s) / timestep_s - 1e-9).astype(np.int64)
     count = np.maximum(last - state.drive.command_cycle, 1)
     number = state.cycle - state.drive.command_cycle + 1

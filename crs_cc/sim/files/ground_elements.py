@@ -15,7 +15,7 @@ from crs_cc.sim.model.ground import Ground, HeightMap, Patch
 from crs_cc.sim.model.world import Area
 
 HIGHEST_M: Final = 100.0
-MOST_PIXELS: Final = 128
+MAX_PIXELS: Final = 128
 """On each side of an image of heights."""
 
 _LEAST_PIXELS: Final = 2
@@ -77,11 +77,11 @@ def _heightmap(
 
 def _table(element: Element, area: Area, pixel_m: float, reader: Reader) -> HeightMap | None:
     """Return the ground whose heights are given as numbers."""
-    columns = reader.whole(element, "columns", _LEAST_PIXELS, MOST_PIXELS, _LEAST_PIXELS)
-    words = element.attributes["heights"].split()[: MOST_PIXELS * MOST_PIXELS + 1]
+    columns = reader.whole(element, "columns", _LEAST_PIXELS, MAX_PIXELS, _LEAST_PIXELS)
+    words = element.attributes["heights"].split()[: MAX_PIXELS * MAX_PIXELS + 1]
     rows, rest = divmod(len(words), columns)
-    if rest or not _LEAST_PIXELS <= rows <= MOST_PIXELS:
-        form = f"{_LEAST_PIXELS} to {MOST_PIXELS} rows of {columns}"
+    if rest or not _LEAST_PIXELS <= rows <= MAX_PIXELS:
+        form = f"{_LEAST_PIXELS} to {MAX_PIXELS} rows of {columns}"
         reader.refuse(element, f"heights: {len(words)} numbers (expected {form})")
         return None
     x_m = reader.quantity(element, "x", LENGTH, area.x_min_m)
@@ -98,9 +98,9 @@ def _table(element: Element, area: Area, pixel_m: float, reader: Reader) -> Heig
 
 def _grey(image: str, folder: Path | None) -> FloatArray:
     grey = picture(folder, image)
-    if min(grey.shape) < _LEAST_PIXELS or max(grey.shape) > MOST_PIXELS:
+    if min(grey.shape) < _LEAST_PIXELS or max(grey.shape) > MAX_PIXELS:
         size = f"{grey.shape[1]} x {grey.shape[0]}"
-        raise ValueError(f"must have {_LEAST_PIXELS} to {MOST_PIXELS} pixels per side, not {size}")
+        raise ValueError(f"must have {_LEAST_PIXELS} to {MAX_PIXELS} pixels per side, not {size}")
     return grey
 
 

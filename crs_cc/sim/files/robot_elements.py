@@ -32,8 +32,8 @@ from crs_cc.sim.model.robot import Drive, Link, Odometry, RobotModel
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
 
-MOST_BYTES: Final = 65_535
-_MOST_BAUD: Final = 100_000_000
+MAX_BYTES: Final = 65_535
+_MAX_BAUD: Final = 100_000_000
 _NETWORK_S: Final = 1e-3  # default of `robot.xsd`
 _SEVERAL: Final = frozenset({"sensor", "setup"})
 _ROBOT_COMMANDS: Final = frozenset(
@@ -137,9 +137,9 @@ def _link(element: Element, reader: Reader) -> Link:
         name = command.attributes["name"]
         if name not in _ROBOT_COMMANDS:
             reader.refuse(command, f"name: {unknown('command', name, sorted(_ROBOT_COMMANDS))}")
-        count = reader.whole(command, "sends", 0, MOST_BYTES)
-        count += reader.whole(command, "receives", 0, MOST_BYTES)
+        count = reader.whole(command, "sends", 0, MAX_BYTES)
+        count += reader.whole(command, "receives", 0, MAX_BYTES)
         counts[name] = count
-    baud = reader.whole(element, "baud", 1, _MOST_BAUD, absent=1)
+    baud = reader.whole(element, "baud", 1, _MAX_BAUD, absent=1)
     network_s = reader.not_negative(element, "network", TIME, absent=_NETWORK_S)
     return Link(baud, tuple(sorted(counts.items())), network_s)

@@ -28,7 +28,7 @@ from crs_cc.core.quantity import (
 )
 from crs_cc.sim.files.device_elements import device_elements
 from crs_cc.sim.files.document import Element
-from crs_cc.sim.files.robot_elements import MOST_BYTES, VENDOR_MODELS
+from crs_cc.sim.files.robot_elements import MAX_BYTES, VENDOR_MODELS
 from crs_cc.sim.files.world_xml import parse_robot
 from crs_cc.sim.files.xml_document import document_of
 from crs_cc.sim.model.axis import Axis
@@ -147,9 +147,9 @@ def _board(board: SensorBoard) -> Element:
 def _link(link: Link) -> Element:
     """Return the element of a link; only the sum of the bytes of both directions is known."""
     commands = [
-        {"name": name, "sends": str(min(count, MOST_BYTES)), "receives": str(rest)}
+        {"name": name, "sends": str(min(count, MAX_BYTES)), "receives": str(rest)}
         for name, count in link.byte_counts
-        for rest in [max(0, count - MOST_BYTES)]
+        for rest in [max(0, count - MAX_BYTES)]
     ]
     children = [Element("command", 0, each) for each in commands]
     attributes = {"baud": str(link.baud), "network": TIME.exact(link.network_s)}

@@ -72,7 +72,7 @@ REBUILD: Final = 100
 SUBSTEP_M: Final = 0.008
 """Maximum displacement of a robot in a substep, which limits its penetration of a wall."""
 
-MOST_SUBSTEPS: Final = 256
+MAX_SUBSTEPS: Final = 256
 """Maximum number of substeps of a cycle with turning loads."""
 
 _MARGIN_M: Final = SLOP_M + 2 * SUBSTEP_M
@@ -439,7 +439,7 @@ class Physics:
             bodies.spin_radps[: self._robots] = spin_radps
             swing_m = float(np.abs(spin_radps).max()) * self._load.reach_m * timestep_s
             way_m = float(np.abs(pull.way_m).max())
-            most = max(MOST_SUBSTEPS, substeps)
+            most = max(MAX_SUBSTEPS, substeps)
             substeps = min(max(substeps, math.ceil((swing_m + way_m) / SUBSTEP_M)), most)
         return substeps
 

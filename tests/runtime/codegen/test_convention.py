@@ -9,7 +9,7 @@ import pytest
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
-from crs_cc.runtime.codegen.convention import MOST_WORDS, convention_of
+from crs_cc.runtime.codegen.convention import MAX_WORDS, convention_of
 from tests.c.execution import Run, Stepping, build
 from tests.c.test_cases import shown
 
@@ -96,4 +96,4 @@ def test_no_more_is_passed_in_registers_than_there_are() -> None:
     text = f"int f({parameters}) {{ return p0; }}"
     function = compile_text(text, "f.c", Options(), Diagnostics()).functions["f"]
     passed = [each for each in convention_of(function).registers if each is not None]
-    assert len(passed) == MOST_WORDS
+    assert len(passed) == MAX_WORDS

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.runtime.codegen.inline_ranges import MOST_COPIED, words
+from crs_cc.runtime.codegen.inline_ranges import MAX_COPIED, words
 from crs_cc.session.build import build_executable
 from tests.c.execution import Run
 
@@ -53,7 +53,7 @@ def test_a_fill_sets_its_range_and_nothing_else(tmp_path: Path, checked: bool) -
     assert _exit_status(tmp_path, body, checked=checked) == 0
 
 
-@pytest.mark.parametrize("size", [size for size in SIZES if size <= MOST_COPIED])
+@pytest.mark.parametrize("size", [size for size in SIZES if size <= MAX_COPIED])
 @pytest.mark.parametrize("access", ["read", "write"])
 def test_a_copy_names_the_first_byte_outside(tmp_path: Path, size: int, access: str) -> None:
     source = tmp_path / "outside.c"

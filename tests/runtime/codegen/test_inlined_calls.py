@@ -14,7 +14,7 @@ from crs_cc.ir.program import Program
 from crs_cc.runtime.codegen import inlined_calls
 from crs_cc.runtime.codegen.module import compile_program
 from crs_cc.runtime.codegen.scalar_replacement import replace_slots
-from crs_cc.runtime.codegen.small_functions import MOST_WORK, Bodies, small_functions
+from crs_cc.runtime.codegen.small_functions import MAX_WORK, Bodies, small_functions
 from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.link import link
 from crs_cc.session.library import library
@@ -55,7 +55,7 @@ def test_a_program_does_the_same_with_calls_instead(monkeypatch: pytest.MonkeyPa
     executable = build(CASES / "valid/functions/small.c")
     plain = Run(executable).to_end()
     with monkeypatch.context() as patch:
-        patch.setattr(inlined_calls, "MOST_INLINED", 0)
+        patch.setattr(inlined_calls, "MAX_INLINED", 0)
         calling = again(executable)
     assert calling.machine_code != executable.machine_code
     for each, step in ((calling, 10**9), (executable, 1), (calling, 1)):
@@ -66,7 +66,7 @@ def test_a_program_does_the_same_with_calls_instead(monkeypatch: pytest.MonkeyPa
 def test_both_are_suspended_at_the_same_places(monkeypatch: pytest.MonkeyPatch) -> None:
     executable = build(CASES / "valid/functions/small.c")
     with monkeypatch.context() as patch:
-        patch.setattr(inlined_calls, "MOST_INLINED", 0)
+        patch.setattr(inlined_calls, "MAX_INLINED", 0)
         calling = again(executable)
     first, second = (Run(each, Stepping(7)).to_end() for each in (executable, calling))
     assert (first.rounds, first.fuel) == (second.rounds, second.fuel)
@@ -77,7 +77,7 @@ def test_reports_are_those_of_calls(path: Path, monkeypatch: pytest.MonkeyPatch)
     executable = build(path)
     executable.detail()  # of a cached program it is made when first asked for
     with monkeypatch.context() as patch:
-        patch.setattr(inlined_calls, "MOST_INLINED", 0)
+        patch.setattr(inlined_calls, "MAX_INLINED", 0)
         calling = again(executable)
     first, second = (Run(each).to_end() for each in (executable, calling))
     assert first.failure is not None
@@ -99,7 +99,7 @@ def test_large_structs_cost_what_it_costs_to_copy_them(
     )
     executable = build(source)
     with monkeypatch.context() as patch:
-        patch.setattr(inlined_calls, "MOST_INLINED", 0)
+        patch.setattr(inlined_calls, "MAX_INLINED", 0)
         calling = again(executable)
     assert calling.machine_code != executable.machine_code
     debug = build(source, debug=True)
@@ -173,7 +173,7 @@ def test_the_work_of_a_small_function_includes_its_callees() -> None:
     rows += [f"int f{i}(int x) {{ return f{i - 1}(x) + f{i - 1}(x); }}" for i in range(1, 40)]
     small = small_functions(compiled("\n".join(rows)).functions)
     assert 1 < len(small) < 6
-    assert sum(block.fuel for each in small.values() for block in each.blocks) < 2 * MOST_WORK
+    assert sum(block.fuel for each in small.values() for block in each.blocks) < 2 * MAX_WORK
 
 
 def test_slots_become_registers() -> None:
@@ -213,5 +213,5 @@ def test_the_growth_by_inlining_is_limited() -> None:
     bodies = Bodies(small_functions(whole.functions), checked=True, traps_overflow=False)
     found = inlined_calls.inlined_calls(main.blocks, bodies)
     assert sum(sum(body.fuel.values()) for body in found.values()) > 0
-    assert sum(sum(body.fuel.values()) for body in found.values()) <= inlined_calls.MOST_INLINED
+    assert sum(sum(body.fuel.values()) for body in found.values()) <= inlined_calls.MAX_INLINED
     compile_program(whole)

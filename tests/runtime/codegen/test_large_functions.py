@@ -35,7 +35,7 @@ def again(executable: Executable, *, debug: bool = False) -> Executable:
 
 def make_all_large(patch: pytest.MonkeyPatch) -> None:
     """Compile every function as if it were large, and keep the code of none for other programs."""
-    patch.setattr(large_functions, "MOST_BLOCKS", 0)
+    patch.setattr(large_functions, "MAX_BLOCKS", 0)
     patch.setattr(library_code, "_TEMPLATES", {})
 
 
@@ -117,7 +117,7 @@ def test_a_large_function_keeps_its_values_in_the_frame(
 
 def switch_limits_off(patch: pytest.MonkeyPatch) -> None:
     """Make no function a large one."""
-    for limit in ("MOST_BLOCKS", "MOST_CHECKED", "MOST_IN_BLOCK", "MOST_WAYS"):
+    for limit in ("MAX_BLOCKS", "MAX_CHECKED", "MAX_IN_BLOCK", "MAX_WAYS"):
         patch.setattr(large_functions, limit, 10**9)
 
 

@@ -38,7 +38,7 @@ def test_a_loop_is_rotated_if_its_header_is_its_test(tmp_path: Path, statement: 
 
 def test_a_huge_loop_is_not_examined(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     function = _main(tmp_path, "while (i < n) { if (s & 1) s++; i++; }")
-    monkeypatch.setattr(rotation, "MOST_BLOCKS", 2)
+    monkeypatch.setattr(rotation, "MAX_BLOCKS", 2)
     assert rotated_loops(function, loop_headers(function)) == {}
 
 

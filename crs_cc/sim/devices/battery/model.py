@@ -9,7 +9,7 @@ from typing import Final
 from crs_cc.core.quantity import ENERGY, FORCE, POWER, VOLTAGE
 from crs_cc.sim.model.attribute import SHARE, Choice, Voltages, attribute
 
-_MOST_STEPS: Final = 64
+_MAX_STEPS: Final = 64
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -22,7 +22,7 @@ class Battery:
     charge: float = attribute("charge", SHARE, "1", "Initial state of charge, as a fraction.")
     power_w: float = attribute("power", POWER, "0W", "Constant power consumption.")
     curve_v: tuple[float, ...] = attribute(
-        "curve", Voltages(_MOST_STEPS), None,
+        "curve", Voltages(_MAX_STEPS), None,
         "Voltages from empty to full, at equal steps of charge, linearly interpolated.",
     )  # fmt: skip
 

@@ -21,7 +21,7 @@ from crs_cc.sim.files.sensor_elements import half_angle_rad
 from crs_cc.sim.kernels import exact
 
 _RATE: Final = 15  # times 4 ms: the usual argument of `conf_sn`
-_MOST_RATE: Final = 255
+_MAX_RATE: Final = 255
 _LEAST_INTERVAL_S: Final = 0.04  # an echo from 255 in takes 37.7 ms, and the clock ticks in 4 ms
 _SHORTEST_S: Final = 0.001  # bounds the work that one robot's firing causes
 _THINNEST_RAD: Final = math.radians(0.01)
@@ -67,7 +67,7 @@ def _board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoar
     least_s = reader.positive(element, "least-interval", TIME, _LEAST_INTERVAL_S)
     if least_s < _SHORTEST_S:
         reader.refuse(element, "least-interval: must be 1ms or more")
-    rate = reader.whole(element, "rate", 0, _MOST_RATE, absent=_RATE)
+    rate = reader.whole(element, "rate", 0, _MAX_RATE, absent=_RATE)
     usual = SonarBoard(
         _order(element, of, reader),
         interval_s=max(rate * SONAR_TICK_S, least_s),

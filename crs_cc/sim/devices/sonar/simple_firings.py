@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.sonar.errors import SonarErrors
     from crs_cc.sim.state.env_state import EnvState
 
-_MOST_NUMBERS: Final = 10_000  # of beams that are copied for each call of the kernel
+_MAX_NUMBERS: Final = 10_000  # of beams that are copied for each call of the kernel
 
 
 class KernelTables(NamedTuple):
@@ -57,7 +57,7 @@ class SimpleFirings:
         self._errors, self._beams, self._numbers = errors, table.tobytes(), table.size
         self._table = table
         self._modes = beams.first.astype(np.float64)
-        self._are_few = table.size <= _MOST_NUMBERS
+        self._are_few = table.size <= _MAX_NUMBERS
 
     def know(self, rays: RayCaster) -> bool:
         """Return whether all shapes are hard and high, and beams few."""
