@@ -203,7 +203,7 @@ def comparison(found: Comparison, paths: tuple[Path, Path]) -> Iterator[str]:
         yield f"  {each.robot} {each.name}: {each.here or 'nothing'} | {each.there or 'nothing'}"
     if len(found.found) > _SHOWN:
         yield f"  ... and {len(found.found) - _SHOWN} more"
-    yield f"look further with: crs debug {paths[0]} --at {found.before_s:g}s"
+    yield f"to investigate, run: crs debug {paths[0]} --at {found.before_s:g}s"
 
 
 def _recover(recording: Recording, target: Path) -> None:

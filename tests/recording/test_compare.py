@@ -64,7 +64,7 @@ def test_programs_that_start_differently_differ_from_the_start(
         "the first difference is at 0.000 s (timestep 0):",
         "  near.mcap | far.mcap",
         "  robot0 limit: 40 | 80",
-        "look further with: crs debug near.mcap --at 0s",
+        "to investigate, run: crs debug near.mcap --at 0s",
     ]
 
 
