@@ -134,7 +134,7 @@ def server(robots: int, pages: int, seconds: float) -> str:
     with shown(robots) as (screen, run):
         words = [str(screen.server.port), screen.server.tokens["view"], str(pages)]
         reader = subprocess.Popen([sys.executable, "-c", READER, *words], stdin=subprocess.PIPE)
-        while screen.server.count < pages:
+        while screen.server.page_count < pages:
             time.sleep(0.05)
         play(screen, run, min(1.0, seconds))
         cpu_s, computing_s = play(screen, run, seconds)
@@ -160,7 +160,7 @@ def page(robots: int, seconds: float) -> str:
         begin_s = time.monotonic()
         made.goto(screen.server.address())
         while not made.evaluate("document.body.dataset.time !== undefined"):
-            screen.player._do_jobs(0.0)
+            screen.player._run_jobs(0.0)
             time.sleep(0.02)
         first_s = time.monotonic() - begin_s
         made.evaluate(MARK_DRAWING)

@@ -14,7 +14,7 @@ ROOT = Path(__file__).parents[1]
 KNOWS = ROOT / "crs_cc" / "core" / "host_system.py"
 ALLOWED = {
     "crs_cc/jobs/pool.py": {"killpg"},  # each of these does without it:
-    "crs_cc/jobs/apart.py": {"fork"},
+    "crs_cc/jobs/forked.py": {"fork"},
     "crs_cc/jobs/memory_limit.py": {"resource"},
     "crs_cc/jobs/worker.py": {"fork", "select"},
     "crs_cc/sweeps/rows.py": {"fcntl"},

@@ -65,7 +65,7 @@ class EventCallbacks:
             self._steps.append(step)
 
     def passed(self, passage: Passage) -> None:
-        """Hear of calm timesteps, in which there are no events."""
+        """Ignore calm timesteps, in which there are no events."""
 
     @property
     def are_wanted(self) -> bool:

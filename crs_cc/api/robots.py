@@ -223,7 +223,7 @@ class RobotView:
 
 
 def shown_result(result: RobotResult) -> RobotResult:
-    """Return a result whose error, if any, is in a file that the user knows."""
+    """Return a result whose error, if any, is in a file of the user."""
     return result if result.error is None else replace(result, error=shown(result.error))
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
-from crs_cc.plot.picture import Picture, Trip
+from crs_cc.plot.picture import Picture, RobotPath
 
 if TYPE_CHECKING:
     from crs_cc.session.session import Session
@@ -65,17 +65,17 @@ def picture_of(session: Session, paths: Paths) -> str:
     environment = session.environment
     state, world = environment.state, environment.world_now
     joined, gone = np.isfinite(state.presence.joined_s), np.isfinite(state.presence.left_s)
-    trips = [
-        Trip(
+    robot_paths = [
+        RobotPath(
             robot,
             np.vstack([paths.of(number), state.bodies.position_m[number]]),
             float(state.heading_rad[number]),
             left=bool(gone[number]),
         )
         if joined[number]
-        else Trip(robot, np.zeros((0, 2)), 0.0)
+        else RobotPath(robot, np.zeros((0, 2)), 0.0)
         for number, robot in enumerate(world.robots)
     ]
     collisions = int(state.collisions.sum())
     subtitle = f"{session.time_s:.2f} s simulated, {collisions} contacts"
-    return Picture(world.name, subtitle, world, trips).render().decode()
+    return Picture(world.name, subtitle, world, robot_paths).render().decode()

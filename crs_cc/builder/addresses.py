@@ -148,11 +148,13 @@ def named(root: Node) -> list[tuple[Node, str]]:
     return [(node, known.get(id(node)) or address(node)) for node in nodes]
 
 
-def fresh(name: str, used: Collection[str]) -> str:
+def unused_name(name: str, used: Collection[str]) -> str:
     """Return a name like another that is not used: the next number.
 
-    >>> fresh("crate", ["crate"]), fresh("rack-a1", ["rack-a1", "rack-a2"]), fresh("x", [])
-    ('crate-2', 'rack-a3', 'x')
+    >>> unused_name("crate", ["crate"]), unused_name("rack-a1", ["rack-a1", "rack-a2"])
+    ('crate-2', 'rack-a3')
+    >>> unused_name("x", [])
+    'x'
     """
     if name not in used:
         return name
@@ -171,7 +173,7 @@ def references(root: Node) -> Iterator[tuple[Node, str, list[str]]]:
                 yield node, name, node.attributes[name].split()
 
 
-def referred(root: Node) -> set[str]:
+def referenced_ids(root: Node) -> set[str]:
     """Return all ids by which elements are named anywhere, parts by those of their objects."""
     words = {word for _, _, found in references(root) for word in found}
     return words | {word.partition(".")[0] for word in words}

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final, Literal, NamedTuple, TypeAlias
 
 from crs_cc.builder import markup
-from crs_cc.builder.addresses import address, fresh, ids, outermost
+from crs_cc.builder.addresses import address, ids, outermost, unused_name
 from crs_cc.builder.changes import Plan, path_of, pins, schema_of
 from crs_cc.builder.document import Document
 from crs_cc.builder.motion import Motion, moved, position
@@ -65,7 +65,7 @@ def copies(document: Document, nodes: Sequence[Node], motions: Sequence[Motion])
         ValueError: an element has no position, or there would be too many copies.
     """
     whole = outermost(nodes)
-    _demand_few(len(whole) * len(motions))
+    _require_few(len(whole) * len(motions))
     if all(map(is_sensor, whole)):
         return sensor_copies(document, whole, motions)
     plan = Plan(pins(document, {node.tag for node in whole}))
@@ -79,7 +79,7 @@ def copies(document: Document, nodes: Sequence[Node], motions: Sequence[Motion])
         for motion in motions:
             values = moved(document, node, motion)
             if node.tag in THINGS:
-                name = fresh(own, names)
+                name = unused_name(own, names)
                 names.add(name)
                 values = {"id": name, **values}
                 plan.names.append(where + slash + name)
@@ -88,7 +88,7 @@ def copies(document: Document, nodes: Sequence[Node], motions: Sequence[Motion])
     return plan
 
 
-def _demand_few(count: int) -> None:
+def _require_few(count: int) -> None:
     """Refuse too many copies, before anything is made for them."""
     if count > MAX_COPIES:
         raise ValueError(f"{count} copies are too many (maximum: {MAX_COPIES})")
@@ -113,7 +113,7 @@ def array(
     """
     if min(counts) < 1 or max(counts) > MAX_COPIES:
         raise ValueError(f"columns and rows must be 1 to {MAX_COPIES}")
-    _demand_few(len(nodes) * counts[0] * counts[1])
+    _require_few(len(nodes) * counts[0] * counts[1])
     return copies(
         document,
         nodes,

@@ -10,11 +10,11 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.builder import markup
-from crs_cc.builder.addresses import address, fresh, ids, outermost, referred
+from crs_cc.builder.addresses import address, ids, outermost, referenced_ids, unused_name
 from crs_cc.builder.document import Document, Splice
 from crs_cc.builder.motion import Motion, movable, moved
 from crs_cc.builder.mounting import is_mounted, mounted
-from crs_cc.builder.naming import renamed
+from crs_cc.builder.naming import rename_references
 from crs_cc.builder.spans import Node
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.object_ids import THINGS
@@ -87,7 +87,7 @@ def pins(document: Document, tags: Collection[str], gone: Sequence[Node] = ()) -
         tags: the kinds that come or go.
         gone: the elements that go, or are written anew.
     """
-    used, left = referred(document.root), set(map(id, gone))
+    used, left = referenced_ids(document.root), set(map(id, gone))
     found: list[Splice] = []
     for name, node in ids(document.root).items():
         stays = node.tag in tags and id(node) not in left
@@ -124,7 +124,7 @@ def add(
         raise ValueError(unknown(f"element of <{parent.tag}>", tag, known))
     name, count = "", sum(each.tag == tag for each in parent.children)
     if tag in THINGS:
-        name = values.get("id") or fresh(f"{tag}{count}", ids(parent))
+        name = values.get("id") or unused_name(f"{tag}{count}", ids(parent))
         values = {"id": name, **values}
     elif "name" in values:
         name = f"{tag}[{values['name']}]"
@@ -141,7 +141,7 @@ def _add_with_home(document: Document, home: str, inner: str, own: str) -> Plan:
         new = markup.element(home, {}, "", inner)
         return Plan(markup.insert(document, world, home, [new]), [f"{home}/{own}"])
     count = sum(each.tag == home for each in world.children)
-    name = fresh(f"{home}{count}", ids(world))
+    name = unused_name(f"{home}{count}", ids(world))
     new = markup.element(home, {"id": name}, "", inner)
     return Plan(markup.insert(document, world, home, [new]), [name])
 
@@ -159,7 +159,7 @@ def set_values(document: Document, nodes: Sequence[Node], values: Mapping[str, s
     for node in nodes:
         order = [row.name for row in properties(schema_of(document), path_of(node))]
         splices += markup.set_attributes(document, node, values, order)
-        splices += renamed(document, node, values)
+        splices += rename_references(document, node, values)
     return Plan(splices)
 
 

@@ -24,7 +24,7 @@ from pathlib import Path, PurePosixPath
 from typing import Final
 
 from crs_cc.builder import markup
-from crs_cc.builder.addresses import address, fresh, ids, outermost
+from crs_cc.builder.addresses import address, ids, outermost, unused_name
 from crs_cc.builder.arrangement import MAX_COPIES, written
 from crs_cc.builder.changes import IN_SURFACE, Plan
 from crs_cc.builder.document import Document, Splice
@@ -40,7 +40,7 @@ _NAMED: Final = ("material", "define")
 _CLIPPED: Final = (*_NAMED, *IN_SURFACE, *THINGS)
 
 
-def included(document: Document, folder: Path | None) -> Iterator[Document]:
+def included_files(document: Document, folder: Path | None) -> Iterator[Document]:
     """Yield the files that a document includes, those that they include too, as far as readable."""
     if folder is None:
         return
@@ -126,7 +126,7 @@ def paste(document: Document, text: str, motion: Motion, library: Sequence[Docum
     new_ids: dict[str, str] = {}
     taken = set(ids(document.root))
     for name in ids(source.root):
-        new_ids[name] = fresh(name, taken)
+        new_ids[name] = unused_name(name, taken)
         taken.add(new_ids[name])
     plan = Plan([])
     groups: dict[str, list[str]] = {}

@@ -22,7 +22,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from crs_cc.builder import markup
-from crs_cc.builder.addresses import address, fresh, ids, outermost
+from crs_cc.builder.addresses import address, ids, outermost, unused_name
 from crs_cc.builder.arrangement import Extents, around, written
 from crs_cc.builder.changes import Plan, pins
 from crs_cc.builder.document import Document, Splice
@@ -82,7 +82,7 @@ def group(
         "x": measure(LENGTH, x_m, document.length_unit),
         "y": measure(LENGTH, y_m, document.length_unit),
     }
-    own_id = own_id or fresh(name, used)
+    own_id = own_id or unused_name(name, used)
     new = {"id": own_id, "ref": name, **place, **_mass(whole)}
     define = markup.element("define", {"name": name}, "", *parts)
     return Plan(
@@ -132,7 +132,7 @@ def ungroup(document: Document, node: Node) -> Plan:
     whole, used = address(node).rpartition("/")[2], set(ids(node.parent))
     plan, texts = Plan([]), []
     for name, part in ids(known[ref]).items():
-        new = fresh(f"{whole}-{name}", used)
+        new = unused_name(f"{whole}-{name}", used)
         used.add(new)
         plan.names.append(new)
         texts.append(written(document, part, {**moved(document, part, frame(node)), "id": new}))

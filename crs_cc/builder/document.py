@@ -148,8 +148,8 @@ class Document:
             self._done.append(step)
 
     @contextmanager
-    def together(self, title: str) -> Iterator[None]:
-        """Make all changes in the block one, which is taken back if the block fails."""
+    def transaction(self, title: str) -> Iterator[None]:
+        """Make the changes in the block one transaction, rolled back if the block fails."""
         if self._together is not None:
             yield
             return

@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.suggest import unknown
-from crs_cc.plot.picture import Picture, PlotDrawing, Trip
+from crs_cc.plot.picture import Picture, PlotDrawing, RobotPath
 from crs_cc.sim.files.document import Element
 from crs_cc.sim.files.xml_document import document_of
 from crs_cc.sim.model.world import FIXED_KG, Box, Cylinder, Polygon, Pose, Solid, Wall, WorldModel
@@ -58,8 +58,8 @@ def export(world: WorldModel, path: Path) -> list[str]:
 
 
 def _drawing(world: WorldModel) -> PlotDrawing:
-    trips = [
-        Trip(
+    paths = [
+        RobotPath(
             robot,
             np.array([[robot.start.x_m, robot.start.y_m]]),
             robot.start.heading_rad,
@@ -68,7 +68,7 @@ def _drawing(world: WorldModel) -> PlotDrawing:
     ]
     area = world.area
     return PlotDrawing(
-        Picture(world.name, f"{area.length_m:g} m x {area.width_m:g} m", world, trips)
+        Picture(world.name, f"{area.length_m:g} m x {area.width_m:g} m", world, paths)
     )
 
 

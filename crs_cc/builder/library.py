@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Final
 
 from crs_cc.builder import clips
-from crs_cc.builder.addresses import fresh, ids
+from crs_cc.builder.addresses import ids, unused_name
 from crs_cc.builder.composition import definitions
 from crs_cc.builder.document import Document
 from crs_cc.builder.shapes import Shape, shapes
@@ -95,7 +95,7 @@ def _picture(home: Document, path: Path, name: str) -> Sequence[Shape]:
 
 
 def _clip(home: Document, path: Path, name: str) -> str:
-    included = list(clips.included(home, path.parent))
+    included = list(clips.included_files(home, path.parent))
     return clips.clip(home, [definitions(home.root)[name]], included)
 
 
@@ -119,7 +119,7 @@ def put_object(builder: WorldBuilder, thing: LibraryObject, x_m: float, y_m: flo
                 builder.add("include", {"file": file})
             else:
                 builder.paste(_clip(home, thing.file, thing.name))
-        own_id = fresh(thing.name, ids(builder.document.root))
+        own_id = unused_name(thing.name, ids(builder.document.root))
         return builder.add("object", id=own_id, ref=thing.name, x=x_m, y=y_m)
 
 

@@ -13,7 +13,7 @@ from collections.abc import Hashable, Sequence
 from typing import Final, TypeAlias
 
 from crs_cc.builder import changes, markup
-from crs_cc.builder.addresses import address, fresh, outermost
+from crs_cc.builder.addresses import address, outermost, unused_name
 from crs_cc.builder.arrangement import written
 from crs_cc.builder.changes import Plan
 from crs_cc.builder.composition import definitions
@@ -62,13 +62,13 @@ class _Mirror:
         same = [name for name, (own, each) in self._known.items()
                 if len(each.children) == len(node.children)
                 and self._form(own, each, _AS_IT_IS) == wanted]  # fmt: skip
-        self._other[ref] = same[0] if same else self._made(ref, home, node)
+        self._other[ref] = same[0] if same else self._create(ref, home, node)
         return self._other[ref]
 
-    def _made(self, ref: str, home: Document, node: Node) -> str:
+    def _create(self, ref: str, home: Document, node: Node) -> str:
         if home is not self.document:
             raise ValueError(f"the definition {ref!r} is not symmetric, and in {home.file}")
-        name = fresh(f"{ref}-mirrored", {*self._known, *self.new})
+        name = unused_name(f"{ref}-mirrored", {*self._known, *self.new})
         parts = [
             written(home, part, {**moved(home, part, ACROSS), **self.turned(part)})
             for part in node.children

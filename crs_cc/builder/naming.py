@@ -14,7 +14,9 @@ _BY_NAME: Final = {"define": "ref", "material": "material"}
 """The attribute that names an element of each kind by its own attribute `name`."""
 
 
-def renamed(document: Document, node: Node, values: Mapping[str, str | None]) -> Iterator[Splice]:
+def rename_references(
+    document: Document, node: Node, values: Mapping[str, str | None]
+) -> Iterator[Splice]:
     """Yield the splices that make references follow an element whose id or name changes."""
     before, after = id_of(node), values.get("id")
     if before and after and node.parent is document.root and before != after:

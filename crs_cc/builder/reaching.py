@@ -31,7 +31,7 @@ _EXAMINED: Final = Reach | Visit | Approach | Bring | Follow | Cover
 _CELLS_PER_RADIUS: Final = 4.0
 
 
-class _Reached:
+class _Reachability:
     """What the robots and the movable objects of a world can reach."""
 
     def __init__(self, world: WorldModel, floor: FloorGrid) -> None:
@@ -48,7 +48,7 @@ class _Reached:
             self._by_robot[robot.id] = found
         return self._by_robot[robot.id]
 
-    def of_thing(self, name: str) -> Cells | None:
+    def of_movable(self, name: str) -> Cells | None:
         """Return where the centre of a movable object can go; None if nothing is known of it."""
         thing = self._things.get(name)
         if thing is None or thing.part_of or not is_pushable(thing):
@@ -88,10 +88,10 @@ def unreachable(document: Document, world: WorldModel) -> list[Diagnostic]:
     floor = _floor(world) if goals and world.robots else None
     if floor is None:
         return []
-    reached = _Reached(world, floor)
+    reached = _Reachability(world, floor)
     nodes, found = ids(document.root), list[Diagnostic]()
     for goal in goals:
-        text = _complaint(reached, goal)
+        text = _goal_warning(reached, goal)
         if text:
             line = nodes[goal.id].line if goal.id in nodes else 0
             hint = "a wall or a fixed object is in the way, or a passage is too narrow"
@@ -108,7 +108,7 @@ def _floor(world: WorldModel) -> FloorGrid | None:
     return FloorGrid(world, cell_m) if is_fine else None
 
 
-def _complaint(reached: _Reached, goal: Goal) -> str:
+def _goal_warning(reached: _Reachability, goal: Goal) -> str:
     """Return a warning about a goal; empty if there is none."""
     robots = [each for each in reached.world.robots if not goal.robots or each.id in goal.robots]
     match goal.condition:
@@ -134,7 +134,7 @@ def _targets(floor: FloorGrid, goal: Goal) -> Iterator[Cells]:
                 yield cells
 
 
-def _not_reached(reached: _Reached, goal: Goal, robots: Sequence[Robot]) -> str:
+def _not_reached(reached: _Reachability, goal: Goal, robots: Sequence[Robot]) -> str:
     needs_all = bool(goal.robots) and not isinstance(goal.condition, Visit)
     for target in _targets(reached.floor, goal):
         lost = [each.id for each in robots if not (reached.by(each) & target).any()]
@@ -145,13 +145,13 @@ def _not_reached(reached: _Reached, goal: Goal, robots: Sequence[Robot]) -> str:
     return ""
 
 
-def _not_brought(reached: _Reached, goal: Bring) -> str:
+def _not_brought(reached: _Reachability, goal: Bring) -> str:
     """Return which object cannot be brought; those with parts are not examined."""
     if any(robot.model.device("arm") for robot in reached.world.robots):
         return ""  # it may lift them over what is in the way
     target = reached.floor.in_place(goal.place)
     for name in goal.things:
-        cells = reached.of_thing(name)
+        cells = reached.of_movable(name)
         if cells is None:
             continue
         if not (cells & target).any():
@@ -161,10 +161,12 @@ def _not_brought(reached: _Reached, goal: Bring) -> str:
     return ""
 
 
-def _not_followed(reached: _Reached, goal: Goal, follow: Follow, robots: Sequence[Robot]) -> str:
+def _not_followed(
+    reached: _Reachability, goal: Goal, follow: Follow, robots: Sequence[Robot]
+) -> str:
     """Return the robots that can never come near enough for a goal."""
     target = next((each for each in reached.world.robots if each.id == follow.target), None)
-    cells = reached.of_thing(follow.target) if target is None else reached.by(target)
+    cells = reached.of_movable(follow.target) if target is None else reached.by(target)
     others = [each for each in robots if each is not target]
     if cells is None or not follow.share:
         return ""
@@ -175,7 +177,7 @@ def _not_followed(reached: _Reached, goal: Goal, follow: Follow, robots: Sequenc
     return f"no robot can get near {follow.target!r}" if lost and len(lost) == len(others) else ""
 
 
-def _is_apart(reached: _Reached, one: Cells, other: Cells, most_m: float) -> bool:
+def _is_apart(reached: _Reachability, one: Cells, other: Cells, most_m: float) -> bool:
     """Return whether some cells are farther than a distance from others, if that is known."""
     if (one & other).any():
         return False
@@ -188,7 +190,7 @@ def _is_apart(reached: _Reached, one: Cells, other: Cells, most_m: float) -> boo
     return all(float(np.hypot(x_m - x, y_m - y).min()) > most_m for x, y in here)
 
 
-def _not_covered(reached: _Reached, goal: Cover, robots: Sequence[Robot]) -> str:
+def _not_covered(reached: _Reachability, goal: Cover, robots: Sequence[Robot]) -> str:
     """Return the share of the floor that robots can reach, if it is less than a goal requires."""
     floor, cells = reached.floor, Floor(reached.world)
     free = cells.free(goal.cell_m)

@@ -178,7 +178,7 @@ class WorldBuilder:
 
     def library(self) -> list[Document]:
         """Return the files that this one includes, as far as they can be read."""
-        return list(clips.included(self.document, self._folder))
+        return list(clips.included_files(self.document, self._folder))
 
     @property
     def _folder(self) -> Path | None:
@@ -411,7 +411,7 @@ class WorldBuilder:
             WorldError: the plan cannot be read.
         """
         drawn = read_plan(Path(path), scale, thickness)
-        return self.paste(drawn.clip(), x, y), drawn.left_out()
+        return self.paste(drawn.clip(), x, y), drawn.omissions()
 
     @classmethod
     def from_plan(
@@ -435,7 +435,7 @@ class WorldBuilder:
         place = None if world is None or world.robots else free_place(world, _ROOM_M)
         if place is not None:
             builder.add("robot", x=place[0], y=place[1])
-        return builder, drawn.left_out()
+        return builder, drawn.omissions()
 
     def export(self, path: str | os.PathLike[str]) -> list[str]:
         """Write the world as a picture (SVG, PNG) or as SDF; return what was omitted.
@@ -451,7 +451,7 @@ class WorldBuilder:
 
     def together(self, title: str) -> AbstractContextManager[None]:
         """Return a context in which all changes are one to undo; none is made if it fails."""
-        return self.document.together(title)
+        return self.document.transaction(title)
 
     def undo(self) -> str:
         """Undo the latest change; return its description, empty if there is none."""
@@ -478,7 +478,7 @@ class WorldBuilder:
         was = self.path, self.document.file
         self.path, self.document.file = target, str(target)
         try:
-            self._demand_valid()
+            self._require_valid()
             if before != self.document.text:
                 replace_file(target, self.document.text, before)
         except BaseException:
@@ -487,7 +487,7 @@ class WorldBuilder:
         self._saved = self._before = self.document.text
         return target
 
-    def _demand_valid(self) -> None:
+    def _require_valid(self) -> None:
         self._examined = None  # files that it includes may have changed
         if messages := self.problems():
             raise WorldError(messages)

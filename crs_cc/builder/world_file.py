@@ -31,7 +31,7 @@ def replace_file(path: Path, text: bytes, before: bytes | None) -> None:
         OSError: it cannot be written.
     """
     target = path.resolve()
-    _demand_unchanged(path, target, before)
+    _require_unchanged(path, target, before)
     new = target.with_name(f".{target.name}.{secrets.token_hex(4)}.new")
     try:
         with new.open("xb") as file:
@@ -40,7 +40,7 @@ def replace_file(path: Path, text: bytes, before: bytes | None) -> None:
             os.fsync(file.fileno())
         if before is not None:
             new.chmod(stat.S_IMODE(target.stat().st_mode))
-        _demand_unchanged(path, target, before)
+        _require_unchanged(path, target, before)
         new.replace(target)
     except BaseException:
         with contextlib.suppress(OSError):
@@ -49,7 +49,7 @@ def replace_file(path: Path, text: bytes, before: bytes | None) -> None:
     _sync_folder(target.parent)
 
 
-def _demand_unchanged(path: Path, target: Path, before: bytes | None) -> None:
+def _require_unchanged(path: Path, target: Path, before: bytes | None) -> None:
     if before is None:
         if target.exists():
             raise WorldError.at(Location(str(path)), "the file exists already", "use another name")

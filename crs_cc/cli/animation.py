@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.cli.recording_plot import recorded_picture, things_at
+from crs_cc.cli.recording_plot import movables_at, recorded_picture
 from crs_cc.cli.run_plot import in_world_m
 from crs_cc.plot.picture import PlotDrawing
 from crs_cc.plot.raster import Raster, blank, draw, flat, palette, save_film, smaller
@@ -67,15 +67,15 @@ class _Film:
     def __init__(self, recording: Recording) -> None:
         self._recording = recording
         picture = recorded_picture(recording)
-        robots = len(picture.trips)
+        robots = len(picture.paths)
         most = min(MAX_PICTURES, max(2, MAX_ROBOTS // max(1, robots)))
         self._speed = speed_for(recording.end_ns / NS, most - 1)
         self._drawing = PlotDrawing(picture, _LONG_SIDE_PX)
         self._world = picture.world
         self._contacts = self._contact_times()
         self._last: FloatArray = np.full((2, robots), np.nan)
-        self._starts = [trip.robot.start for trip in picture.trips]
-        self._misled = [number for number, _ in self._drawing.misled()]
+        self._starts = [robot_path.robot.start for robot_path in picture.paths]
+        self._misled = [number for number, _ in self._drawing.visibly_drifted()]
         self._odometry = recording.frames(topic=topics.ODOMETRY.topic)
         self._believed = self._ahead = next(self._odometry, None)
         self._shown: FloatArray | None = None  # what odometry believed in the last picture
@@ -109,7 +109,7 @@ class _Film:
             yield end_s, last
 
     def _extend(self, canvas: Raster, frame: Frame, at_s: float) -> None:
-        """Draw the way since the last picture, and new contacts."""
+        """Draw the paths since the last picture, and new contacts."""
         robots = len(self._recording.roster_at(frame.time_ns).robots)
         here = frame.values[:2, :robots]
         with self._drawing.layer() as page:
@@ -125,7 +125,7 @@ class _Film:
         self._last[:, : here.shape[1]] = here[:, : self._last.shape[1]]
 
     def _extend_believed(self, at_s: float) -> None:
-        """Draw every other piece of the way that odometry believed, where it is another."""
+        """Draw every other piece of the odometry's paths where they differ from the true ones."""
         while self._ahead is not None and self._ahead.time_s <= at_s + 1e-9:
             self._believed = self._ahead
             self._ahead = next(self._odometry, None)
@@ -148,7 +148,7 @@ class _Film:
         with self._drawing.layer() as page:
             self._drawing.marks(at_time(self._marked, at_s)[-MAX_MARKS:])
             robots = len(roster.robots)
-            for thing, _ in things_at(self._world, roster.objects, frame, robots):
+            for thing, _ in movables_at(self._world, roster.objects, frame, robots):
                 self._drawing.standing(thing)
             for number in range(min(robots, self._last.shape[1])):
                 x_m, y_m, heading_rad = frame.values[:3, number].tolist()

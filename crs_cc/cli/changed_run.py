@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from crs_cc.debug import kept_stops
+from crs_cc.debug import saved_breakpoints
 from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.note import KIND, Note
 from crs_cc.debug.timeline.position import Position
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class ChangedRun:
-    """Moves a debugger forward, and makes the changes on the way."""
+    """Moves a debugger forward, and replays recorded changes."""
 
     def __init__(
         self,
@@ -71,7 +71,7 @@ def recorded_changes(recording: Recording) -> list[Change]:
 def recorded_stops(recording: Recording) -> list[dict[str, Any]]:
     """Return the user's breakpoints in a recorded run, as data that may not be valid."""
     inputs = (data for _, data in recording.data(topics.INPUT.topic))
-    return [each for each in inputs if each.get("kind") == kept_stops.KIND]
+    return [each for each in inputs if each.get("kind") == saved_breakpoints.KIND]
 
 
 def recorded_notes(recording: Recording) -> list[Note]:

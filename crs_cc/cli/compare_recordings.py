@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 from crs_cc.cli.changed_run import ChangedRun, recorded_changes
 from crs_cc.cli.load import load
 from crs_cc.cli.make_debugger import make_debugger
-from crs_cc.cli.rerun import RecordedInput, unpacked
+from crs_cc.cli.rerun import RecordedInput, extracted_run
 from crs_cc.cli.run_options import RunOptions
 from crs_cc.core.errors import RecordingError, ReplayMismatch
 from crs_cc.core.source import Diagnostics, Location
@@ -74,7 +74,7 @@ def compare(here: Recording, there: Recording, *, onward: bool = False) -> Compa
     last = min(_timesteps(here), _timesteps(there))
     with rerun(here) as left, rerun(there) as right:
         search = FirstDifference(left, right, same_until(here.hashes(), there.hashes()))
-        while search.look(last, _PIECE):
+        while search.search(last, _PIECE):
             pass
         known = left.variables()
         is_of_variables = any((each.robot, each.name) in known for each in search.found)
@@ -82,7 +82,7 @@ def compare(here: Recording, there: Recording, *, onward: bool = False) -> Compa
         if onward and search.found and not is_of_variables:
             both = ComparedPart(left, known.__contains__), ComparedPart(right, known.__contains__)
             later = FirstDifference(*both, search.timestep)
-            while later.look(last, _PIECE):
+            while later.search(last, _PIECE):
                 pass
     timestep = min(search.timestep, last)
     ends_s = here.end_ns / NS, there.end_ns / NS
@@ -136,7 +136,7 @@ def rerun(recording: Recording) -> Iterator[Rerun]:
         CrsError: the programs or the world cannot be loaded.
     """
     given = RecordedInput(recording)
-    with unpacked(recording, RunOptions) as options:
+    with extracted_run(recording, RunOptions) as options:
         loaded = load(options, Diagnostics(), debug=True)
         debugger = make_debugger(
             loaded, options, lambda *_output: None, given.read, waiting=given.waiting

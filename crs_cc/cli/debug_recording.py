@@ -9,7 +9,7 @@ import click
 from crs_cc.cli.debug_options import DebugOptions
 from crs_cc.cli.instants import recorded_instant
 from crs_cc.cli.recorded_run import RecordedRunCheck
-from crs_cc.cli.rerun import unpacked
+from crs_cc.cli.rerun import extracted_run
 from crs_cc.cli.start_debugger import debug_programs
 from crs_cc.recording.recording import Recording
 
@@ -30,7 +30,7 @@ def debug_recording(options: DebugOptions) -> int:
         go: tuple[str, ...] = ()
         if options.at_s is not None:
             go = (f"goto {recorded_instant(recording, options.at_s)!r}",)
-        with unpacked(recording, DebugOptions) as recorded:
+        with extracted_run(recording, DebugOptions) as recorded:
             wanted = replace(
                 recorded,
                 scripts=options.scripts,

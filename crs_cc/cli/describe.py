@@ -52,7 +52,7 @@ def _world(world: WorldModel) -> Iterator[str]:
     if world.seed is not None:
         line += f", seed {world.seed}"
     yield line
-    yield from _things(world)
+    yield from _objects(world)
     yield from _communication(world.communication)
     for robot in world.robots[:_MOST]:
         yield _robot(robot)
@@ -66,7 +66,7 @@ def _world(world: WorldModel) -> Iterator[str]:
         yield f"... and {counted(len(world.degradations) - _MOST, 'more degradation')}"
 
 
-def _things(world: WorldModel) -> Iterator[str]:
+def _objects(world: WorldModel) -> Iterator[str]:
     things = [
         counted(len(found), noun, plural)
         for found, noun, plural in (

@@ -64,7 +64,7 @@ def _title(path: Path) -> str:
 
 
 def _rendered(path: Path) -> str:
-    """Return a page as text for a terminal, with control sequences if ours is one."""
+    """Return a page as text, with control sequences if stdout is a terminal."""
     from rich.console import Console
     from rich.markdown import Markdown
 

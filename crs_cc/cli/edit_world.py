@@ -19,7 +19,7 @@ from crs_cc.core.quantity import LENGTH
 from crs_cc.sim.files.xml_document import MAX_BYTES
 
 
-def opened(file: Path) -> WorldBuilder:
+def open_builder(file: Path) -> WorldBuilder:
     """Return the builder of a file.
 
     Raises:
@@ -29,9 +29,9 @@ def opened(file: Path) -> WorldBuilder:
     return WorldBuilder(file)
 
 
-def listed(file: Path, name: str) -> list[str]:
+def element_list(file: Path, name: str) -> list[str]:
     """Return the names of elements with their tags, one a line."""
-    builder = opened(file)
+    builder = open_builder(file)
     try:
         nodes = builder.element(name).children
     except ValueError as wrong:
@@ -41,9 +41,9 @@ def listed(file: Path, name: str) -> list[str]:
     return [f"{name:{width}}  {node.tag}" for name, node in zip(names, nodes, strict=True)]
 
 
-def copied(file: Path, names: Sequence[str]) -> str:
+def copy_elements(file: Path, names: Sequence[str]) -> str:
     """Return elements as XML with the definitions that they need."""
-    builder = opened(file)
+    builder = open_builder(file)
     try:
         return builder.copy(names)
     except ValueError as wrong:
@@ -69,7 +69,7 @@ def edit(
         WorldError: the result would not be valid, or the file cannot be read.
         click.UsageError: the operation cannot be done.
     """
-    builder = opened(file)
+    builder = open_builder(file)
     before = builder.text
     values = {name: given[name] for name in (field.name for field in row.fields) if given.get(name)}
     words = list(given.get("words") or ())
@@ -96,7 +96,7 @@ def edit(
     return new
 
 
-def imported(file: Path, plan: Path, given: Mapping[str, Any]) -> Sequence[str]:
+def import_plan(file: Path, plan: Path, given: Mapping[str, Any]) -> Sequence[str]:
     """Put a plan into a world, which is made if it does not exist; return what to say.
 
     Raises:
@@ -109,7 +109,7 @@ def imported(file: Path, plan: Path, given: Mapping[str, Any]) -> Sequence[str]:
         raise click.UsageError(f"{wrong}.") from None
     size = {name: values[name] for name in ("scale", "thickness") if name in values}
     if file.exists():
-        builder = opened(file)
+        builder = open_builder(file)
         names, left_out = builder.import_plan(plan, **size, x=values["x"], y=values["y"])
     else:
         builder, left_out = WorldBuilder.from_plan(plan, **size)
@@ -118,7 +118,7 @@ def imported(file: Path, plan: Path, given: Mapping[str, Any]) -> Sequence[str]:
     return [f"{len(names)} elements in {file}", *(f"left out: {each}" for each in left_out)]
 
 
-def exported(file: Path, target: Path) -> Sequence[str]:
+def export_world(file: Path, target: Path) -> Sequence[str]:
     """Write a world in another format; return what to say.
 
     Raises:
@@ -126,7 +126,7 @@ def exported(file: Path, target: Path) -> Sequence[str]:
         click.UsageError: there is no such format.
     """
     try:
-        left_out = opened(file).export(target)
+        left_out = open_builder(file).export(target)
     except ValueError as wrong:
         raise click.UsageError(f"{wrong}.") from None
     return [f"wrote {target}", *(f"left out: {each}" for each in left_out)]

@@ -20,7 +20,7 @@ def is_exported(options: RunOptions) -> bool:
 
 
 @contextmanager
-def recorded(options: Options) -> Iterator[Options]:
+def with_recording(options: Options) -> Iterator[Options]:
     """Yield the options with a recording, which is removed at the end if it is only for exports."""
     if options.record is not None or not is_exported(options):
         yield options

@@ -30,7 +30,7 @@ _REPLACED: Final = {
 
 
 def without_gcc_options(arguments: Sequence[str]) -> list[str]:
-    """Return the arguments without ineffective options, and with the others in our form."""
+    """Return the arguments without ineffective options, the others in the form that crs accepts."""
     kept = [each for each in arguments if not _IGNORED.fullmatch(each)]
     return [_REPLACED.get(each, each) for each in kept]
 

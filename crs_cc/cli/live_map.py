@@ -90,7 +90,7 @@ class LiveMap:
         self._stream.flush()
 
     def close(self) -> None:
-        """Let the whole terminal scroll again; the map stays."""
+        """Reset the scroll region of the terminal; the map stays."""
         if self._size != (0, 0):
             self._stream.write(f"{_SAVE}{_WHOLE}{_RESTORE}")
             self._stream.flush()

@@ -86,22 +86,22 @@ def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = Fal
             for robot, each in zip(world.robots, wanted, strict=True)
         ),
         {name: path.read_bytes() for name, path in options.inputs_on_disk.items()},
-        users_files(files_read),
+        user_files(files_read),
         compiled_files(diagnostics),
     )
 
 
-def users_files(files_read: Mapping[Path, bytes]) -> dict[Path, bytes]:
+def user_files(files_read: Mapping[Path, bytes]) -> dict[Path, bytes]:
     """Return those files that are the user's own."""
-    return {path: each for path, each in files_read.items() if not _is_ours(path)}
+    return {path: each for path, each in files_read.items() if not _is_bundled(path)}
 
 
 def compiled_files(diagnostics: Diagnostics) -> tuple[Path, ...]:
     """Return the user's files that the compiler looked for, found or not."""
-    return tuple(path for path in sorted(map(Path, diagnostics.digests)) if not _is_ours(path))
+    return tuple(path for path in sorted(map(Path, diagnostics.digests)) if not _is_bundled(path))
 
 
-def _is_ours(path: Path) -> bool:
+def _is_bundled(path: Path) -> bool:
     return path.is_absolute() and path.is_relative_to(PACKAGE)
 
 

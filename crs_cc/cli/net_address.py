@@ -15,7 +15,7 @@ from typing import Final
 
 import click
 
-from crs_cc.cli.port_note import note_left, read_note
+from crs_cc.cli.port_note import publish_note, read_note
 from crs_cc.core.loopback import LOOPBACK
 
 TOKEN_VARIABLE: Final = "CRS_TOKEN"  # noqa: S105 - the name of a variable
@@ -79,6 +79,6 @@ def token_for(given: str | None, port: int) -> str:
     return ""
 
 
-def token_left(port: int, token: str) -> AbstractContextManager[None]:
-    """Let hosts of this user on this machine find the token inside a `with` block."""
-    return note_left(_SERVED, port, token)
+def publish_token(port: int, token: str) -> AbstractContextManager[None]:
+    """Publish the token to hosts of this user on this machine inside a `with` block."""
+    return publish_note(_SERVED, port, token)

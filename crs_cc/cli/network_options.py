@@ -11,7 +11,7 @@ import click
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class ReachableMachine:
     """A computer of the real network that programs can reach.
 
     Attributes:
@@ -29,7 +29,7 @@ class Way:
 
 @dataclass(frozen=True, slots=True)
 class Forward:
-    """A port of this machine that leads to a robot.
+    """A port of this machine that is forwarded to a robot.
 
     Attributes:
         port: the port, here and there.
@@ -40,7 +40,7 @@ class Forward:
     robot: str = ""
 
 
-_WAY: Final = re.compile(
+_MACHINE: Final = re.compile(
     r"([\w.-]{1,60})(?::(\d{1,5}))?=(\[[^\]]+\]|[^:\[\]]+):(\d{1,5})", re.ASCII
 )
 _FORWARD: Final = re.compile(r"(\d{1,5})(?::([\w.-]+))?", re.ASCII)
@@ -53,14 +53,18 @@ def _port(text: str) -> int:
     return port
 
 
-def _ways(_ctx: click.Context, _option: click.Parameter, texts: Sequence[str]) -> tuple[Way, ...]:
+def _machines(
+    _ctx: click.Context, _option: click.Parameter, texts: Sequence[str]
+) -> tuple[ReachableMachine, ...]:
     found = []
     for text in texts:
-        match = _WAY.fullmatch(text)
+        match = _MACHINE.fullmatch(text)
         if match is None:
             raise click.BadParameter(f"'{text}' is not NAME=HOST:PORT or NAME:PORT=HOST:PORT.")
         name, port, host, real_port = match.groups()
-        found.append(Way(name, _port(port or real_port), host.strip("[]"), _port(real_port)))
+        found.append(
+            ReachableMachine(name, _port(port or real_port), host.strip("[]"), _port(real_port))
+        )
     return tuple(found)
 
 
@@ -78,7 +82,7 @@ def _forwards(
 
 _OPTIONS: Final = (
     click.option(
-        "--connect", "ways", multiple=True, metavar="NAME[:PORT]=HOST:PORT", callback=_ways,
+        "--connect", "machines", multiple=True, metavar="NAME[:PORT]=HOST:PORT", callback=_machines,
         help="When a program connects to NAME[:PORT], forward the connection to HOST:PORT on the "
         "real network; may be repeated. See docs/sockets.md.",
     ),
@@ -92,7 +96,7 @@ _OPTIONS: Final = (
 
 
 def network_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add these options to a command, which receives `ways` and `forwards`."""
+    """Add these options to a command, which receives `machines` and `forwards`."""
     for option in reversed(_OPTIONS):
         command = option(command)
     return command

@@ -45,7 +45,7 @@ class Pace:
             time.sleep(min(left_s, LOOK_S))
 
     def restart(self, simulated_s: float = 0.0) -> None:
-        """Let simulated time be this now [s]."""
+        """Set the current simulated time [s]."""
         self._started_s = time.monotonic() - simulated_s / self.speed
 
     def simulated_s(self) -> float:
@@ -78,13 +78,13 @@ def progress_text(simulated_s: float, end_s: float | None, real_s: float, runnin
     percent = 100.0 * min(1.0, simulated_s / end_s)
     left_s = (end_s - simulated_s) / rate if rate > 0.0 else 0.0
     done = f"{simulated_s:.1f} of {end_s:.1f} s simulated ({percent:.0f} %)"
-    return f"{done}, {speed}, {_rough(left_s)} left, {running}"
+    return f"{done}, {speed}, {_duration_text(left_s)} left, {running}"
 
 
-def _rough(time_s: float) -> str:
-    """Return a time as people say it.
+def _duration_text(time_s: float) -> str:
+    """Return a rounded duration in words.
 
-    >>> _rough(4.2), _rough(119.0), _rough(121.0), _rough(7300.0)
+    >>> _duration_text(4.2), _duration_text(119.0), _duration_text(121.0), _duration_text(7300.0)
     ('5 s', '119 s', '3 min', '3 h')
     """
     if time_s < 120.0:

@@ -22,7 +22,7 @@ def read_note(kind: str, port: int) -> str:
 
 
 @contextmanager
-def note_left(kind: str, port: int, text: str) -> Iterator[None]:
+def publish_note(kind: str, port: int, text: str) -> Iterator[None]:
     """Keep a note for a port inside a `with` block; without one if there is no room for it.
 
     Args:

@@ -24,10 +24,10 @@ def start() -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from crs_cc.cli.main import main
 
-    leave(main())
+    exit_process(main())
 
 
-def leave(status: int) -> None:
+def exit_process(status: int) -> None:
     """End this process with an exit status.
 
     The usual, slow end is left to Python if the streams cannot be flushed, which it reports; if

@@ -60,7 +60,7 @@ class ProgressLine:
         self._drawn = False
 
     def wrote(self, data: bytes) -> None:
-        """Note other output to the terminal: an unfinished line must not be overwritten."""
+        """Record other output to the terminal: an unfinished line must not be overwritten."""
         self._line_is_free = data.endswith(b"\n")
 
 
@@ -135,7 +135,7 @@ class ProgramOutput:
 
 
 def read_line(size: int) -> bytes:
-    """Read from our stdin at most `size` bytes and at most one line.
+    """Read at most `size` bytes and at most one line from standard input.
 
     So the pieces depend on the input and never on its timing.
     """

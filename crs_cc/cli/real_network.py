@@ -25,7 +25,7 @@ from crs_cc.session.network import outside
 from crs_cc.session.network.sockets import OUTSIDE
 
 if TYPE_CHECKING:
-    from crs_cc.cli.network_options import Forward, Way
+    from crs_cc.cli.network_options import Forward, ReachableMachine
     from crs_cc.session.network.network import OutsideEvent
     from crs_cc.session.session import Session
 
@@ -59,17 +59,17 @@ class _Connection:
 
 
 class RealNetwork:
-    """The open ways of one run."""
+    """The connections of one run to the real network."""
 
     def __init__(
-        self, session: Session, ways: Sequence[Way], forwards: Sequence[Forward],
+        self, session: Session, machines: Sequence[ReachableMachine], forwards: Sequence[Forward],
         noted: Callable[[Change], None],
     ) -> None:  # fmt: skip
         """Open the ports, and make the computers known to the run.
 
         Args:
             session: the run, before its first timestep.
-            ways: what programs can reach.
+            machines: what programs can reach.
             forwards: what leads to programs.
             noted: is told of each change that is made.
 
@@ -79,17 +79,17 @@ class RealNetwork:
         """
         self._session = session
         self._noted = noted
-        self._ways = {f"{way.name}:{way.port}": way for way in ways}
+        self._machines = {f"{machine.name}:{machine.port}": machine for machine in machines}
         self._events: list[tuple[int, OutsideEvent]] = []
         self._connections: dict[int, _Connection] = {}
         self._listeners: list[tuple[socket.socket, Forward]] = []
-        session.network.network.tell_outside = lambda number, event: self._events.append(
+        session.network.network.on_outside_event = lambda number, event: self._events.append(
             (number, event)
         )
         names = [robot.id for robot in session.environment.world.robots]
         try:
-            for way in ways:
-                self._change(f"network reach {way.name} {way.port}")
+            for machine in machines:
+                self._change(f"network reach {machine.name} {machine.port}")
         except DebugError as error:
             raise click.UsageError(f"--connect: {error}.") from None
         for forward in forwards:
@@ -101,7 +101,7 @@ class RealNetwork:
         """Carry over what has come from either side, between two timesteps."""
         events, self._events = self._events, []
         for number, event in events:
-            self._told(number, *event)
+            self._handle_event(number, *event)
         self._accept()
         for number, connection in list(self._connections.items()):
             if not connection.is_made:
@@ -129,7 +129,7 @@ class RealNetwork:
 
     # -- from the run --------------------------------------------------------------------------
 
-    def _told(self, number: int, kind: str, content: bytes) -> None:
+    def _handle_event(self, number: int, kind: str, content: bytes) -> None:
         """Do what a program has done to a connection."""
         if kind == "open":
             self._open(number, content.decode())
@@ -146,8 +146,8 @@ class RealNetwork:
         elif kind in ("refused", "reset"):
             self._drop(number)
 
-    def _open(self, number: int, way: str) -> None:
-        wanted = self._ways.get(way)
+    def _open(self, number: int, machine: str) -> None:
+        wanted = self._machines.get(machine)
         if wanted is None:  # made known by hand
             return
         try:
@@ -186,7 +186,7 @@ class RealNetwork:
         self._change_connection(number, "accept")
 
     def _receive(self, number: int, connection: _Connection) -> None:
-        room = outside.room(self._session.network.network, number)
+        room = outside.send_space(self._session.network.network, number)
         if connection.is_read or not room:
             return
         try:

@@ -14,7 +14,7 @@ from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.messages import show
 from crs_cc.cli.start_recording import start_recording
 from crs_cc.core.source import Diagnostic, Location
-from crs_cc.debug.kept_stops import kept_stops
+from crs_cc.debug.saved_breakpoints import saved_breakpoints
 
 if TYPE_CHECKING:
     from crs_cc.cli.debug_options import DebugOptions
@@ -33,7 +33,7 @@ def record_debugged(
         OSError: the recording cannot be written.
     """
     run = debugger.run
-    pieces = {robot: deque(given) for robot, given in run.console.given().items()}
+    pieces = {robot: deque(given) for robot, given in run.console.consumed_input().items()}
     changes = run.history.changes_until(run.position)
     seed = options.seed if options.seed is not None else loaded.world.seed or 0
     recorder = start_recording(loaded, options, seed, for_debugger=bool(changes))
@@ -62,7 +62,7 @@ def record_debugged(
         recorder.sample()
     for each in debugger.notes:
         recorder.change(each.as_data())
-    for kept in kept_stops(debugger.stop_points):
+    for kept in saved_breakpoints(debugger.stop_points):
         recorder.change(kept)
     recorder.finish(again.session.result())
     if recorder.failed is not None:

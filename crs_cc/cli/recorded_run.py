@@ -9,7 +9,7 @@ from crs_cc.cli.messages import show
 from crs_cc.cli.rerun import RecordedInput
 from crs_cc.core.source import Diagnostic, Location
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.kept_stops import restore_stops
+from crs_cc.debug.saved_breakpoints import restore_breakpoints
 from crs_cc.debug.timeline.position import BEGINNING
 from crs_cc.recording.digest import digest
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class RecordedRunCheck:
-    """Gives a run its recorded input, and says once if it takes another course.
+    """Replays the recorded input of a run, and warns once if the run diverges.
 
     Attributes:
         warned: is told when it does, besides a warning on standard error.
@@ -49,7 +49,7 @@ class RecordedRunCheck:
         debugger.notes.extend(self._notes)
         if self._changes:
             self._change(debugger)
-        restore_stops(debugger.stop_points, self._stops, len(debugger.names))
+        restore_breakpoints(debugger.stop_points, self._stops, len(debugger.names))
 
     def _change(self, debugger: Debugger) -> None:
         """Make the changes by hand again."""

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from crs_cc.cli.load import load_world_of
-from crs_cc.cli.rerun import unpacked
+from crs_cc.cli.rerun import extracted_run
 from crs_cc.cli.run_options import RunOptions
-from crs_cc.cli.run_plot import MARKED, MARKS, apart_m, in_world_m
+from crs_cc.cli.run_plot import MARKED, MARKS, in_world_m, max_distance_m
 from crs_cc.core.quantity import round_length
-from crs_cc.plot.picture import Picture, Trip
+from crs_cc.plot.picture import Picture, RobotPath
 from crs_cc.plot.tracks import Tracks
 from crs_cc.recording import topics
 from crs_cc.recording.marks import at_time, marked_in
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 def world_of(recording: Recording) -> WorldModel:
     """Return the world of a recorded run; raise CrsError if it is not valid."""
-    with unpacked(recording, RunOptions) as options:
+    with extracted_run(recording, RunOptions) as options:
         return load_world_of(options)
 
 
@@ -57,14 +57,14 @@ def recorded_picture(recording: Recording) -> Picture:
     title = f"{', '.join(names) or 'programs'} in {where}"
     pushed = [
         thing
-        for thing, is_moved in things_at(world, roster.objects, last, len(roster.robots))
+        for thing, is_moved in movables_at(world, roster.objects, last, len(roster.robots))
         if is_moved
     ]
     drawings = at_time(marked_in(recording), math.inf)
-    return Picture(title, subtitle, world, paths.trips(), contacts.contacts, pushed, drawings)
+    return Picture(title, subtitle, world, paths.paths(), contacts.contacts, pushed, drawings)
 
 
-def things_at(
+def movables_at(
     world: WorldModel, objects: Sequence[str], frame: Frame, robots: int
 ) -> Iterator[tuple[Thing, bool]]:
     """Yield the movable objects where a frame says, and whether they were moved.
@@ -123,7 +123,7 @@ class _Paths:
         self.last, self._rows = frame, rows
 
     def _mark(self, time_s: float, rows: FloatArray) -> None:
-        """Note where the first robots are at round times; where nothing moved there is no frame."""
+        """Record the positions of the first robots at round times, also between frames."""
         while time_s >= (at_s := self._next_mark * self._every_s) - 1e-9:
             there = rows if time_s < at_s + 1e-9 or not self._rows.size else self._rows
             for robot, marks in enumerate(self._marks):
@@ -132,23 +132,23 @@ class _Paths:
                     marks.append((x_m, y_m, f"{at_s:g} s"))
             self._next_mark += 1
 
-    def trips(self) -> list[Trip]:
+    def paths(self) -> list[RobotPath]:
         """Return the paths."""
         assert self.last is not None
         values = self.last.values
         self._true.end(*self._rows)
-        return [self._trip(row, values) for row in range(len(self._names))]
+        return [self._robot_path(row, values) for row in range(len(self._names))]
 
-    def _trip(self, row: int, values: FloatArray) -> Trip:
+    def _robot_path(self, row: int, values: FloatArray) -> RobotPath:
         path, believed = self._true.path(row), self._believed.path(row)
         is_gone = row >= values.shape[1] or bool(np.isnan(values[0, row]))
-        return Trip(
+        return RobotPath(
             self._robot(self._names[row], path),
             path,
             0.0 if is_gone else float(values[2, row]),
             left=is_gone,
-            believed=believed,
-            misled_m=apart_m(self._there.path(row), believed),
+            odometry=believed,
+            odometry_error_m=max_distance_m(self._there.path(row), believed),
             marks=self._marks[row] if row < len(self._marks) else (),
         )
 

@@ -25,7 +25,7 @@ O = TypeVar("O", bound=ProgramOptions)  # noqa: E741
 
 
 @contextmanager
-def unpacked(recording: Recording, kind: type[O], **others: Any) -> Iterator[O]:
+def extracted_run(recording: Recording, kind: type[O], **others: Any) -> Iterator[O]:
     """Write the files of a recorded run to a temporary folder; yield the options to run it again.
 
     Args:
@@ -90,7 +90,7 @@ def unpacked(recording: Recording, kind: type[O], **others: Any) -> Iterator[O]:
 
 
 class RecordedInput:
-    """The standard input of a recorded run, given again."""
+    """The recorded standard input of a run, replayed."""
 
     def __init__(self, recording: Recording) -> None:
         """Read it; raise RecordingError if it is damaged."""

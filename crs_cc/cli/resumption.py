@@ -25,7 +25,7 @@ _NS: Final = 1e-9
 
 
 class Resumption:
-    """What a recording says of the first part of a run.
+    """The recorded first part of a run.
 
     Attributes:
         given: what its programs read.

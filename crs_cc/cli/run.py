@@ -123,7 +123,7 @@ def run(**options: Any) -> int:
     --max-time counts as having exited with 0.
     """
     run_options = RunOptions(**options)
-    if run_options.ways or run_options.forwards:
+    if run_options.machines or run_options.forwards:
         source = click.get_current_context().get_parameter_source("speed")
         if source is ParameterSource.DEFAULT:
             run_options = replace(run_options, speed=1.0)

@@ -58,7 +58,7 @@ class RunChanges:
                 raise self._wrong(number, "the time is before that of the previous line")
             self._left.append((timestep, number, match[2].strip()))
 
-    def make(self, session: Session, made: Callable[[Change], None]) -> None:
+    def apply_due(self, session: Session, made: Callable[[Change], None]) -> None:
         """Make the changes that are due at the start of the current timestep.
 
         Args:
@@ -93,7 +93,7 @@ class RunChanges:
         return max(1, self._left[0][0] - session.timesteps) if self._left else _MOST
 
     def report(self) -> None:
-        """Say how many changes were not made, as the run ended before."""
+        """Report how many changes were not made because the run ended earlier."""
         if self._left:
             many = f"{len(self._left)} change{'s' * (len(self._left) > 1)}"
             say(f"crs: {self._path}: the run ended before {many}")

@@ -29,7 +29,7 @@ class RunHints:
         self._wrote_s, self._wrote_at_s = time.monotonic(), 0.0
 
     def wrote(self) -> None:
-        """Note that a program has written something."""
+        """Record output of a program."""
         self._wrote_s = time.monotonic()
         self._wrote_at_s = self._session.time_s
 

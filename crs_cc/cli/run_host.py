@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.cli.compiler_options import gathered
-from crs_cc.cli.elsewhere import shown_names
 from crs_cc.cli.load import build_program, compiled_files
 from crs_cc.cli.messages import is_coloured, say, show_before_run
 from crs_cc.cli.net_address import shown_address, token_for
 from crs_cc.cli.program_output import ProgramOutput, ProgressLine
+from crs_cc.cli.remote_hosts import shown_names
 from crs_cc.cli.report import render_report
 from crs_cc.cli.typed_input import OwnInput
 from crs_cc.core.errors import ProgramError

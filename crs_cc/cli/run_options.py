@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from crs_cc.cli.network_options import Forward, Way
+from crs_cc.cli.network_options import Forward, ReachableMachine
 from crs_cc.cli.program_options import ProgramOptions
 from crs_cc.cli.record_options import Sensors
 from crs_cc.cli.vendor_options import VendorOptions
@@ -29,7 +29,7 @@ class RunOptions(ProgramOptions):
         record: the file of the recording.
         tables: the folder for tables of the run.
         speed: the highest multiple of real time; infinite for as fast as possible.
-        ways: the computers of the real network that programs can reach.
+        machines: the computers of the real network that programs can reach.
         forwards: the ports of this machine that lead to robots.
         live: draw a map on the terminal while the programs run.
         view: the port on which a browser is shown the run, 0 for any; None for none.
@@ -54,7 +54,7 @@ class RunOptions(ProgramOptions):
     record_every_s: float = 0.05
     tables: Path | None = None
     speed: float = math.inf
-    ways: tuple[Way, ...] = ()
+    machines: tuple[ReachableMachine, ...] = ()
     forwards: tuple[Forward, ...] = ()
     live: bool = False
     view: int | None = None

@@ -12,7 +12,7 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.quantity import round_length
-from crs_cc.plot.picture import Picture, Trip
+from crs_cc.plot.picture import Picture, RobotPath
 from crs_cc.plot.tracks import Tracks
 from crs_cc.sim.engine.drawings import drawings_in
 from crs_cc.sim.engine.sensor_overlay import sights
@@ -69,7 +69,7 @@ class RunPlot:
 
     def _add(self, timestep: int, true_m: _Points, believed_m: _Points) -> None:
         for tracks, points in ((self._tracks, true_m), (self._believed, believed_m)):
-            tracks.stay(timestep - self._next)
+            tracks.repeat_last(timestep - self._next)
             tracks.add(*points)
         self._next = timestep + 1
 
@@ -81,15 +81,15 @@ class RunPlot:
         self._tracks.end(*_positions_m(session))
         self._believed.end(*_believed_m(session))
         gone = np.isfinite(state.presence.left_s)
-        paths = [(self._tracks.path(n), self._believed.path(n)) for n in range(len(world.robots))]
-        trips = [
-            Trip(
+        pairs = [(self._tracks.path(n), self._believed.path(n)) for n in range(len(world.robots))]
+        paths = [
+            RobotPath(
                 robot,
-                paths[n][0],
+                pairs[n][0],
                 float(state.heading_rad[n]),
                 left=bool(gone[n]),
-                believed=paths[n][1],
-                misled_m=apart_m(*paths[n]),
+                odometry=pairs[n][1],
+                odometry_error_m=max_distance_m(*pairs[n]),
                 marks=time_marks(self._tracks, n, session.timesteps, world.timestep_s),
             )
             for n, robot in enumerate(world.robots)
@@ -103,7 +103,7 @@ class RunPlot:
             title,
             subtitle,
             world,
-            trips,
+            paths,
             self._tracks.contacts,
             _pushed(session, world),
             drawings_in(state.drawings),
@@ -147,7 +147,7 @@ def in_world_m(
     return x_m, y_m
 
 
-def apart_m(path: FloatArray, believed: FloatArray) -> float:
+def max_distance_m(path: FloatArray, believed: FloatArray) -> float:
     """Return the greatest distance between two paths of the same instants, along an axis."""
     if len(path) != len(believed) or not len(path):
         return 0.0

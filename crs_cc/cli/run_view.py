@@ -115,7 +115,7 @@ class RunView:
 
     def close(self) -> None:
         """Show the end, and say good-bye to pages."""
-        self._watcher.ends()
+        self._watcher.report_ends()
         self._watcher.show()
         self._player.pause()
         self._screen.publish()

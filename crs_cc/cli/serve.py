@@ -238,9 +238,9 @@ def serve(
         raise click.UsageError("--start now applies to programs that join, not to --hosts.")
     if wanted.vendor:
         return _serve_vendor(wanted)
-    from crs_cc.cli.export_run import recorded
+    from crs_cc.cli.export_run import with_recording
 
-    with recorded(wanted) as run:
+    with with_recording(wanted) as run:
         return _serve_hosts(run)
 
 

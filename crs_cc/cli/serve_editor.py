@@ -11,7 +11,7 @@ import click
 from crs_cc.cli.load import load
 from crs_cc.cli.make_debugger import end_at, make_debugger
 from crs_cc.cli.messages import WARNINGS_BEFORE_RUN, left_out_text, render, say
-from crs_cc.cli.start_debugger import given_input
+from crs_cc.cli.start_debugger import fixed_input
 from crs_cc.core.loopback import LEAST_TOKEN, new_token
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.dap.port import serve_port
@@ -79,7 +79,7 @@ def _open(options: DebugOptions, output: Output, tell: Callable[[str], None]) ->
         tell(render(message, coloured=False))
     if len(messages) > WARNINGS_BEFORE_RUN:
         tell(left_out_text(len(messages) - WARNINGS_BEFORE_RUN))
-    read, waiting = given_input(options)
+    read, waiting = fixed_input(options)
     debugger = make_debugger(loaded, options, output, read or no_input, waiting=waiting)
     end_at(debugger, options.max_time_s or loaded.world.duration_s)
     return debugger

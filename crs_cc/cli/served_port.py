@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import click
 
 from crs_cc.cli.messages import say
-from crs_cc.cli.net_address import shown_address, token_left
+from crs_cc.cli.net_address import publish_token, shown_address
 from crs_cc.cli.view_address import announced
 from crs_cc.core.loopback import LOOPBACK
 from crs_cc.net import tls
@@ -68,7 +68,7 @@ def served_port(options: ServeOptions, roster: Roster) -> Iterator[ServedPort]:
 
 
 def greet(options: ServeOptions, port: ServedPort) -> None:
-    """Say where the world is served."""
+    """Print the address at which the world is served."""
     host = options.listen[0]
     say(f"crs: serving {options.inputs.world} at {shown_address((host, port.number))}")
     if port.fingerprint:
@@ -106,7 +106,7 @@ def _gate(
         if error.errno == errno.EADDRINUSE:
             reason += " (name another port by --listen HOST:PORT)"
         raise OSError(error.errno, reason, shown_address((host, port))) from None
-    with token_left(listener.getsockname()[1], access.token("robot")):
+    with publish_token(listener.getsockname()[1], access.token("robot")):
         encrypt = secure.secure if secure else lambda plain: plain
         gate = Gate(listener, access, roster, encrypt, only_tcp=options.only_tcp)
         try:

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Final
 
 import click
 
+from crs_cc.cli.captured_output import CapturedOutput
 from crs_cc.cli.exit_status import SYSTEM
-from crs_cc.cli.export_run import export_run, is_exported, recorded
+from crs_cc.cli.export_run import export_run, is_exported, with_recording
 from crs_cc.cli.inputs import is_animation
 from crs_cc.cli.interrupt import Interrupt
-from crs_cc.cli.kept_output import KeptOutput
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
-from crs_cc.cli.open_ways import open_ways
+from crs_cc.cli.open_real_network import open_real_network
 from crs_cc.cli.pace import Pace, progress_text
 from crs_cc.cli.program_output import ProgramOutput, ProgressLine
 from crs_cc.cli.report import show_reports
@@ -35,9 +35,9 @@ from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import WorldModel
 
 if TYPE_CHECKING:
-    from crs_cc.cli.elsewhere import Elsewhere
     from crs_cc.cli.live_map import LiveMap
     from crs_cc.cli.real_network import RealNetwork
+    from crs_cc.cli.remote_hosts import RemoteHosts
     from crs_cc.cli.run_changes import RunChanges
     from crs_cc.cli.run_options import RunOptions
     from crs_cc.cli.run_plot import RunPlot
@@ -77,7 +77,7 @@ def simulate(options: RunOptions) -> int:
 
 def _simulate(options: RunOptions) -> int:
     diagnostics = Diagnostics()
-    with recorded(options) as run:
+    with with_recording(options) as run:
         loaded = load(run, diagnostics)
         if not run.quiet:
             show_before_run(diagnostics.messages)
@@ -88,7 +88,7 @@ def run_loaded(
     loaded: Loaded,
     options: RunOptions,
     diagnostics: Diagnostics,
-    elsewhere: Elsewhere | None = None,
+    remote_hosts: RemoteHosts | None = None,
 ) -> int:
     """Run programs that are loaded, report the results, and return the exit status.
 
@@ -96,9 +96,9 @@ def run_loaded(
         loaded: the world and the programs.
         options: how to run them.
         diagnostics: what was found when they were loaded.
-        elsewhere: where they run, if not here.
+        remote_hosts: where they run, if not here.
     """
-    runner = Runner(loaded, options, elsewhere)
+    runner = Runner(loaded, options, remote_hosts)
     run = runner.run()
     hints = [] if options.quiet else options.compiler.warnings.select(list(runner.hints.at_end()))
     _report(run, options, [*diagnostics.messages, *runner.hints.found, *hints])
@@ -108,8 +108,8 @@ def run_loaded(
     runner.draw(run)
     if is_exported(options):
         export_run(options)
-    if elsewhere is not None:
-        elsewhere.close()
+    if remote_hosts is not None:
+        remote_hosts.close()
     return exit_status(run) if is_kept else SYSTEM
 
 
@@ -117,10 +117,10 @@ class Runner:
     """Steps a session to its end, and collects the data of the plot."""
 
     def __init__(
-        self, loaded: Loaded, options: RunOptions, elsewhere: Elsewhere | None = None
+        self, loaded: Loaded, options: RunOptions, remote_hosts: RemoteHosts | None = None
     ) -> None:
         self._loaded = loaded
-        self._elsewhere = elsewhere
+        self._hosts = remote_hosts
         self._options = options
         world = loaded.world
         self._seed = options.seed if options.seed is not None else world.seed or 0
@@ -138,14 +138,14 @@ class Runner:
         self._changes = _changes(options, world)
         self._real_network: RealNetwork | None = None
         self._pace = Pace(options.speed if options.view is None else math.inf)  # a view has its own
-        self._kept = KeptOutput(len(world.robots)) if options.as_json else None
+        self._captured = CapturedOutput(len(world.robots)) if options.as_json else None
         self._started_s = time.monotonic()
         self._plot = _plot(options)
         self._trace = _trace(options.trace, world) if options.trace else None
         self._clients = _vendor_clients(loaded, options)
         self._input = self._source_of_input()
         self._recorder = _recorder(loaded, options, self._seed)
-        self._view = _run_view(loaded, options, self._seed, elsewhere)
+        self._view = _run_view(loaded, options, self._seed, remote_hosts)
         self.session = Session(
             world,
             loaded.executables,
@@ -160,14 +160,14 @@ class Runner:
             trace=self if self._trace or self._plot or self._live or self._view else None,
             observer=self._recorder,
             threads=options.threads,
-            fleet=None if elsewhere is None else elsewhere.fleet,
+            fleet=None if remote_hosts is None else remote_hosts.fleet,
         )
         self.hints = RunHints(self.session)
 
-    def _source_of_input(self) -> Script | OwnInput | Elsewhere | VendorClients:
+    def _source_of_input(self) -> Script | OwnInput | RemoteHosts | VendorClients:
         if self._options.input:
             return read_script(self._options.input)
-        return self._clients or self._elsewhere or OwnInput()
+        return self._clients or self._hosts or OwnInput()
 
     def run(self) -> Run:
         """Step until all programs have ended, time is up, or Ctrl-C."""
@@ -198,30 +198,33 @@ class Runner:
             time.monotonic() - self._started_s,
             self._interrupt.requested,
             tuple(self._current_calls()),
-            self._kept,
+            self._captured,
             tuple(self._lost_blocks()),
         )
 
     def _begin(self) -> None:
-        """Have others take part from the start."""
-        if self._elsewhere is not None:
-            self._elsewhere.begin(self.session, lambda: self._interrupt.requested)
+        """Start the view, the clients and the connections of the run."""
+        if self._hosts is not None:
+            self._hosts.begin(self.session, lambda: self._interrupt.requested)
         if self._recorder is not None:
             self._recorder.begin(self.session)
         if self._view is not None:
-            repeats_until_s = 0.0 if self._elsewhere is None else self._elsewhere.repeats_until_s
+            repeats_until_s = 0.0 if self._hosts is None else self._hosts.repeats_until_s
             self._view.begin(
-                self.session, lambda: self._interrupt.requested, self._made, repeats_until_s
+                self.session,
+                lambda: self._interrupt.requested,
+                self._record_change,
+                repeats_until_s,
             )
-            if self._elsewhere is not None:
-                self._elsewhere.tell_waiting = self._view.wait_for
+            if self._hosts is not None:
+                self._hosts.on_waiting = self._view.wait_for
         if self._clients is not None:
             pointing = None if self._view is None else self._view.pointing
-            self._clients.begin(self.session, pointing, self._is_in_a_hurry)
-        self._real_network = open_ways(self.session, self._options, self._note)
+            self._clients.begin(self.session, pointing, self._must_end_timestep)
+        self._real_network = open_real_network(self.session, self._options, self._note)
 
-    def _is_in_a_hurry(self) -> bool:
-        """Return whether the timestep is to end, whoever has not said anything yet."""
+    def _must_end_timestep(self) -> bool:
+        """Return whether the timestep must end without waiting for further clients."""
         return self._interrupt.requested or (self._view is not None and self._view.is_wanted)
 
     def _lost_blocks(self) -> Iterator[tuple[LostBlocks, ...]]:
@@ -261,23 +264,23 @@ class Runner:
         """Make the changes that are due or come over the network, and record them."""
         if self._real_network is not None:
             self._real_network.exchange()
-        if self._elsewhere is not None:
-            self._elsewhere.change(self._made)
+        if self._hosts is not None:
+            self._hosts.change(self._record_change)
         if self._changes is None:
             return
         before = len(self.session.fleet)
-        self._changes.make(self.session, self._made)
+        self._changes.apply_due(self.session, self._record_change)
         for robot in self.session.environment.world.robots[before:]:
             self._output.add(robot.id)
-            if self._kept is not None:
-                self._kept.add_robot()
+            if self._captured is not None:
+                self._captured.add_robot()
 
     def _note(self, change: Change) -> None:
         if self._recorder is not None:
             self._recorder.change(change.as_data())
 
-    def _made(self, change: Change) -> None:
-        """Record a change that users have made, and list it in pages."""
+    def _record_change(self, change: Change) -> None:
+        """Record a change by a user, and show it in pages."""
         self._note(change)
         if self._view is not None:
             self._view.change(change)
@@ -290,10 +293,10 @@ class Runner:
             show([hint])
 
     def _most_timesteps(self) -> int:
-        """Return the number of timesteps to run without a look at output and interrupts."""
+        """Return the number of timesteps to run until output and interrupts are checked again."""
         most = self._changes.timesteps_left(self.session) if self._changes else _MOST
-        if self._elsewhere is not None:
-            most = min(most, self._elsewhere.timesteps_left() or most)
+        if self._hosts is not None:
+            most = min(most, self._hosts.timesteps_left() or most)
         if self._view is not None:  # which does what pages ask for, and waits
             most = min(most, self._view.timesteps())
             if self._clients is not None:
@@ -322,8 +325,8 @@ class Runner:
 
     def _sample(self) -> None:
         """Add the current positions to the plot and to the recording."""
-        if self._elsewhere is not None:
-            self._elsewhere.look()
+        if self._hosts is not None:
+            self._hosts.check_resumption()
         if self._recorder is not None:
             self._recorder.sample()
         if self._plot is not None:
@@ -332,7 +335,7 @@ class Runner:
             self._live.sample(self.session)
 
     def report_recording(self) -> None:
-        """Say whether the recording ended early."""
+        """Report whether the recording ended early."""
         if self._recorder is not None and self._recorder.failed is not None:
             reason, path = self._recorder.failed.strerror, self._options.record
             text = f"the recording ends at {self._recorder.written_s:.2f} s: {reason}"
@@ -375,11 +378,11 @@ class Runner:
             yield
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
-        if self._elsewhere is None or not self._elsewhere.shows_output:  # else it is shown there
+        if self._hosts is None or not self._hosts.shows_output:  # else it is shown there
             self._output.write(robot, stream, content)
         self.hints.wrote()
-        if self._kept is not None:
-            self._kept.add(robot, stream, content)
+        if self._captured is not None:
+            self._captured.add(robot, stream, content)
         if self._recorder is not None:
             self._recorder.write(robot, stream, content)
         if self._view is not None:
@@ -415,13 +418,13 @@ def _changes(options: RunOptions, world: WorldModel) -> RunChanges | None:
 
 
 def _run_view(
-    loaded: Loaded, options: RunOptions, seed: int, elsewhere: Elsewhere | None
+    loaded: Loaded, options: RunOptions, seed: int, remote_hosts: RemoteHosts | None
 ) -> RunView | None:
     if options.view is None:
         return None
     from crs_cc.cli.run_view import RunView
 
-    return RunView(loaded, options, seed, None if elsewhere is None else elsewhere.front)
+    return RunView(loaded, options, seed, None if remote_hosts is None else remote_hosts.front)
 
 
 def _vendor_clients(loaded: Loaded, options: RunOptions) -> VendorClients | None:

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from crs_cc.cli.elsewhere import Elsewhere
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import say, show_before_run
+from crs_cc.cli.remote_hosts import RemoteHosts
 from crs_cc.cli.resumption import Resumption
 from crs_cc.cli.served_port import ANY_NAME, ServedPort, greet, is_own_name, served_port
 from crs_cc.cli.simulate import run_loaded
@@ -42,10 +42,10 @@ def start_cluster(options: ServeOptions) -> int:
             greet(options, port)
             hosts = _placed(options, cluster, port, roster, loaded)
             try:
-                seats = _seats(hosts, cluster, options)
+                seats = _wait_for_hosts(hosts, cluster, options)
                 if seats is None:
                     return 130
-                elsewhere = Elsewhere(
+                remote_hosts = RemoteHosts(
                     roster,
                     seats,
                     _names(loaded),
@@ -55,7 +55,7 @@ def start_cluster(options: ServeOptions) -> int:
                     resumption=resumption,
                     hosts=hosts,
                 )
-                return run_loaded(loaded, options, diagnostics, elsewhere)
+                return run_loaded(loaded, options, diagnostics, remote_hosts)
             finally:
                 hosts.close()
 
@@ -83,7 +83,9 @@ def _placed(
     return ClusterHosts(cluster, roster, programs, entrance, options.per_host)
 
 
-def _seats(hosts: ClusterHosts, cluster: Cluster, options: ServeOptions) -> list[Seat] | None:
+def _wait_for_hosts(
+    hosts: ClusterHosts, cluster: Cluster, options: ServeOptions
+) -> list[Seat] | None:
     """Wait until all hosts are connected; return None if the user interrupts."""
     count = len(hosts)
     shown = f"{count} host{'' if count == 1 else 's'} on the cluster at {cluster.address}"

@@ -46,8 +46,8 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
     """
     on_screen = full_screen.is_wanted(options)
     loaded = _load(options)
-    read, waiting = given_input(options, recorded)
-    make = functools.partial(_made, loaded, options, recorded=recorded, waiting=waiting)
+    read, waiting = fixed_input(options, recorded)
+    make = functools.partial(_new_debugger, loaded, options, recorded=recorded, waiting=waiting)
     if on_screen:
         debugger = full_screen.show(options, make, read)
         record_at_end(debugger, loaded, options, waiting)
@@ -87,10 +87,10 @@ def record(
     record_debugged(debugger, loaded, replace(options, record=path), waiting)
 
 
-def given_input(
+def fixed_input(
     options: DebugOptions, recorded: RecordedRunCheck | None = None
 ) -> tuple[Input | None, WaitingAfter]:
-    """Return the programs' standard input if it is given, and its known part.
+    """Return the programs' standard input if it is fixed, and its known part.
 
     Raises:
         click.UsageError: there are two, or a line of a script is invalid.
@@ -135,7 +135,7 @@ def _load(options: DebugOptions) -> Loaded:
     return loaded
 
 
-def _made(
+def _new_debugger(
     loaded: Loaded,
     options: DebugOptions,
     output: Output,
@@ -144,7 +144,7 @@ def _made(
     waiting: WaitingAfter,
     recorded: RecordedRunCheck | None,
 ) -> Debugger:
-    """Return a debugger of a new run, or of a recorded one, whose changes it knows."""
+    """Return a debugger of a new run, or of a recorded one with its changes."""
     debugger = make_debugger(loaded, options, output, read, observer=recorded, waiting=waiting)
     if recorded is None:
         end_at(debugger, options.max_time_s or loaded.world.duration_s)

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, NoReturn
 
 import click
 
-from crs_cc.cli.elsewhere import Elsewhere, shown_names
 from crs_cc.cli.inputs import Inputs
-from crs_cc.cli.load import Loaded, arguments_of, load_world_of, program_of, users_files
+from crs_cc.cli.load import Loaded, arguments_of, load_world_of, program_of, user_files
 from crs_cc.cli.messages import say
 from crs_cc.cli.net_address import shown_address
 from crs_cc.cli.own_hosts import OwnHosts
 from crs_cc.cli.program_options import RobotProgram
+from crs_cc.cli.remote_hosts import RemoteHosts, shown_names
 from crs_cc.cli.resumption import Resumption
 from crs_cc.cli.served_port import ServedPort, greet, is_own_name, served_port
 from crs_cc.cli.simulate import run_loaded
@@ -42,22 +42,22 @@ def start_serve(options: ServeOptions) -> int:
     with logged() as files_read:
         world = load_world_of(options)
     resumption = None if options.resume is None else Resumption(options.resume)
-    roster = Roster(world.robots, _awaited(world, options, resumption))
+    roster = Roster(world.robots, _required_robots(world, options, resumption))
     with served_port(options, roster) as port:
         _greet(options, port)
         try:
-            seats = _seats(roster, options, resumption)
+            seats = _wait_for_hosts(roster, options, resumption)
         except KeyboardInterrupt:
             say("crs: interrupted before the run started")
             return 130
         programs = _programs(world, seats)
-        loaded = _loaded(options, world, programs, users_files(files_read))
+        loaded = _loaded(options, world, programs, user_files(files_read))
         run = _as_run(options, world, programs)
         names = [robot.id for robot in world.robots]
         own = None
         if options.on_loss == "restart":
             own = OwnHosts(names, to_stderr=options.as_json, threads=options.threads)
-        elsewhere = Elsewhere(
+        remote_hosts = RemoteHosts(
             roster,
             seats,
             names,
@@ -66,9 +66,9 @@ def start_serve(options: ServeOptions) -> int:
             own=own,
             front=port.front,
             resumption=resumption,
-            late=_late(world, seats, resumption),
+            late=_late_joins(world, seats, resumption),
         )
-        return run_loaded(loaded, run, Diagnostics(), elsewhere)
+        return run_loaded(loaded, run, Diagnostics(), remote_hosts)
 
 
 def _greet(options: ServeOptions, port: ServedPort) -> None:
@@ -82,8 +82,10 @@ def _greet(options: ServeOptions, port: ServedPort) -> None:
         say(f"crs: {others} with: --token {port.access.token('robot')}")
 
 
-def _seats(roster: Roster, options: ServeOptions, resumption: Resumption | None) -> list[Seat]:
-    """Wait until the run can begin; return the hosts that have come.
+def _wait_for_hosts(
+    roster: Roster, options: ServeOptions, resumption: Resumption | None
+) -> list[Seat]:
+    """Wait until the run can start; return the connected hosts.
 
     Args:
         roster: where they come.
@@ -108,14 +110,16 @@ def _seats(roster: Roster, options: ServeOptions, resumption: Resumption | None)
     return seats
 
 
-def _awaited(world: WorldModel, options: ServeOptions, resumption: Resumption | None) -> list[str]:
-    """Return the robots without whose hosts the run does not begin, if it needs more than one."""
+def _required_robots(
+    world: WorldModel, options: ServeOptions, resumption: Resumption | None
+) -> list[str]:
+    """Return the robots whose hosts the run requires to start."""
     if resumption is not None:
         return [robot.id for robot in world.robots if robot.id not in resumption.absent]
     return [] if options.start == "now" else [robot.id for robot in world.robots]
 
 
-def _late(
+def _late_joins(
     world: WorldModel, seats: Sequence[Seat], resumption: Resumption | None
 ) -> dict[str, float]:
     """Return the robots that join when their hosts have come, and not before a time [s]."""
@@ -173,7 +177,7 @@ def _as_run(options: ServeOptions, world: WorldModel, programs: Sequence[Program
     unnamed = [
         each for robot, each in zip(world.robots, programs, strict=True) if not robot.program
     ]
-    if options.record is not None and len(set(map(_way, programs))) > 1:
+    if options.record is not None and len(set(map(_compile_options, programs))) > 1:
         text = "a run is recorded if all programs are compiled with the same options"
         raise click.UsageError(f"--record: {text}.")
     compiler = replace(
@@ -211,7 +215,7 @@ def _paths(program: Program) -> tuple[Path, ...]:
     return tuple(map(Path, program.sources))
 
 
-def _way(program: Program) -> tuple[object, ...]:
+def _compile_options(program: Program) -> tuple[object, ...]:
     """Return how a program is compiled."""
     folders, macros = program.include_paths, (program.defines, program.undefines)
     flags = program.checked, program.trap_overflow

@@ -13,7 +13,7 @@ from crs_cc.cli.compare_recordings import rerun
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.make_debugger import end_at, make_debugger
 from crs_cc.cli.messages import say, show_before_run
-from crs_cc.cli.start_debugger import given_input, record, record_at_end
+from crs_cc.cli.start_debugger import fixed_input, record, record_at_end
 from crs_cc.cli.view_address import announced
 from crs_cc.core.source import Diagnostics
 from crs_cc.session.host import no_input
@@ -87,7 +87,7 @@ def _opened(options: DebugOptions, port: int) -> tuple[Screen, Loaded, WaitingAf
         max(FRAME_S, world.timestep_s),
     )
     watcher = Watcher(feed)
-    read, waiting = given_input(options)
+    read, waiting = fixed_input(options)
     debugger = make_debugger(
         loaded, options, watcher.write, read or no_input, observer=watcher, waiting=waiting
     )

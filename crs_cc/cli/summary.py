@@ -7,8 +7,8 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 from crs_cc import __version__
+from crs_cc.cli.captured_output import CapturedOutput
 from crs_cc.cli.exit_status import INTERRUPTED
-from crs_cc.cli.kept_output import KeptOutput
 from crs_cc.cli.messages import as_data
 from crs_cc.cli.report import call_data, call_site_data, report_data
 from crs_cc.core.errors import ProgramError
@@ -42,10 +42,10 @@ class Run:
     wall_s: float
     interrupted: bool
     calls: tuple[ActiveCall | None, ...]
-    printed: KeptOutput | None = None
+    printed: CapturedOutput | None = None
     lost: tuple[tuple[LostBlocks, ...], ...] = ()
 
-    def lost_of(self, robot: int) -> tuple[LostBlocks, ...]:
+    def lost_blocks_of(self, robot: int) -> tuple[LostBlocks, ...]:
         """Return the heap blocks that a robot's program has lost."""
         return self.lost[robot] if self.lost else ()
 
@@ -85,7 +85,7 @@ def as_json(run: Run, warned: Sequence[Diagnostic]) -> str:
         "robots": [
             {
                 **_robot_data(robot, call),
-                "lost_blocks": [_lost_data(each) for each in run.lost_of(number)],
+                "lost_blocks": [_lost_data(each) for each in run.lost_blocks_of(number)],
                 **(run.printed.fields(number) if run.printed else {}),
             }
             for number, (robot, call) in enumerate(zip(result.robots, run.calls, strict=True))

@@ -170,10 +170,10 @@ def running_programs(run: Run) -> Iterator[str]:
 
 
 def lost_blocks(run: Run) -> Iterator[str]:
-    """Yield a line for each of the first few places whose heap blocks were never freed."""
+    """Yield a line for each of the first few locations whose heap blocks were never freed."""
     alike: dict[tuple[str, int, int], list[RobotResult]] = {}
     for number, robot in enumerate(run.result.robots):
-        for lost in run.lost_of(number):
+        for lost in run.lost_blocks_of(number):
             site = lost.allocated[0] if lost.allocated else None
             where = f", allocated at {site.location} in {plain_name(site.function)}" if site else ""
             key = where, len(lost.sizes), sum(lost.sizes)

@@ -129,7 +129,7 @@ sweep.add_command(report)
 
 
 def _summary(wanted: Sweep, *, quiet: bool) -> int:
-    """Say what has become of the runs; return the exit status."""
+    """Report the outcome of the runs; return the exit status."""
     from crs_cc.sweeps.plan import shown
     from crs_cc.sweeps.rows import TABLE, failures
     from crs_cc.sweeps.search import best

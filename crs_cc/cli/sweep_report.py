@@ -51,7 +51,7 @@ def report(*, folder: Path, measure: str, replays: bool) -> int:
             "a report needs scipy and matplotlib: pip install 'crs_cc[analysis]'."
         )
     from crs_cc.sweeps.report.findings import medians
-    from crs_cc.sweeps.report.page import drawn, page
+    from crs_cc.sweeps.report.page import draw_figures, page
     from crs_cc.sweeps.report.results import results
     from crs_cc.sweeps.rows import replace_text
     from crs_cc.sweeps.sweep import Sweep
@@ -64,7 +64,7 @@ def report(*, folder: Path, measure: str, replays: bool) -> int:
         found = results(rows, measure)
     except ValueError as error:
         raise click.UsageError(f"{error}.") from None
-    svg = drawn(found)
+    svg = draw_figures(found)
     links = _replayed(sweep, found, svg) if replays else {}
     figures = folder / "figures"
     figures.mkdir(exist_ok=True)

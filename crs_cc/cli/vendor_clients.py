@@ -162,7 +162,7 @@ class VendorClients:
         return self._board.read(robot, size) if robot in self._board.robots else b""
 
     def close(self) -> None:
-        """Say good-bye to all clients."""
+        """Close the connections of all clients."""
         self._board.close()
         if self._server is not None:
             self._server.close()

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from crs_cc.cli.changed_run import ChangedRun, recorded_changes
 from crs_cc.cli.load import Loaded, load
-from crs_cc.cli.rerun import RecordedInput, unpacked
+from crs_cc.cli.rerun import RecordedInput, extracted_run
 from crs_cc.cli.run_options import RunOptions
 from crs_cc.core.errors import ReplayMismatch
 from crs_cc.core.source import Diagnostics, Location
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Verified:
+class Verification:
     """What has been compared.
 
     Attributes:
@@ -43,7 +43,7 @@ class Verified:
     simulated_s: float
 
 
-def verify(recording: Recording) -> Verified:
+def verify(recording: Recording) -> Verification:
     """Run a recorded run again, from its own files, and compare the hashes.
 
     Raises:
@@ -52,7 +52,7 @@ def verify(recording: Recording) -> Verified:
         CrsError: the programs or the world cannot be loaded.
     """
     changes = recorded_changes(recording)
-    with unpacked(recording, RunOptions) as options:
+    with extracted_run(recording, RunOptions) as options:
         loaded = load(options, Diagnostics(), debug=recording.description.for_debugger)
         return _Rerun(recording, loaded, options, changes).compare()
 
@@ -89,7 +89,7 @@ class _Rerun:
             client=options.client,
         )
 
-    def compare(self) -> Verified:
+    def compare(self) -> Verification:
         hashes = states = 0
         for expected in self._recording.hashes():
             timesteps = expected.timesteps
@@ -108,7 +108,7 @@ class _Rerun:
                 states += 1
                 if expected.state != self._session.state_hash()[:STATE_DIGITS]:
                     raise self._mismatch(timesteps, "the programs' memory differs")
-        return Verified(hashes, states, self._session.time_s)
+        return Verification(hashes, states, self._session.time_s)
 
     def _run_to(self, timesteps: int) -> None:
         session = self._session
@@ -124,11 +124,11 @@ class _Rerun:
                 change = self._changes.popleft()
                 if change.patches or at != Position(at.timestep, 0):
                     raise DebugError(f"{change.text[:80]!r} was not made between two timesteps")
-                self._make(change)
+                self._apply_change(change)
             if not session.advance(until - session.timesteps, calmly=True):
                 return
 
-    def _make(self, change: Change) -> None:
+    def _apply_change(self, change: Change) -> None:
         """Make a change again, with the program that it brings."""
         fleet = self._session.fleet
         if change.program is not None:

@@ -13,7 +13,7 @@ from typing import Final
 import click
 
 from crs_cc.cli.net_address import TOKEN_VARIABLE, is_net_address
-from crs_cc.cli.port_note import note_left, read_note
+from crs_cc.cli.port_note import publish_note, read_note
 from crs_cc.core.loopback import LOOPBACK
 
 _HERE: Final = re.compile(rf"(?:http://)?(?:{re.escape(LOOPBACK)}|localhost):(\d{{1,5}})(?:/.*)?")
@@ -60,10 +60,10 @@ def address_of(word: str, token: str | None = None) -> str:
 
 
 def announced(port: int, address: str) -> AbstractContextManager[None]:
-    """Let other commands of this user find the run at a port inside a `with` block.
+    """Publish the address of the run to other commands of this user inside a `with` block.
 
     Args:
         port: where pages connect.
         address: the address of the page, with its token.
     """
-    return note_left(_SHOWN, port, address)
+    return publish_note(_SHOWN, port, address)

@@ -12,7 +12,7 @@ from crs_cc.cli.load import load
 from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.recorded_run import RecordedRunCheck
 from crs_cc.cli.recording_plot import world_of
-from crs_cc.cli.rerun import unpacked
+from crs_cc.cli.rerun import extracted_run
 from crs_cc.cli.start_view import describe, open_others, serve
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostics
@@ -88,7 +88,7 @@ def _debugged(recording: Recording, feed: Feed, stack: ExitStack) -> DebuggedRun
         DebugError: it cannot be run again.
     """
     try:
-        options = stack.enter_context(unpacked(recording, DebugOptions))
+        options = stack.enter_context(extracted_run(recording, DebugOptions))
         loaded = load(options, Diagnostics(), debug=True)
         check = RecordedRunCheck(recording)
         check.warned = lambda text: feed.event(check.time_s, "warning", -1, text)
@@ -96,7 +96,7 @@ def _debugged(recording: Recording, feed: Feed, stack: ExitStack) -> DebuggedRun
         first = error.diagnostics[0]
         raise DebugError(f"the recorded programs cannot be run again: {first.text}") from None
     watcher = Watcher(feed)
-    both = _Both(check, watcher)
+    both = _ComparingWatcher(check, watcher)
     debugger = make_debugger(
         loaded, options, watcher.write, check.read, observer=both, waiting=check.waiting
     )
@@ -107,8 +107,8 @@ def _debugged(recording: Recording, feed: Feed, stack: ExitStack) -> DebuggedRun
     return made
 
 
-class _Both:
-    """Watches a run, and compares it with its recording until a user has changed it.
+class _ComparingWatcher:
+    """Watches a run, and compares it with its recording until the user changes it.
 
     Attributes:
         run: the run.

@@ -48,9 +48,9 @@ def world() -> None:
 @click.argument("name", required=False, default="")
 def list_(file: Path, name: str) -> int:
     """List the names of the elements of a file, or of those in one of its elements."""
-    from crs_cc.cli.edit_world import listed
+    from crs_cc.cli.edit_world import element_list
 
-    for line in listed(file, name):
+    for line in element_list(file, name):
         click.echo(line)
     return 0
 
@@ -60,9 +60,9 @@ def list_(file: Path, name: str) -> int:
 @click.argument("names", nargs=-1, required=True)
 def copy(file: Path, names: tuple[str, ...]) -> int:
     """Print elements as XML with the definitions that they need, for crs world paste."""
-    from crs_cc.cli.edit_world import copied
+    from crs_cc.cli.edit_world import copy_elements
 
-    click.echo(copied(file, names))
+    click.echo(copy_elements(file, names))
     return 0
 
 
@@ -80,9 +80,9 @@ def import_(file: Path, plan: Path, **given: Any) -> int:
     segments), a PNG picture whose dark pixels are walls, a Stage world (.world), or SDF with boxes
     and cylinders. Whatever is omitted is listed. A new world gets an area that fits the plan.
     """
-    from crs_cc.cli.edit_world import imported
+    from crs_cc.cli.edit_world import import_plan
 
-    for line in imported(file, plan, given):
+    for line in import_plan(file, plan, given):
         say(line)
     return 0
 
@@ -95,9 +95,9 @@ def export(file: Path, target: Path) -> int:
 
     Whatever is omitted is listed.
     """
-    from crs_cc.cli.edit_world import exported
+    from crs_cc.cli.edit_world import export_world
 
-    for line in exported(file, target):
+    for line in export_world(file, target):
         say(line)
     return 0
 

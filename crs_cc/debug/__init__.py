@@ -9,15 +9,15 @@ Read `engine` first: the operations of the debugger, without a user interface. I
 - `navigator`: moves the run forward or back to the next reason to stop; `step_conditions`: where
   steps end; `searched_parts`: the parts of the past in which there may be a reason to stop.
 - `locations`: where breakpoints are, as the user writes it; `breakpoints`: which of them are hit;
-  `condition_tests`: conditions that programs test themselves; `kept_stops`: breakpoints that a
-  recording keeps; `log_message`: what log points say; `stop`: why a run has stopped.
+  `condition_tests`: conditions that programs test themselves; `saved_breakpoints`: those in a
+  recording; `log_message`: what log points say; `stop`: why a run has stopped.
 - `watch`: accesses to watched bytes, detected inside the sandbox; `watchpoints`: the expressions
-  that users watch; `world_watch`: those that use the world or several programs; `surroundings`:
+  that users watch; `world_watch`: those that use the world or several programs; `run_values`:
   how expressions use these.
 - `past`: questions about the recorded past; `last_write`: who wrote an object before; `why`: a tree
   of where a value came from, whose nodes are in `cause`; through `message_cause` to other robots,
   `motion_cause` to what moves objects, `echo_cause` to what sensors met, and `battery_cause` to
-  what drains batteries; `evaluation_place`: where operands are evaluated; `repeated_writes`: many
+  what drains batteries; `evaluation_point`: where operands are evaluated; `repeated_writes`: many
   writes as one cause; `statement_source`: the text of what a statement did; `returned_value`: what
   a call has returned; `skips`: functions that steps do not enter; `call_sites`: calls that a step
   can be told to enter.

@@ -96,7 +96,7 @@ class Branches:
         self.current = self._all[name] = Branch(
             name, history, console, event_history, here, checkpoints
         )
-        run.enter(history, console, event_history)
+        run.switch_history(history, console, event_history)
         return self.current
 
     def leave_past(self) -> None:
@@ -135,16 +135,16 @@ class Branches:
         self.current.position = self._run.position
         self.current = self._all[name]
         own = self.current
-        self._run.enter(own.history, own.console, own.event_history)
+        self._run.switch_history(own.history, own.console, own.event_history)
 
-    def changed(self) -> None:
+    def discard_checkpoints(self) -> None:
         """Discard checkpoints after a change."""
         here = self._run.position
         self.current.checkpoints[:] = [
             each for each in self.current.checkpoints if each.position <= here
         ]
 
-    def keep(self, name: str, time_s: float) -> Checkpoint:
+    def add_checkpoint(self, name: str, time_s: float) -> Checkpoint:
         """Save the current position as a checkpoint."""
         own = self.current.checkpoints
         number = max((each.number for each in own), default=0) + 1

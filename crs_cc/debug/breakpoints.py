@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation
-from crs_cc.debug.surroundings import mentions_world
+from crs_cc.debug.run_values import mentions_world
 from crs_cc.debug.watch import Watched, WatchedWorld
 from crs_cc.debug.world.events import is_of, world_events
 from crs_cc.ir.names import plain_name
@@ -29,7 +29,7 @@ class Breakpoint:
         number: its number, from 1; all kinds share one sequence. Those of commands such as
             `advance` have negative ones, so that the user's are consecutive.
         text: the location, expression or event kind as the user wrote it.
-        place: the location of a breakpoint; None for the other kinds.
+        location: the location of a breakpoint; None for the other kinds.
         watch: what a watchpoint watches; None for the other kinds.
         condition: a C expression that must not be 0; empty for none.
         ignore: how many hits are still ignored.
@@ -45,7 +45,7 @@ class Breakpoint:
     number: int
     kind: BreakpointKind
     text: str
-    place: BreakpointLocation | None = None
+    location: BreakpointLocation | None = None
     watch: Watchpoint | None = None
     condition: str = ""
     ignore: int = 0
@@ -57,7 +57,7 @@ class Breakpoint:
     robot: int | None = None
     log: str = ""
 
-    def has_stopped(self) -> None:
+    def count_stop(self) -> None:
         """Count a stop, and disable it after the last one that it was enabled for."""
         if self.stops_left is not None:
             self.stops_left = max(0, self.stops_left - 1)
@@ -126,7 +126,7 @@ class Breakpoints:
 
     def statements(self, robot: int) -> frozenset[int]:
         """Return the numbers of the statements with breakpoints in a robot's program."""
-        places = [each.place for each in self._all.values() if each.concerns(robot)]
+        places = [each.location for each in self._all.values() if each.concerns(robot)]
         return frozenset().union(*(each.statements.get(robot, ()) for each in places if each))
 
     def may_stop(self, robot: int) -> bool:
@@ -136,8 +136,8 @@ class Breakpoints:
             and (
                 each.kind == "catchpoint"
                 or each.watch is not None
-                or (each.place is not None and bool(each.place.codes))
-                or (each.place is not None and bool(each.place.statements.get(robot)))
+                or (each.location is not None and bool(each.location.codes))
+                or (each.location is not None and bool(each.location.statements.get(robot)))
             )
             for each in self._all.values()
         )
@@ -149,7 +149,7 @@ class Breakpoints:
             and (
                 (each.kind == "catchpoint" and each.text != "exit")
                 or each.watch is not None
-                or (each.place is not None and bool(each.place.codes))
+                or (each.location is not None and bool(each.location.codes))
             )
             for each in self._all.values()
         )
@@ -158,8 +158,8 @@ class Breakpoints:
         """Return the conditions of statements with breakpoints that all have conditions."""
         found: dict[int, list[str]] = {}
         for each in self._all.values():
-            if each.place and each.concerns(robot):
-                for number in each.place.statements.get(robot, ()):
+            if each.location and each.concerns(robot):
+                for number in each.location.statements.get(robot, ()):
                     found.setdefault(number, []).append(each.condition)
         return {number: tuple(texts) for number, texts in found.items() if all(texts)}
 
@@ -212,23 +212,23 @@ class Breakpoints:
         return [
             BreakpointHit(each, robot)
             for each in self._all.values()
-            if each.place
+            if each.location
             and each.concerns(robot)
-            and number in each.place.statements.get(robot, ())
+            and number in each.location.statements.get(robot, ())
         ]
 
     def _at_requests(self, run: RecordedRun, event: RunEvent) -> list[BreakpointHit]:
         hits = []
         for each in self._all.values():
-            if each.place is None or not each.place.codes:
+            if each.location is None or not each.location.codes:
                 continue
             for robot, code in event.posted:
-                if code in each.place.codes and each.concerns(robot):
+                if code in each.location.codes and each.concerns(robot):
                     stack = run.stopped(robot).stack
-                    if any(plain_name(frame.function) == each.place.function for frame in stack):
+                    if any(plain_name(frame.function) == each.location.function for frame in stack):
                         name = run.name(robot)
                         hits.append(
-                            BreakpointHit(each, robot, f"{name} called '{each.place.function}'")
+                            BreakpointHit(each, robot, f"{name} called '{each.location.function}'")
                         )
         return hits + self._at_ends(run, event.ended)
 

@@ -38,7 +38,7 @@ class ConditionTests:
         self._made: dict[tuple[int, Key], tuple[Executable, SiteTests | None]] = {}
 
     def set(self, robot: int, conditions: Conditions) -> None:
-        """Have a robot's program test conditions at sites at which it would stop, where it can."""
+        """Make a robot's program test the conditions of its breakpoints itself, where it can."""
         if not conditions:
             return
         fleet = self._view.session.fleet
@@ -81,7 +81,7 @@ class ConditionTests:
 def _passed(
     variables: list[Storage], compiled: Compiled, site: StatementSite
 ) -> Iterator[PassedVariable]:
-    """Return where variables are while a program stands at a site, but for those without value."""
+    """Return the locations of variables at a site, except of those without a value."""
     info = compiled.info(site.function)
     unset = [
         info.unset[landing]

@@ -133,7 +133,7 @@ class Debugger:
     def resume(self, *, backward: bool = False) -> Stop:
         """Continue to the next stop, or back to the previous one."""
         if backward:
-            return self._arrive(self.navigator.backward())
+            return self._record_stop(self.navigator.backward())
         return self.run_to(None)
 
     def step(self, count: int = 1, *, backward: bool = False) -> Stop:
@@ -178,7 +178,7 @@ class Debugger:
             raise DebugError(f"'{which}' is not meaningful in the outermost frame")
         if backward:
             aim = ReverseStepCondition(robot, callers, whole_line=False, after_calls=True)
-            return self._arrive(self.navigator.backward_to(aim))
+            return self._record_stop(self.navigator.backward_to(aim))
         stop = self.run_to(StepToStatement(robot, callers, after_calls=True))
         site = self.run.site(robot)
         if stop.reason != "step" or site is None or not site.after_call:
@@ -192,7 +192,7 @@ class Debugger:
 
     def until(self) -> Stop:
         """Step like `next`, but only to a line after the current one, so out of loops."""
-        return self._arrive(self._next(onward=True))
+        return self._record_stop(self._next(onward=True))
 
     def advance(self, added: Breakpoint) -> Stop:
         """Continue to a temporary breakpoint, which is removed, or until the function returns.
@@ -222,7 +222,9 @@ class Debugger:
     def goto(self, target: Position) -> Stop:
         """Go to a recorded position."""
         self.run.seek(target)
-        return self._arrive(self.navigator.stop("beginning" if target == BEGINNING else "goto"))
+        return self._record_stop(
+            self.navigator.stop("beginning" if target == BEGINNING else "goto")
+        )
 
     def goto_timestep(self, timestep: int) -> Stop:
         """Go to the start of a timestep, ignoring breakpoints on the way.
@@ -239,7 +241,7 @@ class Debugger:
         """Go to where all programs have ended, ignoring breakpoints on the way."""
         with self._showing_new():
             self.run.seek(max(self.position, self.run.history.latest()))
-            return self._arrive(self.navigator.to_timestep(sys.maxsize))
+            return self._record_stop(self.navigator.goto_timestep(sys.maxsize))
 
     def goto_time(self, time_s: float) -> Stop:
         """Go to the start of the timestep that contains a time.
@@ -263,21 +265,21 @@ class Debugger:
         start = self.position
         try:
             with self._showing_new():
-                is_there = self.navigator.to_statement(self.view.robot, number - 1)
+                is_there = self.navigator.goto_statement(self.view.robot, number - 1)
         except InterruptedRunError:
-            return self._arrive(self.navigator.stop("interrupt"))
+            return self._record_stop(self.navigator.stop("interrupt"))
         if not is_there:
             self.run.seek(start)
             raise DebugError(
                 f"{self.names[self.view.robot]}'s program ends before statement {number}"
             )
-        return self._arrive(self.navigator.stop("goto", self.view.robot))
+        return self._record_stop(self.navigator.stop("goto", self.view.robot))
 
     def _to_timestep(self, timestep: int) -> Stop:
         target = Position(timestep, 0)
         if target <= max(self.position, self.run.history.latest()):
             return self.goto(target)
-        return self._arrive(self.navigator.to_timestep(timestep))
+        return self._record_stop(self.navigator.goto_timestep(timestep))
 
     @contextlib.contextmanager
     def _showing_new(self) -> Iterator[None]:
@@ -307,7 +309,7 @@ class Debugger:
 
     def run_to(self, aim: StepCondition | None, until: Position | None = None) -> Stop:
         """Run forward to where a step ends, or to the start of a timestep."""
-        return self._arrive(self._forward(aim, until))
+        return self._record_stop(self._forward(aim, until))
 
     def _forward(self, aim: StepCondition | None, until: Position | None = None) -> Stop:
         if aim is not None and self.run.is_over(aim.robot) and self.run.can_advance:
@@ -328,9 +330,9 @@ class Debugger:
             if left and self.run.interrupted:  # nothing else would notice it between two moves
                 stop = self.navigator.stop("interrupt", self.view.robot)
                 break
-        return self._arrive(stop)
+        return self._record_stop(stop)
 
-    def _arrive(self, stop: Stop) -> Stop:
+    def _record_stop(self, stop: Stop) -> Stop:
         """Complete a move: record the stop and select the robot and frame that it is about."""
         self.stop = stop
         self.forget_interrupt()
@@ -339,7 +341,7 @@ class Debugger:
             self.view.robot = stop.robot
         elif self.view.robot >= len(self.names):  # a robot that has been added, and is no more
             self.view.robot = 0
-        self.stop_points.have_stopped(stop.breakpoints)
+        self.stop_points.count_stops(stop.breakpoints)
         frames = (each for each in self.view.frames() if each.active.function == stop.function)
         about = next(frames, None)
         self.view.frame = self.view.first_own_frame() if about is None else about.number
@@ -369,7 +371,7 @@ class Debugger:
         robot = self.view.robot if robot is None else robot
         found = self.view.evaluator(robot).evaluate(text, self.view.active_frame(robot, frame))
         if found.changed:
-            self._changed(text, robot, found.patches, found.printed)
+            self._record_change(text, robot, found.patches, found.printed)
         return found.value
 
     def edit_world(self, text: str) -> str:
@@ -382,11 +384,11 @@ class Debugger:
             DebugError: it is invalid or impossible; nothing has changed.
         """
         done = edit_run(self.session, text, self.run.executables())
-        self._changed(text)
+        self._record_change(text)
         return done
 
-    def take_back(self, number: int) -> Stop:
-        """Take back a change and all later ones: go to where it was made, as it was before.
+    def revert(self, number: int) -> Stop:
+        """Undo a change and all later ones, and go to the position before it.
 
         Raises:
             DebugError: there is no such change.
@@ -394,20 +396,20 @@ class Debugger:
         changes = self.run.history.changes
         if not 0 <= number < len(changes):
             raise DebugError(f"no change {number}")
-        return self.go_back_to(changes[number].position, range(number))
+        return self.rewind_to(changes[number].position, range(number))
 
-    def go_back_to(self, place: Position, kept: Iterable[int]) -> Stop:
+    def rewind_to(self, place: Position, kept: Iterable[int]) -> Stop:
         """Go to a recorded position, and forget the changes there and later, but for some."""
         changes = self.run.history.changes
         same = [changes[number] for number in kept if changes[number].position == place]
         if self.branches.keeps_past:
             self.run.seek(place)
             self.branches.leave_past()
-        self.run.take_back(place)
-        self.branches.changed()
+        self.run.revert(place)
+        self.branches.discard_checkpoints()
         for each in same:
             self.repeat(each)
-        return self._arrive(self.navigator.stop("goto"))
+        return self._record_stop(self.navigator.stop("goto"))
 
     def repeat(self, change: Change) -> None:
         """Go to the position of a change of the same run, and make it again.
@@ -429,9 +431,9 @@ class Debugger:
                 self.run.patch(change.robot, change.patches)
             except ValueError as wrong:
                 raise DebugError(str(wrong)) from None
-        self._changed(change.text, change.robot, change.patches, change.printed)
+        self._record_change(change.text, change.robot, change.patches, change.printed)
 
-    def _changed(
+    def _record_change(
         self,
         text: str,
         robot: int = -1,
@@ -442,15 +444,15 @@ class Debugger:
         program = self.run.uploads.used_in(text) if robot < 0 else None
         self.branches.leave_past()
         with self._showing_new():
-            self.run.changed(Change(self.position, text, robot, patches, program, printed))
-        self.branches.changed()
-        self.stop_points.meet()
+            self.run.record_change(Change(self.position, text, robot, patches, program, printed))
+        self.branches.discard_checkpoints()
+        self.stop_points.add_joined_robots()
 
     # -- branches ------------------------------------------------------------------------------
 
     def checkpoint(self, name: str = "") -> Checkpoint:
         """Save the current position as a checkpoint."""
-        return self.branches.keep(name, self.view.time_s)
+        return self.branches.add_checkpoint(name, self.view.time_s)
 
     def restart(self, number: int) -> Stop:
         """Return to a checkpoint; raise DebugError if it does not exist."""
@@ -467,8 +469,8 @@ class Debugger:
             DebugError: it does not exist.
         """
         self.branches.switch(name)
-        self.stop_points.meet()
-        return self._arrive(self.navigator.stop("goto"))
+        self.stop_points.add_joined_robots()
+        return self._record_stop(self.navigator.stop("goto"))
 
     def compare(self, name: str) -> list[Difference]:
         """Compare this branch with another one at the start of the current timestep.

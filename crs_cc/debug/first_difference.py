@@ -19,7 +19,7 @@ class ComparedRun(Protocol):
 
 
 class FirstDifference:
-    """Looks for the first difference between two runs.
+    """Searches for the first difference between two runs.
 
     Attributes:
         timestep: the next one that is looked at; that of the difference, if one is found.
@@ -32,8 +32,8 @@ class FirstDifference:
         self.found: tuple[Difference, ...] = ()
         self._here, self._there = here, there
 
-    def look(self, end: int, most: int) -> bool:
-        """Look at some more timesteps; return whether there are any left.
+    def search(self, end: int, most: int) -> bool:
+        """Compare some more timesteps; return whether there are any left.
 
         Args:
             end: the last timestep that is looked at.

@@ -36,14 +36,14 @@ class Intervention:
 
 
 def interventions(debugger: Debugger) -> list[Intervention]:
-    """Return all that the user has done to the run, in its order."""
+    """Return all interventions of the user, in order."""
     made = [
         Intervention(each.position, each.robot, each.text, number)
         for number, each in enumerate(debugger.run.history.changes)
     ]
     typed = [
         Intervention(place, robot, _described(piece))
-        for place, robot, piece in debugger.run.console.typed()
+        for place, robot, piece in debugger.run.console.typed_input()
     ]
     return sorted([*made, *typed], key=lambda each: each.place)
 
@@ -55,8 +55,8 @@ def _described(piece: bytes) -> str:
     return f'typed "{text[:_LONGEST]}"' + "..." * (len(text) > _LONGEST)
 
 
-def take_back(debugger: Debugger, number: int) -> Stop:
-    """Take back something that the user has done, and all that was done later.
+def revert(debugger: Debugger, number: int) -> Stop:
+    """Undo an intervention and all later ones.
 
     Args:
         debugger: the debugger.
@@ -70,9 +70,9 @@ def take_back(debugger: Debugger, number: int) -> Stop:
         raise DebugError(f"no change {number}")
     one, run = done[number], debugger.run
     if one.change is not None:
-        stop = debugger.take_back(one.change)
+        stop = debugger.revert(one.change)
     else:
         earlier = [each.change for each in done[:number] if each.change is not None]
-        stop = debugger.go_back_to(one.place, earlier)
-    run.console.forget_typed(one.place)
+        stop = debugger.rewind_to(one.place, earlier)
+    run.console.discard_typed(one.place)
     return stop

@@ -28,7 +28,7 @@ class MemoryObject:
     frame: StackFrame | None = None
     type: CType | None = field(default=None, compare=False)
 
-    def is_at(self, other: MemoryObject) -> bool:
+    def is_same_memory(self, other: MemoryObject) -> bool:
         """Return whether it is the same memory as another object."""
         mine, its = (self.robot, self.address, self.size), (other.robot, other.address, other.size)
         return mine == its
@@ -62,10 +62,10 @@ def last_write(run: RecordedRun, wanted: MemoryObject, before: Position) -> Writ
     Raises:
         InterruptedRunError: the user interrupts.
     """
-    return next(writes_back(run, wanted, before), None)
+    return next(writes_before(run, wanted, before), None)
 
 
-def writes_back(run: RecordedRun, wanted: MemoryObject, before: Position) -> Iterator[Write]:
+def writes_before(run: RecordedRun, wanted: MemoryObject, before: Position) -> Iterator[Write]:
     """Return the writes of an object before a position, the last one first.
 
     A change by the user is the last one returned. The run is off its timeline after that.
@@ -86,7 +86,10 @@ def writes_back(run: RecordedRun, wanted: MemoryObject, before: Position) -> Ite
             yield edit
             return
         yield from reversed(found)
-        if wanted.frame is not None and _begun(run, begin, wanted.robot) < wanted.frame.entered:
+        if (
+            wanted.frame is not None
+            and _sites_passed_at(run, begin, wanted.robot) < wanted.frame.entered
+        ):
             return
         limit = begin
 
@@ -103,7 +106,7 @@ def _last_edit(run: RecordedRun, wanted: MemoryObject, before: Position) -> Writ
     return None
 
 
-def _begun(run: RecordedRun, snapshot: Position, robot: int) -> int:
+def _sites_passed_at(run: RecordedRun, snapshot: Position, robot: int) -> int:
     """Return how many statements of a program had started at a snapshot."""
     programs = run.history.at(snapshot).session.programs
     return int(programs[robot].slot["statements"][0]) if robot < len(programs) else 0

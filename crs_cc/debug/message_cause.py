@@ -68,7 +68,7 @@ def received(evaluator: Evaluator, message: str, frame: StackFrame, span: Span) 
     return ReceivedMessage(sender, sent_ms / 1000.0, kind, content, part)
 
 
-def sendings(run: RecordedRun, sender: int, sent_s: float) -> list[int]:
+def sending_statements(run: RecordedRun, sender: int, sent_s: float) -> list[int]:
     """Return the numbers of the statements that may have sent a message, the last one first.
 
     The run is off its timeline after that: `seek` must follow.
@@ -90,7 +90,7 @@ def sendings(run: RecordedRun, sender: int, sent_s: float) -> list[int]:
         if now_s < sent_s - _SLACK_S and found and last_s < now_s:
             found.clear()
         last_s = now_s
-        found.append(run.statements_begun(sender) - 1)
+        found.append(run.sites_passed(sender) - 1)
     return found[::-1]
 
 

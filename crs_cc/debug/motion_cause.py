@@ -57,7 +57,7 @@ class Fact:
     time_s: float = 0.0
 
 
-def commanding(run: RecordedRun, robot: int) -> int | None:
+def command_statement(run: RecordedRun, robot: int) -> int | None:
     """Return the number of the statement with the current motion command of a robot, from 0.
 
     None if there is none, or if another program gave it. The run is off its timeline after that:
@@ -73,11 +73,11 @@ def commanding(run: RecordedRun, robot: int) -> int | None:
     run.arm(StopRequest())
     for event in run.replay(begin, limit, needs_world=True):
         if (robot, code) in event.posted and run.position <= limit:
-            found = run.statements_begun(robot) - 1
+            found = run.sites_passed(robot) - 1
     return found
 
 
-def pushers(environment: Environment, number: int) -> list[int]:
+def pushing_robots(environment: Environment, number: int) -> list[int]:
     """Return the other robots that touched an object in the last timestep."""
     robots, things = np.divmod(environment.state.contacts_before, len(environment.names))
     return list(dict.fromkeys(robots[(things == number) & (robots != number)].tolist()))
@@ -88,14 +88,14 @@ def facts(run: RecordedRun, number: int, concern: Concern) -> Iterator[Fact]:
     environment = run.session.environment
     is_robot = number < len(environment.world.robots)
     if is_robot and concern == "motion":
-        yield from _hindered(environment, number)
-    yield from _happened(run, number, concern)
+        yield from _obstructions(environment, number)
+    yield from _recent_events(run, number, concern)
     if is_robot and concern in {"motion", "battery"}:
         devices = {"drive"} if concern == "motion" else {"battery"}
-        yield from _degraded(environment, number, devices)
+        yield from _active_degradations(environment, number, devices)
 
 
-def _hindered(environment: Environment, robot: int) -> Iterator[Fact]:
+def _obstructions(environment: Environment, robot: int) -> Iterator[Fact]:
     """Return what stops a robot now."""
     drive, names = environment.state.drive, environment.names
     robots, things = np.divmod(environment.state.contacts_before, len(names))
@@ -112,7 +112,7 @@ def _hindered(environment: Environment, robot: int) -> Iterator[Fact]:
         yield Fact(f"its command has timed out at t = {instant(float(drive.deadline_s[robot]))}")
 
 
-def _happened(run: RecordedRun, number: int, concern: Concern) -> Iterator[Fact]:
+def _recent_events(run: RecordedRun, number: int, concern: Concern) -> Iterator[Fact]:
     """Return the last events that have to do with a value, and the last change by hand."""
     environment, here = run.session.environment, run.position
     name, kinds = environment.names[number], EVENTS.get(concern, ())
@@ -133,7 +133,7 @@ def _happened(run: RecordedRun, number: int, concern: Concern) -> Iterator[Fact]
             return
 
 
-def _degraded(environment: Environment, robot: int, devices: set[str]) -> Iterator[Fact]:
+def _active_degradations(environment: Environment, robot: int, devices: set[str]) -> Iterator[Fact]:
     control, own = environment.degradations, environment.world.robots[robot]
     for each in control.all():
         if each.robot == own.id and each.device in devices and control.phase(each.id) == "acts":

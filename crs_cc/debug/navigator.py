@@ -70,7 +70,7 @@ class Navigator:
         self._run = run
         self._breakpoints = stop_points.breakpoints
         self._accept = stop_points.accepts
-        self._tell = stop_points.describe_hit
+        self._describe_hit = stop_points.describe_hit
         self._set_tests = stop_points.set_tests
         self.skips = Skips()
         self._active: ActiveCalls | None = None  # at the start of a step that skips something
@@ -160,7 +160,7 @@ class Navigator:
             *self._breakpoints.breakpoint_hits(self._run, event),
             *self._breakpoints.watchpoint_hits(event),
         ]
-        stop = _both(self._failure(event), self._hit(hits, counts=True))
+        stop = _merge_stops(self._failure(event), self._hit(hits, counts=True))
         if stop is not None:
             return stop
         if event.kind == "statement" and aim is not None:
@@ -194,12 +194,12 @@ class Navigator:
             stops, text = self._accept(hit, counts)
             if stops:
                 hits.append(hit)
-                told = self._tell(hit) if hit.watch_hit else hit.text
+                told = self._describe_hit(hit) if hit.watch_hit else hit.text
                 texts.extend(each for each in (told, text) if each)
         if not hits:
             return None
         first = hits[0]
-        stop = self.stop(first.breakpoint.kind, first.robot, _joined(texts))
+        stop = self.stop(first.breakpoint.kind, first.robot, _join_texts(texts))
         numbers = dict.fromkeys(each.breakpoint.number for each in hits)
         return replace(stop, breakpoints=tuple(numbers))
 
@@ -213,7 +213,7 @@ class Navigator:
         assert frame is not None
         number = int(run.session.fleet.slots["stopped"][robot]) - 1
         place = (frame.function, frame.fp, frame.entered, number, site.location)
-        return ProgramPoint(*place, run.statements_begun(robot))
+        return ProgramPoint(*place, run.sites_passed(robot))
 
     def calls(self, robot: int, callee: StackFrame | None = None) -> ActiveCalls:
         """Return a program's active calls of the user's functions.
@@ -240,7 +240,7 @@ class Navigator:
             for part in SearchedParts(run, self._breakpoints).back_from(start):
                 found = self._last(part, start)
                 if found is not None:
-                    return self._to(found)
+                    return self._move_to(found)
         except InterruptedRunError:
             run.seek(start)
             return self.stop("interrupt")
@@ -258,21 +258,21 @@ class Navigator:
             start: where the search began.
         """
         run, found = self._run, list[_StopCandidate]()
-        begin, limit = run.approach(part.begin, part.first, part.limit), part.limit
+        begin, limit = run.replay_start(part.begin, part.first, part.limit), part.limit
         self._arm(replace(self._marks(None), at_once=True))
         needs_world = self._breakpoints.need_world(run.session.environment.names)
         for event in run.replay(begin, limit, needs_world=needs_world, robots=part.robots):
-            for each in (self._met(event), *self._touched(event)):
+            for each in (self._breakpoint_candidate(event), *self._watch_candidates(event)):
                 if each is not None and each.target < start:
                     found = [*(one for one in found if one.may_count_with(each)), each]
-        return _together(found) if found else None
+        return _merge_candidates(found) if found else None
 
-    def _met(self, event: RunEvent) -> _StopCandidate | None:
+    def _breakpoint_candidate(self, event: RunEvent) -> _StopCandidate | None:
         hit = self._hit(self._breakpoints.breakpoint_hits(self._run, event), counts=False)
-        stop = _both(self._failure(event), hit)
+        stop = _merge_stops(self._failure(event), hit)
         return None if stop is None else _StopCandidate(stop, stop.position)
 
-    def _touched(self, event: RunEvent) -> Iterator[_StopCandidate]:
+    def _watch_candidates(self, event: RunEvent) -> Iterator[_StopCandidate]:
         """Return the candidates of watchpoints."""
         hits = self._breakpoints.watchpoint_hits(event)
         for before in sorted({each.watch_hit.before for each in hits if each.watch_hit}):
@@ -282,7 +282,7 @@ class Navigator:
             if stop is not None and touch is not None:
                 yield _StopCandidate(stop, before, touch.access.function)
 
-    def _to(self, found: _StopCandidate) -> Stop:
+    def _move_to(self, found: _StopCandidate) -> Stop:
         """Move to a candidate and return its stop."""
         run = self._run
         run.seek(found.target)
@@ -296,7 +296,7 @@ class Navigator:
         try:
             found = self._find_back(aim)
             if found is not None:
-                self.to_statement(aim.robot, found.statements)
+                self.goto_statement(aim.robot, found.statements)
                 return self.stop("step", aim.robot)
         except InterruptedRunError:
             run.seek(start)
@@ -328,7 +328,7 @@ class Navigator:
             after_calls: whether returns from calls in these functions count, too.
         """
         run = self._run
-        end, width = run.statements_begun(robot), _FIRST_WINDOW
+        end, width = run.sites_passed(robot), _FIRST_WINDOW
         limit = run.position
         while end > 0:
             first = max(0, end - width)
@@ -349,7 +349,7 @@ class Navigator:
         run.arm(request)
         begin = self._snapshot(robot, request.since[robot], limit)
         for event in run.replay(begin, limit, robots=[robot]):
-            if run.statements_begun(robot) >= end:
+            if run.sites_passed(robot) >= end:
                 break
             program_point = self.program_point(robot) if event.kind == "statement" else None
             if program_point is not None and not self._is_skipped(robot):
@@ -359,14 +359,14 @@ class Navigator:
     def _snapshot(self, robot: int, statements: int, before: Position) -> Position:
         """Return the latest snapshot with at most this number of sites passed."""
         run = self._run
-        places = run.history.places(before) or [BEGINNING]
+        places = run.history.snapshots_before(before) or [BEGINNING]
 
         def begun(place: Position) -> int:
             return int(run.history.at(place).session.programs[robot].slot["statements"][0])
 
         return places[max(0, bisect_right(places, statements, key=begun) - 1)]
 
-    def to_timestep(self, timestep: int) -> Stop:
+    def goto_timestep(self, timestep: int) -> Stop:
         """Run forward to the start of a timestep, or to the end of the run."""
         run = self._run
         run.arm(StopRequest())
@@ -377,7 +377,7 @@ class Navigator:
             return self.stop("interrupt")
         return self.stop("goto" if run.position.timestep == timestep else "end")
 
-    def to_statement(self, robot: int, statements: int) -> bool:
+    def goto_statement(self, robot: int, statements: int) -> bool:
         """Go to a site of a program, by the number of sites passed before.
 
         Return False if the program ends before.
@@ -388,21 +388,21 @@ class Navigator:
         run = self._run
 
         def is_there() -> bool:
-            return run.session.state.halted == robot and run.statements_begun(robot) == statements
+            return run.session.state.halted == robot and run.sites_passed(robot) == statements
 
-        if run.is_off_timeline or (run.statements_begun(robot) >= statements and not is_there()):
+        if run.is_off_timeline or (run.sites_passed(robot) >= statements and not is_there()):
             run.history.visit(run.position)
             run.restore(run.history.at(self._snapshot(robot, statements, run.position)))
         if is_there():  # the user has changed something there, so there is a snapshot
             return True
         run.arm(StopRequest(everywhere=frozenset({robot}), since={robot: statements}))
         while run.can_advance and not run.is_over(robot):
-            if run.advance().kind == "statement" and run.statements_begun(robot) == statements:
+            if run.advance().kind == "statement" and run.sites_passed(robot) == statements:
                 return True
         return False
 
 
-def _together(found: list[_StopCandidate]) -> _StopCandidate:
+def _merge_candidates(found: list[_StopCandidate]) -> _StopCandidate:
     """Merge the last reason to stop with those before it."""
     stops = [each.stop for each in found if each.target >= found[-1].target]
     numbers = dict.fromkeys(number for each in stops for number in each.breakpoints)
@@ -410,13 +410,13 @@ def _together(found: list[_StopCandidate]) -> _StopCandidate:
     return replace(found[-1], stop=replace(stops[-1], breakpoints=tuple(numbers), text=text))
 
 
-def _joined(texts: list[str]) -> str:
+def _join_texts(texts: list[str]) -> str:
     """Join simultaneous events into one line, of many only the first."""
     more = [f"and {len(texts) - _MAX_TOLD} more"] if len(texts) > _MAX_TOLD else []
     return "; ".join(texts[:_MAX_TOLD] + more)
 
 
-def _both(failure: Stop | None, hit: Stop | None) -> Stop | None:
+def _merge_stops(failure: Stop | None, hit: Stop | None) -> Stop | None:
     """Merge the stop of an error with that of breakpoints hit at the same time."""
     if failure is None or hit is None:
         return failure or hit

@@ -20,8 +20,8 @@ from crs_cc.debug.data.observation import Content
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation
+from crs_cc.debug.run_values import mentions_world
 from crs_cc.debug.stop_points import StopPoints
-from crs_cc.debug.surroundings import mentions_world
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.timeline.run_event import RunEvent, StopRequest
@@ -123,10 +123,10 @@ class Past:
             part: when.
         """
         run, found = self._run, list[Instant]()
-        with self._moved(part):
+        with self._excursion(part):
             for robot in self._visits(place, part, text):
                 if site := run.site(robot):
-                    said = self._stop_points.logged(text, robot)
+                    said = self._stop_points.log_message(text, robot)
                     at = run.position, run.time_s(robot)
                     _keep(found, Instant(*at, said, None, site.location, robot))
         return found
@@ -140,7 +140,7 @@ class Past:
             part: when.
         """
         run, found = self._run, list[Instant]()
-        with self._moved(part):
+        with self._excursion(part):
             for robot in self._visits(place, part, expression):
                 text, number = self._value_here(expression, robot)
                 site = run.site(robot)
@@ -162,10 +162,10 @@ class Past:
                 robots = (-1, wanted.robot)
                 found = self.events(wanted.text, part)
                 return [each for each, _ in found if wanted.robot is None or each.robot in robots]
-        place, run, instants = wanted.place, self._run, list[Instant]()
+        place, run, instants = wanted.location, self._run, list[Instant]()
         if place is None or place.codes:
             raise DebugError(f"the hits of '{wanted.text}' cannot be listed: it is not at a line")
-        with self._moved(part):
+        with self._excursion(part):
             for robot in self._visits(place, part, wanted.condition):
                 site = run.site(robot)
                 if wanted.robot not in {None, robot} or not self._holds(wanted.condition, robot):
@@ -198,7 +198,7 @@ class Past:
         """Return the value of an expression where the run is, as text and as a number."""
         try:
             frame = self._view.first_own_frame(robot)
-            value = self._view.look_up(expression, robot=robot, frame=frame)
+            value = self._view.evaluate_pure(expression, robot=robot, frame=frame)
         except DebugError as error:
             return f"<{error}>", None
         return value.text, value.number
@@ -217,12 +217,12 @@ class Past:
             robot, piece = run.console.origin(line)
         except IndexError:
             raise DebugError(f"no line {line} has been printed") from None
-        places = run.history.places(end)
+        places = run.history.snapshots_before(end)
         before = bisect_right(places, piece, key=lambda each: run.history.at(each).console.written)
-        with self._moved(Range(places[max(0, before - 1)], end)):
+        with self._excursion(Range(places[max(0, before - 1)], end)):
             for _ in self._events(StopRequest(), end):
-                if run.console.at > piece:
-                    return robot, run.statements_begun(robot)
+                if run.console.piece_count > piece:
+                    return robot, run.sites_passed(robot)
         raise DebugError(f"no line {line} has been printed")
 
     def events(self, kind: str, part: Range) -> list[tuple[Instant, WorldEvent]]:
@@ -254,7 +254,7 @@ class Past:
                 _keep(found, Instant(position, time_s, text, number, at[0], robot, at[1]))
             last = content
 
-        with self._moved(part):
+        with self._excursion(part):
             note(self._content(robot, watched), run.position)
             marks = StopRequest(watched={} if is_world else {robot: [watched]})
             marks = replace(marks, world=[watched]) if isinstance(watched, WatchedWorld) else marks
@@ -279,8 +279,8 @@ class Past:
         return stopped.memory[part].tobytes(), plain_states(stopped.shadow[part].tobytes())
 
     @contextlib.contextmanager
-    def _moved(self, part: Range) -> Iterator[None]:
-        """Have the run at the start of a part of the past, and then where it was."""
+    def _excursion(self, part: Range) -> Iterator[None]:
+        """Move the run to the start of a part of the past, and back after the block."""
         here = self._run.position
         self._run.seek(part.begin)
         try:
@@ -320,7 +320,7 @@ class Past:
 
     def _pieces(self, part: Range, edits: set[Position]) -> Iterator[tuple[Position, Position]]:
         """Return pieces that cover a part of the past, each between two snapshots or at its end."""
-        places = self._run.history.places(part.end)
+        places = self._run.history.snapshots_before(part.end)
         begin = places[max(0, bisect_right(places, part.begin) - 1)] if places else BEGINNING
         for place in places[bisect_right(places, begin) :]:
             if place in edits or place.timestep - begin.timestep >= _PIECE:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from crs_cc.debug.data.statement_text import is_count, source_of
-from crs_cc.debug.last_write import MemoryObject, Write, writes_back
+from crs_cc.debug.last_write import MemoryObject, Write, writes_before
 from crs_cc.debug.statement_source import statement_source
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.view import View
@@ -25,7 +25,7 @@ def repeated(
         function: the function.
     """
     first, count = None, 0
-    for write in writes_back(view.run, wanted, before):
+    for write in writes_before(view.run, wanted, before):
         access = write.access
         if access is None or access.library or access.location is None:
             break

@@ -39,7 +39,7 @@ class StopPoints:
 
     Attributes:
         breakpoints: all breakpoints, watchpoints and catchpoints.
-        say: receives the messages of log points.
+        print_log: receives the messages of log points.
         set_tests: has programs test conditions themselves.
     """
 
@@ -47,7 +47,7 @@ class StopPoints:
         self._view = view
         self._run = view.run
         self.breakpoints = Breakpoints()
-        self.say: Callable[[str], None] = _unheard
+        self.print_log: Callable[[str], None] = _discard_message
         self.set_tests = ConditionTests(view).set
 
     def add_breakpoint(self, place: str, *, internal: bool = False, **options: Any) -> Breakpoint:
@@ -71,19 +71,19 @@ class StopPoints:
         robots = range(len(self._run.programs)) if robot is None else [robot]
         return find_location(place, self._run.programs, robots, here)
 
-    def meet(self) -> None:
-        """Let breakpoints of all robots stop robots that have joined, where their programs can."""
+    def add_joined_robots(self) -> None:
+        """Resolve the breakpoints of all robots in the programs of robots that have joined."""
         robots = range(len(self._run.programs))
         for each in self.breakpoints:
-            if each.place is None or each.robot is not None:
+            if each.location is None or each.robot is not None:
                 continue
-            where = each.place.location
+            where = each.location.location
             text = f"{where.file}:{where.line}" if where and each.text.isdecimal() else each.text
             with contextlib.suppress(DebugError):
                 place = find_location(text, self._run.programs, robots, "")
                 self._check(each.condition, place)
-                known = {**each.place.statements, **place.statements}
-                each.place = replace(each.place, statements=known)
+                known = {**each.location.statements, **place.statements}
+                each.location = replace(each.location, statements=known)
 
     def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
         """Add a catchpoint for an event kind, or for the `exit` of a program.
@@ -156,11 +156,11 @@ class StopPoints:
         """
         active, evaluator = self._view.active_frame(robot), self._view.evaluator(robot)
         again = partial(self._view.evaluator, robot)
-        alone = evaluator.outside_alone(expression, active)
+        alone = evaluator.external_name(expression, active)
         if isinstance(alone, RobotName):
             other = self._view.names.index(alone.robot)
             return self.resolve(number, alone.text, other, kind, location=location)
-        if not slice_in(expression) and evaluator.uses_outside(expression, active):
+        if not slice_in(expression) and evaluator.uses_external_values(expression, active):
             if location or kind != "change":
                 raise DebugError(f"'{expression}' is a value, not an object in memory")
             return robot, watched_world(number, expression, robot, again)
@@ -246,10 +246,10 @@ class StopPoints:
         own = self.breakpoints.get(number)
         own.temporary, own.stops_left = stops is None, stops
 
-    def have_stopped(self, numbers: Iterable[int]) -> None:
+    def count_stops(self, numbers: Iterable[int]) -> None:
         """Disable or delete the breakpoints that have stopped the run for the last time."""
         for own in map(self.breakpoints.get, numbers):
-            own.has_stopped()
+            own.count_stop()
             if own.temporary:
                 self.breakpoints.remove(own.number)
 
@@ -265,7 +265,7 @@ class StopPoints:
         """
         own = self.breakpoints.get(number)
         frame = own.watch.watched.frame if own.watch else None
-        self._check(condition, own.place, own.robot, frame)
+        self._check(condition, own.location, own.robot, frame)
         own.condition = condition
 
     def _check(
@@ -296,7 +296,7 @@ class StopPoints:
     def _check_anywhere(self, condition: str, robot: int | None) -> None:
         """Check that a condition is valid at any statement, as events may happen at each."""
         wrong: DebugError | None = None
-        for evaluator, function, location in self._anywhere(robot):
+        for evaluator, function, location in self._all_scopes(robot):
             try:
                 evaluator.check(condition, function, location)
             except DebugError as error:
@@ -306,7 +306,7 @@ class StopPoints:
         if wrong is not None:
             raise wrong
 
-    def _anywhere(self, robot: int | None) -> Iterator[tuple[Evaluator, str, Location]]:
+    def _all_scopes(self, robot: int | None) -> Iterator[tuple[Evaluator, str, Location]]:
         """Return the scopes of a robot's program, or of all programs: that of the file first."""
         robots = range(len(self._run.programs)) if robot is None else [robot]
         by_program = {id(self._run.programs[each]): each for each in reversed(robots)}
@@ -329,12 +329,12 @@ class StopPoints:
         """Return whether a condition is an assignment, where a comparison is likely to be meant."""
         if not one.condition:
             return False
-        if one.place is not None and not one.place.codes:
+        if one.location is not None and not one.location.codes:
             return any(
                 evaluator.assigns(one.condition, site.function, site.location)
-                for evaluator, site in self._sites(one.place)
+                for evaluator, site in self._sites(one.location)
             )
-        for evaluator, function, location in self._anywhere(one.robot):
+        for evaluator, function, location in self._all_scopes(one.robot):
             with contextlib.suppress(DebugError):
                 return evaluator.assigns(one.condition, function, location)
         return False
@@ -346,7 +346,7 @@ class StopPoints:
             return True, ""
         if own.condition:
             try:
-                if not self._holds(own, self._whose(hit)):
+                if not self._holds(own, self._evaluation_robot(hit)):
                     return False, ""
             except DebugError as error:
                 return True, f"error in the condition of breakpoint {own.number}: {error}"
@@ -358,10 +358,10 @@ class StopPoints:
             if own.hits % own.every:
                 return False, ""
             if own.log:
-                self.say(self.logged(own.log, self._whose(hit)))
+                self.print_log(self.log_message(own.log, self._evaluation_robot(hit)))
         return not own.log, ""
 
-    def _whose(self, hit: BreakpointHit) -> int:
+    def _evaluation_robot(self, hit: BreakpointHit) -> int:
         """Return the robot in whose program a breakpoint's expressions are evaluated."""
         if hit.robot >= 0:
             return hit.robot
@@ -383,11 +383,11 @@ class StopPoints:
             hit.breakpoint.watch, hit.watch_hit.access, self._view.evaluator(hit.robot).inspector()
         )
 
-    def logged(self, text: str, robot: int) -> str:
+    def log_message(self, text: str, robot: int) -> str:
         """Return the message of a log point, see `log_message`."""
         frame = self._view.first_own_frame(robot)
-        return message(text, partial(self._view.look_up, robot=robot, frame=frame))
+        return message(text, partial(self._view.evaluate_pure, robot=robot, frame=frame))
 
 
-def _unheard(_text: str) -> None:
+def _discard_message(_text: str) -> None:
     """Discard a message."""

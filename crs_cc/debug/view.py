@@ -16,7 +16,7 @@ from crs_cc.debug.data.scope import Storage
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.surroundings import Surroundings
+from crs_cc.debug.run_values import RunValues
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.recorded_run import RecordedRun
 from crs_cc.debug.world.state_fields import StateField, state_fields
@@ -181,7 +181,9 @@ class View:
         frames = self.frames(robot)
         return next((each.number for each in frames if not each.is_library), 0)
 
-    def look_up(self, text: str, *, robot: int | None = None, frame: int | None = None) -> Value:
+    def evaluate_pure(
+        self, text: str, *, robot: int | None = None, frame: int | None = None
+    ) -> Value:
         """Evaluate a C expression without side effects.
 
         Raises:
@@ -263,13 +265,13 @@ class View:
             stopped = functools.partial(self.run.stopped, robot)
             drive = self.session.environment.world.robots[robot].model.drive
             fields = state_fields(program.options.dialect, synchro=drive.steering is not None)
-            outside = Surroundings(self, robot)
+            external = RunValues(self, robot)
             made = Evaluator(
                 stopped,
                 names,
                 self.convenience_values,
                 fields,
-                outside=outside,
+                external=external,
                 edits=lambda: self.run.history.unused_edits(robot, self.run.position),
                 robot=robot,
             )

@@ -193,21 +193,21 @@ class WatchSet:
         except OSError as error:
             self._wanted = ()
             raise DebugError(f"cannot set watchpoints: {error.strerror}") from None
-        self.forget()
+        self.reset()
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """Discard accesses and values after the program's memory was restored."""
         if not self._wanted:
             return
         self._over = self._ended()
-        self._seen = {each.number: self._look(each) for each in self._wanted}
+        self._seen = {each.number: self._evaluate(each) for each in self._wanted}
         self._enter()
 
     def is_pending(self) -> bool:
-        """Return whether there are accesses to `take`."""
+        """Return whether there are accesses to `drain`."""
         return bool(self._rows) and bool(self._ranges()["hits"].any())
 
-    def take(self) -> list[MemoryAccess]:
+    def drain(self) -> list[MemoryAccess]:
         """Return the accesses since the last call."""
         if not self.is_pending():
             return []
@@ -287,7 +287,9 @@ class WatchSet:
         number, frame, hits = watched.number, watched.frame, self._hits(watched.number)
         old, touched = self._seen[number], hits.get("object")
         if frame is not None and self._begun() <= frame.entered:
-            self._seen[number] = self._look(watched)  # no statement of the function has started yet
+            self._seen[number] = self._evaluate(
+                watched
+            )  # no statement of the function has started yet
             return
         header = hits.get("frame")
         if header is not None and int(header["hits"]) & RETURN:
@@ -300,7 +302,7 @@ class WatchSet:
         if row is None:
             return
         is_all = frame is None and "read" not in hits
-        new = self._seen[number] = (self._same_object(old) if is_all else None) or self._look(
+        new = self._seen[number] = (self._same_object(old) if is_all else None) or self._evaluate(
             watched
         )
         if (old.content == new.content) if watched.kind == "change" else (touched is None):
@@ -333,7 +335,7 @@ class WatchSet:
     def _begun(self) -> int:
         return int(self._fleet.slots["statements"][self._robot])
 
-    def _look(self, watched: Watched) -> Observation:
+    def _evaluate(self, watched: Watched) -> Observation:
         """Return the value now, and what it depends on."""
         if isinstance(watched, WatchedWorld):
             return Observation(watched.observe())

@@ -118,7 +118,7 @@ def watched_expression(
     def observe() -> Observation | None:
         current = evaluator()
         stack = current.inspector().stopped.stack
-        active = [_again(stack, each) for each in (scope.frame, scope.innermost) if each]
+        active = [_current_frame(stack, each) for each in (scope.frame, scope.innermost) if each]
         if None in active:
             return None
         return current.observe(text, scope.names, active[0] if active else None)
@@ -162,7 +162,7 @@ def watched_world(
     )
 
 
-def _again(stack: Sequence[StackFrame], frame: StackFrame) -> StackFrame | None:
+def _current_frame(stack: Sequence[StackFrame], frame: StackFrame) -> StackFrame | None:
     """Return the frame of an activation where it is now; None if it is not active."""
     return next((each for each in stack if same_activation(each, frame)), None)
 

@@ -42,9 +42,9 @@ from crs_cc.debug.data.statement_text import (
     value_of,
     without_call,
 )
-from crs_cc.debug.echo_cause import fired, nearest
+from crs_cc.debug.echo_cause import firing_cause, nearest
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.evaluation_place import EvaluationPlace, PassingCall, passing_call
+from crs_cc.debug.evaluation_point import EvaluationPoint, PassingCall, passing_call
 from crs_cc.debug.last_write import MemoryObject, Write, last_write
 from crs_cc.debug.message_cause import (
     RECEIVES,
@@ -52,10 +52,10 @@ from crs_cc.debug.message_cause import (
     is_sent,
     lost_messages,
     received,
-    sendings,
+    sending_statements,
     sent_arguments,
 )
-from crs_cc.debug.motion_cause import CONCERNS, Concern, commanding, facts, pushers
+from crs_cc.debug.motion_cause import CONCERNS, Concern, command_statement, facts, pushing_robots
 from crs_cc.debug.navigator import Navigator
 from crs_cc.debug.repeated_writes import FEWEST_REPEATS, repeated
 from crs_cc.debug.statement_source import StatementSource, statement_source
@@ -100,16 +100,16 @@ class Why:
         robot, here = self._view.robot, self._run.position
         self._asked_s = self._run.time_s(robot)
         frame = self._view.active_frame(robot)
-        alone = self._view.evaluator(robot).outside_alone(text, frame)
-        if isinstance(alone, RobotName):
-            robot, text = self._view.names.index(alone.robot), alone.text
+        external = self._view.evaluator(robot).external_name(text, frame)
+        if isinstance(external, RobotName):
+            robot, text = self._view.names.index(external.robot), external.text
             frame = self._view.active_frame(robot)
-        value = self._view.look_up(text, robot=robot)
-        place = EvaluationPlace(here, robot, frame)
+        value = self._view.evaluate_pure(text, robot=robot)
+        point = EvaluationPoint(here, robot, frame)
         try:
-            found = self._value(place, text, 0)
+            found = self._value(point, text, 0)
             if found is None:
-                causes = self._operands(place, operands(text), 0)
+                causes = self._operands(point, operands(text), 0)
                 found = Cause(f"{text} = {value.text}", robot=robot, causes=causes)
         except InterruptedRunError:
             raise DebugError("interrupted") from None
@@ -121,7 +121,7 @@ class Why:
 
     def _operands(
         self,
-        place: EvaluationPlace,
+        point: EvaluationPoint,
         names: Sequence[str],
         depth: int,
         own: MemoryObject | None = None,
@@ -130,7 +130,7 @@ class Why:
         """Return where the values of some operands came from.
 
         Args:
-            place: where they have their values.
+            point: where they have their values.
             names: the operands.
             depth: the level of the nodes.
             own: the object that their statement writes.
@@ -138,34 +138,34 @@ class Why:
         """
         found: list[Cause] = []
         for each in names:
-            self._run.seek(place.position)
+            self._run.seek(point.position)
             with contextlib.suppress(DebugError):  # a function, a macro's word, a member's name
-                name = part_read(self._view.evaluator(place.robot), each, read, place.frame)
-                cause = self._value(place, name, depth, own)
+                name = part_read(self._view.evaluator(point.robot), each, read, point.frame)
+                cause = self._value(point, name, depth, own)
                 found += [] if cause is None else [replace(cause, expression=name)]
         return tuple(found)
 
     def _value(
-        self, place: EvaluationPlace, name: str, depth: int, own: MemoryObject | None = None
+        self, point: EvaluationPoint, name: str, depth: int, own: MemoryObject | None = None
     ) -> Cause | None:
         """Return where the value of an operand came from, of the program or the world."""
-        alone = self._view.evaluator(place.robot).outside_alone(name, place.frame)
-        if isinstance(alone, WorldName | WorldDistance):
-            value = self._view.look_up(name, robot=place.robot)
-            causes = tuple(self._of_world(place.position, alone, depth))
+        external = self._view.evaluator(point.robot).external_name(name, point.frame)
+        if isinstance(external, WorldName | WorldDistance):
+            value = self._view.evaluate_pure(name, robot=point.robot)
+            causes = tuple(self._of_world(point.position, external, depth))
             how = "" if causes else "a value of the world"
             return Cause(f"{name} = {value.text}", how, causes=causes)
-        return self._object(place, name, depth, own)
+        return self._object(point, name, depth, own)
 
     def _object(
-        self, place: EvaluationPlace, name: str, depth: int, own: MemoryObject | None
+        self, point: EvaluationPoint, name: str, depth: int, own: MemoryObject | None
     ) -> Cause | None:
         """Return where the value of an operand came from; None if it is no object in memory.
 
         The run is at the place, and somewhere else after that.
         """
-        robot, evaluator = place.robot, self._view.evaluator(place.robot)
-        value = evaluator.evaluate(name, place.frame).value
+        robot, evaluator = point.robot, self._view.evaluator(point.robot)
+        value = evaluator.evaluate(name, point.frame).value
         evaluator.undo()
         if value.address is None or not value.type.size:
             return None
@@ -177,11 +177,11 @@ class Why:
             return Cause(head, "...", robot=robot)
         self._left -= 1
         calling = passing_call(evaluator, stopped.stack, owner, value)
-        if own is not None and own.is_at(wanted) and place.frame is not None:
-            count, first = repeated(self._view, name, wanted, place.position, place.frame.function)
+        if own is not None and own.is_same_memory(wanted) and point.frame is not None:
+            count, first = repeated(self._view, name, wanted, point.position, point.frame.function)
             if first is not None and count >= FEWEST_REPEATS:
                 return self._written(head, wanted, first, depth, count)
-        write = last_write(self._run, wanted, place.position)
+        write = last_write(self._run, wanted, point.position)
         if write is not None:
             return self._written(head, wanted, write, depth)
         if calling is not None:
@@ -213,64 +213,64 @@ class Why:
         if (wanted, write.before) in self._seen:
             return replace(base, how=f"{shown} (see above)")
         self._seen.add((wanted, write.before))
-        place = EvaluationPlace(write.before, robot, frame)
+        point = EvaluationPoint(write.before, robot, frame)
         if access.library:
-            causes = self._from_library(place, access.library, text, wanted, depth)
+            causes = self._from_library(point, access.library, text, wanted, depth)
             return replace(base, how=shown, causes=causes)
         if is_count(text):
-            return self._counted(replace(base, how=shown), place, wanted, text, depth)
+            return self._counted(replace(base, how=shown), point, wanted, text, depth)
         evaluator = self._view.evaluator(robot)
         part = part_assigned(evaluator, text, (wanted.address, wanted.size), frame)
-        returned = self._returned(place, text, depth, part)
+        returned = self._returned(point, text, depth, part)
         if returned is not None:
             text = without_call(text, returned.text.partition(" ")[0])
-            self._run.seek(place.position)
+            self._run.seek(point.position)
         read = bytes_read(evaluator, text, frame)
         names = source_of(text, part and part_operands(evaluator, value_of(text), part, frame))
-        own = self._operands(place, names, depth + 1, wanted, read)
+        own = self._operands(point, names, depth + 1, wanted, read)
         causes = own if returned is None else (returned, *own)
         return replace(base, how=shown, causes=causes)
 
     def _counted(
-        self, base: Cause, place: EvaluationPlace, wanted: MemoryObject, text: str, depth: int
+        self, base: Cause, point: EvaluationPoint, wanted: MemoryObject, text: str, depth: int
     ) -> Cause:
         """Return the node of a write such as `i++`: of the first of many in a row."""
         (name,) = operands(cut(text))
-        function = "" if place.frame is None else place.frame.function
-        count, first = repeated(self._view, name, wanted, place.position, function)
+        function = "" if point.frame is None else point.frame.function
+        count, first = repeated(self._view, name, wanted, point.position, function)
         if base.times == 1 and first is not None and count + 1 >= FEWEST_REPEATS:
             return self._written(base.text, wanted, first, depth, count + 1)
-        return replace(base, causes=self._operands(place, [name], depth + 1, wanted))
+        return replace(base, causes=self._operands(point, [name], depth + 1, wanted))
 
     def _returned(
-        self, place: EvaluationPlace, text: str, depth: int, part: Span | None = None
+        self, point: EvaluationPoint, text: str, depth: int, part: Span | None = None
     ) -> Cause | None:
         """Return the `return` statement of the call whose value was used last; None for none.
 
         Args:
-            place: where it returns.
+            point: where it returns.
             text: the statement that has the call.
             depth: the level of the node.
             part: the bytes of a struct that are asked for; None for all.
         """
-        site = self._run.site(place.robot)
-        stack = self._run.stopped(place.robot).stack
-        if site is None or place.frame is None or same_activation(stack[0], place.frame):
+        site = self._run.site(point.robot)
+        stack = self._run.stopped(point.robot).stack
+        if site is None or point.frame is None or same_activation(stack[0], point.frame):
             return None
         if plain_name(site.function) not in calls(text):
             return None
-        source = statement_source(self._view, place.robot, site.function, site.location)
-        inner = EvaluationPlace(
-            place.position, place.robot, replace(stack[0], location=site.location)
+        source = statement_source(self._view, point.robot, site.function, site.location)
+        inner = EvaluationPoint(
+            point.position, point.robot, replace(stack[0], location=site.location)
         )
-        evaluator, value = self._view.evaluator(place.robot), value_of(source.text)
+        evaluator, value = self._view.evaluator(point.robot), value_of(source.text)
         found = part and part_operands(evaluator, value, part, inner.frame)
         return Cause(
             f"{plain_name(site.function)} returned",
             source.shown,
-            place.position,
-            self._run.time_s(place.robot),
-            place.robot,
+            point.position,
+            self._run.time_s(point.robot),
+            point.robot,
             site.location,
             self._operands(inner, source_of(source.text, found), depth + 1),
         )
@@ -281,85 +281,85 @@ class Why:
         """Return the node of a parameter: the call that passed it."""
         caller, begun = calling.caller, calling.callee.entered - 1
         base = Cause(head, robot=robot)
-        if begun < 0 or not self._navigator.to_statement(robot, begun):
+        if begun < 0 or not self._navigator.goto_statement(robot, begun):
             return replace(base, how="an argument of the program")
-        place = EvaluationPlace(self._run.position, robot, caller)
+        point = EvaluationPoint(self._run.position, robot, caller)
         source = statement_source(self._view, robot, caller.function, caller.location)
         passed = argument(source.text, plain_name(calling.callee.function), calling.number)
         returned = None
         if calls(passed):
-            inner = self._last_return(place, source.text, begun)
+            inner = self._last_return(point, source.text, begun)
             returned = self._returned(inner, passed, depth, calling.part)
         if returned is not None:
             passed = without_call(passed, returned.text.partition(" ")[0])
         names = operands(passed)
-        self._run.seek(place.position)
+        self._run.seek(point.position)
         if calling.part is not None:
             evaluator = self._view.evaluator(robot)
             names = part_operands(evaluator, passed, calling.part, caller) or names
         return Cause(
             head,
             source.shown,
-            place.position,
+            point.position,
             self._run.time_s(robot),
             robot,
             caller.location,
-            (*(() if returned is None else (returned,)), *self._operands(place, names, depth + 1)),
+            (*(() if returned is None else (returned,)), *self._operands(point, names, depth + 1)),
         )
 
-    def _last_return(self, place: EvaluationPlace, text: str, begun: int) -> EvaluationPlace:
+    def _last_return(self, point: EvaluationPoint, text: str, begun: int) -> EvaluationPoint:
         """Return where the last call returned before another call of the same statement.
 
         Args:
-            place: where the other call is made.
+            point: where the other call is made.
             text: the statement. If it has several calls of that function, the place is returned.
             begun: how many statements had begun before the other call.
         """
-        self._navigator.to_statement(place.robot, begun - 1)
-        site = self._run.site(place.robot)
+        self._navigator.goto_statement(point.robot, begun - 1)
+        site = self._run.site(point.robot)
         if site is None or calls(text).count(plain_name(site.function)) != 1:
-            self._run.seek(place.position)
-        return replace(place, position=self._run.position)
+            self._run.seek(point.position)
+        return replace(point, position=self._run.position)
 
     # -- the library ---------------------------------------------------------------------------
 
     def _from_library(
-        self, place: EvaluationPlace, function: str, text: str, wanted: MemoryObject, depth: int
+        self, point: EvaluationPoint, function: str, text: str, wanted: MemoryObject, depth: int
     ) -> tuple[Cause, ...]:
         """Return the source from which a function of the library wrote an object."""
-        robot = place.robot
+        robot = point.robot
         for field, value in self._view.vendor_state(robot):
             if value.address == wanted.address:
-                return tuple(self._measured(place, field, depth))
+                return tuple(self._measured(point, field, depth))
         if function == RECEIVES:
-            return self._message(place, text, depth, wanted)
+            return self._message(point, text, depth, wanted)
         part = None
         if function in _COPIES:
             span = wanted.address, wanted.size
             evaluator, passed = self._view.evaluator(robot), arguments(text)
-            part = bytes_copied(evaluator, passed, span, place.frame, wanted.type)
+            part = bytes_copied(evaluator, passed, span, point.frame, wanted.type)
         if part is not None:
-            return self._operands(place, [part], depth + 1)
+            return self._operands(point, [part], depth + 1)
         names = [each.lstrip("& ") for each in arguments(text)]
         found = list(dict.fromkeys(each for name in names for each in operands(name)))
         if not function.endswith("cat"):  # what these write, they have read before (C17 7.24.3)
             evaluator = self._view.evaluator(robot)
-            found = [e for e in found if not holds(evaluator, e, wanted.address, place.frame)]
-        return self._operands(place, found, depth + 1)
+            found = [e for e in found if not holds(evaluator, e, wanted.address, point.frame)]
+        return self._operands(point, found, depth + 1)
 
-    def _measured(self, place: EvaluationPlace, field: StateField, depth: int) -> Iterator[Cause]:
+    def _measured(self, point: EvaluationPoint, field: StateField, depth: int) -> Iterator[Cause]:
         """Return the cause of a reading that the robot reports here."""
-        run, robot = self._run, place.robot
+        run, robot = self._run, point.robot
         environment = run.session.environment
         texts = list(sensor_texts(environment, robot, field))
         ping = firing(environment, robot, field)
         is_pose = "_CONF" in field.name
         if ping is not None:
-            yield fired(run, robot, ping, f"{field.name}: ")
+            yield firing_cause(run, robot, ping, f"{field.name}: ")
         for each in texts:
-            yield Cause(f"{field.name}: {each}", position=place.position, robot=robot)
+            yield Cause(f"{field.name}: {each}", position=point.position, robot=robot)
         if is_pose:
-            run.seek(place.position)
+            run.seek(point.position)
             driven = self._commanded(robot, depth + 1)
             yield from () if driven is None else (driven,)
 
@@ -391,7 +391,7 @@ class Why:
     ) -> Iterator[Cause]:
         """Return what moved an object, or else what has to do with a value of it."""
         self._run.seek(here)
-        others = pushers(self._run.session.environment, number)
+        others = pushing_robots(self._run.session.environment, number)
         found = list(facts(self._run, number, concern))
         if concern == "motion" and (cause := self._commanded(number, depth)) is not None:
             yield cause
@@ -408,30 +408,30 @@ class Why:
         """Return the node of the motion command that a robot follows; None if there is none."""
         if number >= len(self._run.programs) or depth >= MAX_DEPTH:
             return None
-        begun = commanding(self._run, number)
-        if begun is None or not self._navigator.to_statement(number, begun):
+        begun = command_statement(self._run, number)
+        if begun is None or not self._navigator.goto_statement(number, begun):
             return None
         return self._posted(number, f"{self._run.name(number)} was driven", depth)
 
     def _message(
-        self, place: EvaluationPlace, text: str, depth: int, wanted: MemoryObject
+        self, point: EvaluationPoint, text: str, depth: int, wanted: MemoryObject
     ) -> tuple[Cause, ...]:
         """Return where a part of a message came from, and which ones were lost since."""
-        robot, found = place.robot, list[Cause]()
+        robot, found = point.robot, list[Cause]()
         received_s = self._run.time_s(robot)
         self._run.arm(StopRequest(all=frozenset({robot})))
         while self._run.advance().kind != "statement" and self._run.can_advance:
             pass
-        assert place.frame is not None
+        assert point.frame is not None
         stack = self._run.stopped(robot).stack
-        frame = next(each for each in stack if same_activation(each, place.frame))
+        frame = next(each for each in stack if same_activation(each, point.frame))
         evaluator, span = self._view.evaluator(robot), (wanted.address, wanted.size)
         message = received(evaluator, f"({arguments(text)[0]})", frame, span)
         sender = message.sender
-        numbers = sendings(self._run, sender, message.sent_s)
+        numbers = sending_statements(self._run, sender, message.sent_s)
         begun = next((each for each in numbers if self._has_sent(each, message)), None)
         begun = begun if begun is not None or not numbers else numbers[0]
-        if begun is not None and self._navigator.to_statement(sender, begun):
+        if begun is not None and self._navigator.goto_statement(sender, begun):
             head = f"{self._run.name(sender)} sent it"
             found.append(self._posted(sender, head, depth, message.part))
         timestep_s = self._run.session.environment.timestep_s
@@ -443,18 +443,18 @@ class Why:
     def _has_sent(self, begun: int, message: ReceivedMessage) -> bool:
         """Return whether a statement of a robot has sent a message."""
         robot = message.sender
-        if not self._navigator.to_statement(robot, begun):
+        if not self._navigator.goto_statement(robot, begun):
             return False
-        place, source = self._posting(robot)
-        return is_sent(self._view.evaluator(robot), source.text, place.frame, message)
+        point, source = self._posting(robot)
+        return is_sent(self._view.evaluator(robot), source.text, point.frame, message)
 
-    def _posting(self, robot: int) -> tuple[EvaluationPlace, StatementSource]:
+    def _posting(self, robot: int) -> tuple[EvaluationPoint, StatementSource]:
         """Return the statement that posts a request: the run is before it."""
         stack, site = self._run.stopped(robot).stack, self._run.site(robot)
         assert site is not None
         frame = replace(stack[0], location=site.location)
         source = statement_source(self._view, robot, site.function, site.location)
-        return EvaluationPlace(self._run.position, robot, frame), source
+        return EvaluationPoint(self._run.position, robot, frame), source
 
     def _posted(self, robot: int, head: str, depth: int, part: Span | None = None) -> Cause:
         """Return the node of a message or a command: the run is before its statement.
@@ -465,21 +465,21 @@ class Why:
             depth: the level of the node.
             part: the bytes of a message that are asked for; None for all.
         """
-        place, source = self._posting(robot)
+        point, source = self._posting(robot)
         sent = sent_arguments(source.text)
         passed = sent[-2:-1] or arguments(source.text)
         names = [each for one in passed for each in operands(one.lstrip("& "))]
         if part is not None and len(sent) > 1:
-            named = bytes_behind(self._view.evaluator(robot), sent[-2], part, place.frame)
+            named = bytes_behind(self._view.evaluator(robot), sent[-2], part, point.frame)
             names = names if named is None else [named]
         return Cause(
             head,
             source.shown,
-            place.position,
+            point.position,
             self._run.time_s(robot),
             robot,
-            None if place.frame is None else place.frame.location,
-            self._operands(place, list(dict.fromkeys(names)), depth + 1),
+            None if point.frame is None else point.frame.location,
+            self._operands(point, list(dict.fromkeys(names)), depth + 1),
         )
 
     # -- the source ----------------------------------------------------------------------------

@@ -25,16 +25,16 @@ class WorldWatchSet:
         """Set the watched expressions; the last values of those that remain are kept."""
         if tuple(wanted) != self._wanted:
             self._wanted = tuple(wanted)
-            self.forget()
+            self.reset()
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """Take the values of now as the last ones: the run was moved."""
         self._seen = {each.number: each.observe() for each in self._wanted}
 
-    def take(self, position: Position) -> tuple[WatchHit, ...]:
+    def drain(self, position: Position) -> tuple[WatchHit, ...]:
         """Return the changes since the last values, which are seen at a position."""
         before = self._seen
-        self.forget()
+        self.reset()
         pairs = ((each, before[each.number], self._seen[each.number]) for each in self._wanted)
         return tuple(
             WatchHit(each.robot, MemoryAccess(each, "change", old, new), position)

@@ -221,7 +221,7 @@ class Started:
         return self._cluster.outcome(self._future) if self._future.done() else None
 
     def cancel(self) -> None:
-        """Have it not started again; its process ends when its job does."""
+        """Prevent a restart; its process ends when its job does."""
         self._future.cancel(force=True)
 
 

@@ -145,14 +145,14 @@ class _Queue:
     def work(self, worker: Worker) -> None:
         """Run tasks until there are none."""
         try:
-            while (taken := self._take()) is not None:
+            while (taken := self._next_task()) is not None:
                 self.done.put(self._persist(worker, *taken))
         except BaseException as error:  # raised again by the generator
             self.done.put(error)
         else:
             self.done.put(None)
 
-    def _take(self) -> tuple[int, Task] | None:
+    def _next_task(self) -> tuple[int, Task] | None:
         with self._lock:
             return None if self.is_closed.is_set() else next(self._todo, None)
 
@@ -187,7 +187,7 @@ class Worker:
                 text = f"stopped {what} after {limit_s:g} s: {_LAST_RESORT}"
                 return Outcome(number, None, "time out", text)
             if data is None or "done" in data:
-                text = f"the process of the run ended {_how(process, data)}"
+                text = f"the process of the run ended {_exit_reason(process, data)}"
                 return Outcome(number, None, "crashed", text)
             if "result" in data:
                 self._next(process, task.run_s)  # the child's end
@@ -250,7 +250,7 @@ def _line_of(process: subprocess.Popen[bytes]) -> bytes:
 
 
 def _end_with(process: subprocess.Popen[bytes]) -> None:
-    """Wait for the end of a process, and kill its child: it would hold our pipe open."""
+    """Wait for the end of a process, and kill its child, which would keep the pipe open."""
     process.wait()
     _kill(process)
 
@@ -264,8 +264,8 @@ def _kill(process: subprocess.Popen[bytes]) -> None:
             process.kill()
 
 
-def _how(process: subprocess.Popen[bytes], data: Data | None) -> str:
-    """Return how a process ended: by its return code, or as its parent says."""
+def _exit_reason(process: subprocess.Popen[bytes], data: Data | None) -> str:
+    """Return how a process ended: by its return code, or as its parent reports."""
     code = process.wait() if data is None else data["done"]
     if code < 0:
         return f"by signal {-code}; perhaps the system had no memory left"

@@ -43,12 +43,14 @@ _MOST: Final = 32
 Work = Callable[[dict[str, Any], Callable[[], None]], dict[str, Any]]
 """Does a job; calls the function when it is prepared; returns the result."""
 
-Alike = Callable[[dict[str, Any]], str]
+BatchKey = Callable[[dict[str, Any]], str]
 """Returns what a job has in common with others: one child does jobs with the same, unless empty."""
 
 
 def serve(
-    work: Work, load: Callable[[dict[str, Any]], None] | None = None, alike: Alike | None = None
+    work: Work,
+    load: Callable[[dict[str, Any]], None] | None = None,
+    batch_key: BatchKey | None = None,
 ) -> None:
     """Run jobs until standard input ends.
 
@@ -56,19 +58,19 @@ def serve(
         work: does a job, in a child; one with a true `is_last` in its result does no more.
         load: loads for a job, in this process, what later jobs may need as well; trusted, and it
             does not raise.
-        alike: says which jobs can be done by one child, one after the other; by default none.
+        batch_key: says which jobs can be done by one child, one after the other; by default none.
     """
     channel = os.dup(1)
     with open(os.devnull, "wb") as nowhere:  # noqa: PTH123 - what jobs print is not ours
         os.dup2(nowhere.fileno(), 1)
     _prepare()
     gc.freeze()  # what is shared with children is not touched by their collector
-    _say(channel, {"ready": True})
+    _report_result(channel, {"ready": True})
     child: _Child | None = None
     for line in sys.stdin.buffer:
         job = json.loads(line)
-        common = "" if alike is None else alike(job)
-        if child is not None and not (common and child.common == common):
+        key = "" if batch_key is None else batch_key(job)
+        if child is not None and not (key and child.key == key):
             child.end()
             child = None
         if child is None:
@@ -77,11 +79,11 @@ def serve(
             if not hasattr(os, "fork"):
                 _work(channel, work, job)
                 return
-            child = _Child(partial(_work, channel, work), common)
-        code = child.do(line)
+            child = _Child(partial(_work, channel, work), key)
+        code = child.run_job(line)
         if code is not None:
             child = None
-        _say(channel, {"done": code or 0})
+        _report_result(channel, {"done": code or 0})
     if child is not None:
         child.end()
 
@@ -93,11 +95,11 @@ class _Child:
     else would stop a run without an end then.
 
     Attributes:
-        common: what its jobs have in common, empty if it does one only.
+        key: what its jobs have in common, empty if it does one only.
     """
 
-    def __init__(self, work: Callable[[dict[str, Any]], dict[str, Any]], common: str) -> None:
-        self.common = common
+    def __init__(self, work: Callable[[dict[str, Any]], dict[str, Any]], key: str) -> None:
+        self.key = key
         jobs, self._jobs = os.pipe()
         self._answers, answers = os.pipe()
         self._pid = os.fork()
@@ -106,14 +108,14 @@ class _Child:
             try:
                 os.close(self._jobs)
                 os.close(self._answers)
-                _do_jobs(work, jobs, answers, _MOST if common else 1)
+                _run_jobs(work, jobs, answers, _MOST if key else 1)
             finally:
                 os._exit(0)
         os.close(jobs)
         os.close(answers)  # which the child holds until it ends
 
-    def do(self, line: bytes) -> int | None:
-        """Have a job done; return the exit code if the child has ended."""
+    def run_job(self, line: bytes) -> int | None:
+        """Run a job in the child; return the exit code if the child has ended."""
         waiting = select.poll()
         waiting.register(self._answers, select.POLLIN)
         waiting.register(sys.stdin.fileno(), 0)  # its end is always told
@@ -127,7 +129,7 @@ class _Child:
         return None if os.read(self._answers, 1) else self._wait()
 
     def end(self) -> None:
-        """Have it end, as there is nothing more to do."""
+        """End the child, as there are no more jobs for it."""
         self._wait()
 
     def _wait(self) -> int:
@@ -137,10 +139,10 @@ class _Child:
         return os.waitstatus_to_exitcode(status)
 
 
-def _do_jobs(
+def _run_jobs(
     work: Callable[[dict[str, Any]], dict[str, Any]], jobs: int, answers: int, most: int
 ) -> None:
-    """Do jobs as they come, and say after each but the last one that another can come."""
+    """Run jobs as they arrive, and report after each but the last that the next can be sent."""
     with open(jobs, "rb") as lines:
         for number, line in enumerate(lines, 1):
             result = work(json.loads(line))
@@ -159,12 +161,12 @@ def _prepare() -> None:
 
 
 def _work(channel: int, work: Work, job: dict[str, Any]) -> dict[str, Any]:
-    result = work(job, lambda: _say(channel, {"prepared": True}))
-    _say(channel, {"result": result})
+    result = work(job, lambda: _report_result(channel, {"prepared": True}))
+    _report_result(channel, {"result": result})
     return result
 
 
-def _say(channel: int, data: dict[str, Any]) -> None:
+def _report_result(channel: int, data: dict[str, Any]) -> None:
     content = memoryview(json.dumps(data).encode() + b"\n")
     while content:
         content = content[os.write(channel, content) :]

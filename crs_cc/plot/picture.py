@@ -61,7 +61,7 @@ _MOVABLE: Final = "#d9b88a"
 
 
 @dataclass(frozen=True, slots=True)
-class Trip:
+class RobotPath:
     """The path of one robot.
 
     Attributes:
@@ -70,8 +70,8 @@ class Trip:
             never joined.
         heading_rad: its heading at the end.
         left: whether it has left the world.
-        believed: the path by its odometry [m], in the world frame, shape (samples, 2).
-        misled_m: the greatest distance between that and the true path.
+        odometry: the path by its odometry [m], in the world frame, shape (samples, 2).
+        odometry_error_m: the greatest distance between that and the true path.
         marks: positions on the path [m], with the time at which it was there, as text.
     """
 
@@ -79,8 +79,8 @@ class Trip:
     path: FloatArray
     heading_rad: float
     left: bool = False
-    believed: FloatArray = field(default_factory=lambda: np.zeros((0, 2)))
-    misled_m: float = 0.0
+    odometry: FloatArray = field(default_factory=lambda: np.zeros((0, 2)))
+    odometry_error_m: float = 0.0
     marks: Sequence[tuple[float, float, str]] = ()
 
 
@@ -91,7 +91,7 @@ class Picture:
     Attributes:
         title: the heading.
         subtitle: the line below it.
-        trips: the robots.
+        paths: the robots.
         contacts: robot number and position [m] of each contact.
         pushed: objects that were moved, at their final poses.
         drawings: what the programs drew.
@@ -101,7 +101,7 @@ class Picture:
     title: str
     subtitle: str
     world: WorldModel
-    trips: Sequence[Trip]
+    paths: Sequence[RobotPath]
     contacts: Sequence[tuple[int, float, float]] = ()
     pushed: Sequence[Thing] = ()
     drawings: Sequence[Drawing] = ()
@@ -138,7 +138,7 @@ class PlotDrawing:
             self.marks(self.picture.drawings)
             self._starts()
             self._paths()
-            self._believed()
+            self._odometry_paths()
             self._times()
             self._ends()
             self._contacts()
@@ -169,7 +169,7 @@ class PlotDrawing:
 
     def robot(self, number: int, place_m: tuple[float, float], heading_rad: float) -> None:
         """Draw a robot."""
-        radius_px = self._radius_px(self.picture.trips[number])
+        radius_px = self._radius_px(self.picture.paths[number])
         self._robot(self.view.point(*place_m), radius_px, heading_rad, colour(number))
 
     def movable(self) -> list[Thing]:
@@ -300,63 +300,64 @@ class PlotDrawing:
     # The robots
 
     def _paths(self) -> None:
-        trips = self.picture.trips
-        style = {"stroke_width": 2.0 if len(trips) <= 20 else 1.0, "stroke_opacity": 0.85}
+        paths = self.picture.paths
+        style = {"stroke_width": 2.0 if len(paths) <= 20 else 1.0, "stroke_opacity": 0.85}
         with self.page.group(fill="none", stroke_linejoin="round", stroke_linecap="round", **style):
-            for number, trip in self._there():
-                path = simplified(trip.path, _TOLERANCE_PX / self.view.scale)
+            for number, track in self._present():
+                path = simplified(track.path, _TOLERANCE_PX / self.view.scale)
                 points = [self.view.point(*place) for place in path.tolist()]
                 self.page.polyline(points, stroke=colour(number))
 
-    def _believed(self) -> None:
-        """Draw where odometry believed the robots to be, if that differs from where they were."""
+    def _odometry_paths(self) -> None:
+        """Draw the paths by odometry where they visibly differ from the true ones."""
         style: dict[str, str | float] = {"stroke_width": 1.2, "stroke_dasharray": "4 3"}
         with self.page.group(fill="none", stroke_opacity=0.9, **style):
-            for number, trip in self.misled():
-                path = simplified(trip.believed, _TOLERANCE_PX / self.view.scale)
+            for number, track in self.visibly_drifted():
+                path = simplified(track.odometry, _TOLERANCE_PX / self.view.scale)
                 points = [self.view.point(*place) for place in path.tolist()]
                 self.page.polyline(points, stroke=colour(number))
 
-    def misled(self) -> list[tuple[int, Trip]]:
-        """Return the robots that believed to be elsewhere, with their numbers."""
+    def visibly_drifted(self) -> list[tuple[int, RobotPath]]:
+        """Return the robots whose odometry visibly differs from their path, with their numbers."""
         least_m = _DIFFERS_PX / self.view.scale
         return [
-            (number, trip)
-            for number, trip in self._there()
-            if len(trip.believed) and trip.misled_m > least_m
+            (number, track)
+            for number, track in self._present()
+            if len(track.odometry) and track.odometry_error_m > least_m
         ]
 
     def _times(self) -> None:
         """Mark where the robots were at round times."""
         with self.page.group(font_size=9.0, fill=_FAINT_INK):
-            for _, trip in self._there():
-                for x_m, y_m, text in trip.marks:
+            for _, track in self._present():
+                for x_m, y_m, text in track.marks:
                     x_px, y_px = self.view.point(x_m, y_m)
                     self.page.circle((x_px, y_px), 2.0, fill=_INK)
                     self.page.text((x_px + 4, y_px - 4), text)
 
     def _starts(self) -> None:
-        for number, trip in self._there():
-            place = self.view.point(*trip.path[0].tolist())
-            self._hollow(place, self._radius_px(trip), trip.robot.start.heading_rad, colour(number))
+        for number, track in self._present():
+            place = self.view.point(*track.path[0].tolist())
+            heading_rad = track.robot.start.heading_rad
+            self._hollow(place, self._radius_px(track), heading_rad, colour(number))
 
     def _ends(self) -> None:
-        for number, trip in self._there():
-            place = self.view.point(*trip.path[-1].tolist())
-            draw = self._hollow if trip.left else self._robot
-            draw(place, self._radius_px(trip), trip.heading_rad, colour(number))
-            gripper = trip.robot.model.device("gripper")
-            if gripper is not None and not trip.left:
-                x_m, y_m = trip.path[-1].tolist()
-                at = (x_m, y_m, trip.heading_rad)
+        for number, track in self._present():
+            place = self.view.point(*track.path[-1].tolist())
+            draw = self._hollow if track.left else self._robot
+            draw(place, self._radius_px(track), track.heading_rad, colour(number))
+            gripper = track.robot.model.device("gripper")
+            if gripper is not None and not track.left:
+                x_m, y_m = track.path[-1].tolist()
+                at = (x_m, y_m, track.heading_rad)
                 draw_fingers(self.page, self.view, gripper, at, colour(number))
 
-    def _there(self) -> list[tuple[int, Trip]]:
+    def _present(self) -> list[tuple[int, RobotPath]]:
         """Return the robots that have been in the world, with their numbers."""
-        return [(n, trip) for n, trip in enumerate(self.picture.trips) if len(trip.path)]
+        return [(n, track) for n, track in enumerate(self.picture.paths) if len(track.path)]
 
-    def _radius_px(self, trip: Trip) -> float:
-        return max(3.0, self.view.length(trip.robot.model.radius_m))
+    def _radius_px(self, track: RobotPath) -> float:
+        return max(3.0, self.view.length(track.robot.model.radius_m))
 
     def _hollow(self, centre: Point, radius_px: float, heading_rad: float, paint: str) -> None:
         style: dict[str, str | float] = {"stroke": paint, "stroke_width": 1.6}
@@ -387,15 +388,15 @@ class PlotDrawing:
     def _legend(self, *, is_still: bool) -> None:
         left = _LEFT_PX + self.size[0] + 24
         rows = int((self.size[1] - 4 * _ROW_PX) // _ROW_PX)
-        trips = self.picture.trips
-        shown = len(trips) if len(trips) <= rows else rows - 1
+        paths = self.picture.paths
+        shown = len(paths) if len(paths) <= rows else rows - 1
         y_px = _HEAD_PX + 10
-        for number, trip in enumerate(trips[:shown]):
+        for number, track in enumerate(paths[:shown]):
             self._robot((left, y_px), 7.0, 0.0, colour(number))
-            self.page.text((left + 16, y_px + 4), shortened(trip.robot.id))
+            self.page.text((left + 16, y_px + 4), shortened(track.robot.id))
             y_px += _ROW_PX
-        if shown < len(trips):
-            text = f"... and {len(trips) - shown} more"
+        if shown < len(paths):
+            text = f"... and {len(paths) - shown} more"
             self.page.text((left + 16, y_px + 4), text, fill=_FAINT_INK)
             y_px += _ROW_PX
         self._symbols(left, y_px + 10, is_still=is_still)
@@ -412,7 +413,7 @@ class PlotDrawing:
             self._cross((left, y_px))
             self.page.text((left + 16, y_px + 4), "contact", fill=_FAINT_INK)
             y_px += _ROW_PX
-        if self.misled():
+        if self.visibly_drifted():
             dashes: dict[str, str | float] = {"stroke": _FAINT_INK, "stroke_dasharray": "4 3"}
             self.page.line((left - 7, y_px), (left + 7, y_px), **dashes)
             self.page.text((left + 16, y_px + 4), "by odometry", fill=_FAINT_INK)
@@ -449,8 +450,11 @@ def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     An open world is cropped to what happened in it; a closed one is shown whole.
     """
     clouds = []
-    for trip in (trip for trip in picture.trips if len(trip.path)):
-        clouds += [trip.path - trip.robot.model.radius_m, trip.path + trip.robot.model.radius_m]
+    for track in (track for track in picture.paths if len(track.path)):
+        clouds += [
+            track.path - track.robot.model.radius_m,
+            track.path + track.robot.model.radius_m,
+        ]
     clouds += [_drawn(picture, drawing) for drawing in picture.drawings]
     clouds += terrain_corners_m(picture.world.surface)
     clouds += [_outline(solid) for solid in (*picture.world.solids(), *picture.pushed)]
@@ -473,7 +477,7 @@ def _extent(place: Source | Nest) -> FloatArray:
 
 
 def _strokes_m(picture: Picture, drawing: Drawing) -> list[FloatArray]:
-    return drawing.strokes_m(picture.trips[drawing.robot].robot.model.radius_m)
+    return drawing.strokes_m(picture.paths[drawing.robot].robot.model.radius_m)
 
 
 def _drawn(picture: Picture, drawing: Drawing) -> FloatArray:

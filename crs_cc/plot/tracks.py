@@ -55,7 +55,7 @@ class Tracks:
                 self._stride *= 2
         self._timesteps += 1
 
-    def stay(self, timesteps: int) -> None:
+    def repeat_last(self, timesteps: int) -> None:
         """Add the last positions again for further timesteps, in which nothing moved."""
         for _ in range(timesteps):
             if self._timesteps % self._stride:

@@ -74,7 +74,7 @@ class CalmPrograms:
                 return verdict
 
     def _turn(self, calm: CalmTime, partner: Partner) -> tuple[int, int]:
-        """Let programs and kernel take turns once; return why they ended, and the cycles."""
+        """Run programs and kernel alternately once; return why they ended, and the cycles."""
         state, kernel = self._state, calm.kernel
         kernel.tell(rounds=state.rounds)
         rounds = self._turns_with(kernel, partner).take()

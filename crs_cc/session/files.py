@@ -95,7 +95,7 @@ class Disk:
     def open(self, name: bytes, flags: int) -> int:
         """Open a file, create or truncate it if the flags say so, and return its number."""
         if flags & NAMELESS:
-            return self._make(None)
+            return self._create(None)
         path = normal(name)
         if path == b"dev/null":
             return _NULL_DEVICE
@@ -106,7 +106,7 @@ class Disk:
                 if not failed and len(self.missed) < _MISSED and path not in self.missed:
                     self.missed.append(path)
                 return failed or -ENOENT
-            return self._make(path)
+            return self._create(path)
         if flags & CREATE and flags & EXCLUSIVE:
             return -EEXIST
         file = self._files[number]
@@ -232,7 +232,7 @@ class Disk:
             if file.changed:
                 yield b"%d:%d;" % (number, len(file.content)) + file.content
 
-    def _make(self, path: bytes | None) -> int:
+    def _create(self, path: bytes | None) -> int:
         if len(self._files) >= self._room:
             return -ENFILE
         number = next(number for number in range(self._room) if number not in self._files)

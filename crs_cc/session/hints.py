@@ -65,7 +65,7 @@ class Hints:
     def note_requests(
         self, code: int, robots: IndexArray, messages: Records, at_s: FloatArray
     ) -> None:
-        """Note requests of one kind before they are served.
+        """Check requests of one kind before they are served.
 
         Args:
             code: the request.
@@ -114,7 +114,7 @@ class Hints:
         return list(found.values())
 
     def note_exit(self, robot: int, at_s: float) -> None:
-        """Note that a program ends by itself."""
+        """Record that a program ends by itself."""
         if robot < len(self._moves) and self._moves[robot]:
             left_s = float(self._left_s(np.array([robot]), np.array([at_s]))[0])
             if left_s > 0.0:
@@ -122,7 +122,7 @@ class Hints:
                 self._add(robot, "unfinished-move", text, "call ws after pr to wait for its end")
 
     def _note_moves(self, robots: IndexArray, at_s: FloatArray) -> None:
-        """Note moves that replace another one, after which nothing was asked of the robot."""
+        """Record moves that replace another one, after which there was no request."""
         again = self._moves[robots]
         if not again.any():
             return

@@ -280,7 +280,7 @@ class Session:
             if not (was_quiet and self._is_quiet):
                 break
             self._run_quietly(end)
-        self._tell_passages()
+        self._report_passages()
         return self._can_continue
 
     def _run_quietly(self, end: int) -> None:
@@ -400,7 +400,7 @@ class Session:
             self.network.begin_cycle(state.clock_s, state.alive)
             return self._can_continue
         self.calm.is_worthwhile = True
-        self._tell_passages()
+        self._report_passages()
         step = self.environment.step(tells_slices=self._trace is not None)
         if len(step.robots):
             state.clock_s[step.robots] = state.called_s[step.robots] = step.at_s
@@ -415,8 +415,8 @@ class Session:
             self._observer.step(step)
         return self._can_continue
 
-    def _tell_passages(self) -> None:
-        """Tell the observer what has passed in calm time."""
+    def _report_passages(self) -> None:
+        """Report the passages of calm time to the observer."""
         passages, self.calm.passages = self.calm.passages, []
         if self._passed is not None:
             for passage in passages:

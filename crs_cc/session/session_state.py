@@ -154,7 +154,7 @@ class SessionState:
         return number
 
     def admit_robots(self, robots: Sequence[int]) -> None:
-        """Let robots join now that are to join later, between two timesteps.
+        """Make robots that are to join later join now, between two timesteps.
 
         It is as if this had been their time to join: whose place is occupied waits.
 
@@ -273,7 +273,7 @@ class SessionState:
         self.timesteps = snapshot.timesteps
         self.rounds, self.halted = snapshot.rounds, snapshot.halted
 
-    def recall(self, snapshot: SessionSnapshot, robots: Iterable[int]) -> None:
+    def restore_programs(self, snapshot: SessionSnapshot, robots: Iterable[int]) -> None:
         """Restore programs of a snapshot and their clocks, but not the world.
 
         That is enough for programs to run again, if they are given what they were given. Those of

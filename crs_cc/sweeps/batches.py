@@ -32,8 +32,8 @@ class Batches:
         self._runs, self._most = iter(runs), most
         self._run_s: float | None = None
 
-    def took(self, run_s: float | None) -> None:
-        """Note how long a run took [s], None if this is not known."""
+    def add_duration(self, run_s: float | None) -> None:
+        """Record the duration of a run [s], None if it is unknown."""
         self._run_s = run_s
 
     def __iter__(self) -> Iterator[list[PlannedRun]]:

@@ -61,7 +61,7 @@ def combinations(experiment: Experiment) -> Iterator[Parameters]:
                 yield {**chosen, **_sample(experiment, number)}
 
 
-def to_check(experiment: Experiment) -> list[Parameters]:
+def combinations_to_check(experiment: Experiment) -> list[Parameters]:
     """Return the combinations to check before the first run: all, or both extremes of a search."""
     if experiment.search is None:
         return list(combinations(experiment))

@@ -81,7 +81,7 @@ class RowFile:
             os.ftruncate(self._descriptor, self._end)
             raise OSError(error.errno, error.strerror, str(self.path)) from None
         self._end += len(line)
-        self.rows[row["run"]] = _lean(row)
+        self.rows[row["run"]] = _compact(row)
 
 
 def read_rows(path: Path) -> tuple[dict[int, Row], int]:
@@ -96,15 +96,15 @@ def read_rows(path: Path) -> tuple[dict[int, Row], int]:
                 row = None
             if not isinstance(row, dict) or not isinstance(row.get("run"), int):
                 break
-            rows.setdefault(row["run"], _lean(row))
+            rows.setdefault(row["run"], _compact(row))
             end += len(line)
     return rows, end
 
 
-def _lean(row: Row) -> Row:
+def _compact(row: Row) -> Row:
     """Return a row in half of the memory: rows share the names that all of them have."""
     return {
-        sys.intern(name): _lean(value) if isinstance(value, dict) else value
+        sys.intern(name): _compact(value) if isinstance(value, dict) else value
         for name, value in row.items()
     }
 

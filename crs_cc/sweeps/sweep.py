@@ -19,14 +19,21 @@ from typing import TYPE_CHECKING, Any, Final, Self
 from crs_cc import __version__
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Location
-from crs_cc.jobs.apart import IS_APART
+from crs_cc.jobs.forked import CAN_FORK
 from crs_cc.jobs.pool import Outcome, Pool, Task
 from crs_cc.recording.description import versions
 from crs_cc.recording.recording import Recording
 from crs_cc.sweeps.batches import MOST, Batches
 from crs_cc.sweeps.experiment import Experiment, ExperimentError
 from crs_cc.sweeps.experiment_file import parse, read_text
-from crs_cc.sweeps.plan import Parameters, PlannedRun, names_of, runs_of, shown, to_check
+from crs_cc.sweeps.plan import (
+    Parameters,
+    PlannedRun,
+    combinations_to_check,
+    names_of,
+    runs_of,
+    shown,
+)
 from crs_cc.sweeps.rows import PART, ROWS, TABLE, Row, RowFile, read_rows, replace_text, table_text
 
 if TYPE_CHECKING:
@@ -162,23 +169,23 @@ class Sweep:
         try:
             plan = self._checked_plan(pool)
         except BaseException:
-            self._leave_nothing(is_new=is_new)
+            self._remove_definitions(is_new=is_new)
             raise
         self._check_plan(plan, resume=resume)
         self.folder.mkdir(parents=True, exist_ok=True)
         replace_text(self.folder / _PLAN, json.dumps(plan, indent=1))
         with RowFile(self.folder) as rows:
             self.rows = rows.rows
-            self._tidy()
+            self._remove_leftovers()
             try:
                 self._run_planned(pool, rows, report)
                 self._record_failed(pool)
             finally:
-                self._tidy()
+                self._remove_leftovers()
                 self.write_table()
 
-    def _leave_nothing(self, *, is_new: bool) -> None:
-        """Remove the definitions that were written to check them, unless rows belong to them."""
+    def _remove_definitions(self, *, is_new: bool) -> None:
+        """Remove the definitions that were written for checking, unless the sweep has a plan."""
         if (self.folder / _PLAN).exists():
             return
         shutil.rmtree(self.folder / ROBOTS, ignore_errors=True)
@@ -186,8 +193,8 @@ class Sweep:
             with suppress(OSError):
                 self.folder.rmdir()
 
-    def _tidy(self) -> None:
-        """Remove what measures needed whose process was killed."""
+    def _remove_leftovers(self) -> None:
+        """Remove the temporary files of measures whose processes were killed."""
         for path in self.folder.glob(f"run-*{PART}"):
             path.unlink(missing_ok=True)
 
@@ -217,7 +224,7 @@ class Sweep:
         Raises:
             ExperimentError: some of them are invalid.
         """
-        wanted = to_check(self.experiment)
+        wanted = combinations_to_check(self.experiment)
         tasks = (self._task("check", PlannedRun(0, each, 0)) for each in wanted)
         results: dict[int, Row] = {}
         wrong: dict[str, int] = {}
@@ -343,7 +350,7 @@ class Sweep:
     @property
     def _most_in_batch(self) -> int:
         """The user's measures of several runs would meet where they are not computed apart."""
-        return MOST if IS_APART or self.experiment.measures is None else 1
+        return MOST if CAN_FORK or self.experiment.measures is None else 1
 
     def _rows_of_batches(
         self, pool: RunTasks, batches: Batches, alone: list[PlannedRun] | None
@@ -367,7 +374,7 @@ class Sweep:
                     alone += batch
                     continue
                 for row in rows:
-                    batches.took(row.get("wall_s"))
+                    batches.add_duration(row.get("wall_s"))
                     yield row
 
     def _record_failed(self, pool: RunTasks) -> None:

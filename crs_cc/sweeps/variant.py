@@ -129,7 +129,7 @@ class VariantLoader:
             setup,
             link,
             client,
-            {path: content for path, content in files.items() if not _is_ours(path)},
+            {path: content for path, content in files.items() if not _is_bundled(path)},
         )
 
     def _error(self, text: str, hint: str = "") -> ExperimentError:
@@ -261,7 +261,7 @@ class VariantLoader:
             defines=defines,
             dialect=dialect,
         )
-        files = [path for path in map(Path, diagnostics.digests) if not _is_ours(path)]
+        files = [path for path in map(Path, diagnostics.digests) if not _is_bundled(path)]
         return executable, {path: path.read_bytes() for path in files if path.is_file()}
 
 
@@ -287,5 +287,5 @@ def _in_c(value: Value) -> str:
     return str(int(value)) if isinstance(value, bool) else str(value)
 
 
-def _is_ours(path: Path) -> bool:
+def _is_bundled(path: Path) -> bool:
     return path.is_absolute() and path.is_relative_to(PACKAGE)

@@ -16,7 +16,7 @@ from typing import Any, Final
 from crs_cc.api.session import Session
 from crs_cc.api.worlds import world_of
 from crs_cc.core.errors import CrsError
-from crs_cc.jobs.apart import apart
+from crs_cc.jobs.forked import run_forked
 from crs_cc.jobs.memory_limit import limit_memory
 from crs_cc.jobs.worker import serve
 from crs_cc.recording.recording import Recording
@@ -85,7 +85,7 @@ def _load(job: dict[str, Any]) -> None:
         _of(job).measures  # noqa: B018 - loads them
 
 
-def _alike(job: dict[str, Any]) -> str:
+def _batch_key(job: dict[str, Any]) -> str:
     """Return the variant that is run: a run depends on none before it in the same process."""
     return "" if job["do"] == "check" else repr(job["parameters"])
 
@@ -216,7 +216,7 @@ class _Run:
             if path is not None:
                 variant = loaded.variant(self._job)
                 single_run.record(experiment, variant, self._job["seed"], path)
-            found = apart(lambda: _values(measures, session, path, most))
+            found = run_forked(lambda: _values(measures, session, path, most))
         finally:
             if path is not None:
                 path.unlink(missing_ok=True)
@@ -267,4 +267,4 @@ def _record(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]
 
 
 if __name__ == "__main__":
-    serve(_work, _load, _alike)
+    serve(_work, _load, _batch_key)

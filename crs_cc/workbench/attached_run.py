@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
     from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
-    from crs_cc.workbench.branches import KnownBranches
+    from crs_cc.workbench.branches import BranchFeeds
     from crs_cc.workbench.watcher import Watcher
 
 
@@ -62,7 +62,7 @@ class AttachedRun:
         self._robot = 0
 
     @property
-    def stands(self) -> bool:
+    def is_inspectable(self) -> bool:
         """Return False: its programs are not asked."""
         return False
 
@@ -136,7 +136,7 @@ class AttachedRun:
         """Return what has been changed, what is degraded, and which links are blocked."""
         return panel(self._session.environment, self._changes)
 
-    def branches(self) -> KnownBranches:
+    def branches(self) -> BranchFeeds:
         """Raise DebugError: there is no engine."""
         raise DebugError("this run is not debugged: start it with crs view")
 
@@ -148,7 +148,7 @@ class AttachedRun:
         """Return None: its robots are known."""
         return None
 
-    def stand(self) -> None:
+    def sync_programs(self) -> None:
         """Raise DebugError: there is no engine."""
         raise DebugError("this run is not debugged: start it with crs view")
 
@@ -156,6 +156,6 @@ class AttachedRun:
         """Raise DebugError: there is no engine."""
         raise DebugError("this run is not debugged: start it with crs view")
 
-    def settle(self) -> None:
+    def refresh(self) -> None:
         """Show the effect of a change."""
         self._watcher.show()

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 _LONGEST: Final = 80
 
 
-class KnownBranches:
-    """What is known of each branch of a run."""
+class BranchFeeds:
+    """The feeds of all branches of a run."""
 
     def __init__(self, debugger: Debugger, watcher: Watcher) -> None:
         """Let the engine keep runs that changes in the past leave."""
@@ -33,8 +33,8 @@ class KnownBranches:
         self._since_s = {self._name: 0.0}
         debugger.branches.keeps_past = True
 
-    def notice(self) -> None:
-        """Keep the known data of the branch that the engine has left by a change."""
+    def store_left_branch(self) -> None:
+        """Store the feed of the branch that the engine has left by a change."""
         name = self._debugger.branches.current.name
         if name == self._name:
             return
@@ -59,7 +59,7 @@ class KnownBranches:
         debugger.goto_time(min(now_s, max(0.0, known.end_s)))
         self._name = name
         self._watcher.resume(round(known.end_s / timestep_s))
-        self._watcher.feed.become(self._left.pop(name))
+        self._watcher.feed.replace_with(self._left.pop(name))
 
     def listing(self) -> list[dict[str, Any]]:
         """Return the branches, in the order in which they were made."""
@@ -81,8 +81,8 @@ class KnownBranches:
         """
         return self._known(name)
 
-    def parted_s(self, name: str) -> float:
-        """Return until when another branch and this one are surely the same [s]."""
+    def common_until_s(self, name: str) -> float:
+        """Return the time up to which another branch and this one are certainly equal [s]."""
         names = list(self._debugger.branches.names())
         first = min(names.index(name), names.index(self._name))
         return min((self._since_s.get(each, 0.0) for each in names[first + 1 :]), default=0.0)

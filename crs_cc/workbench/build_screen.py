@@ -75,14 +75,14 @@ class BuildScreen:
         self._clip = ""
         self._shown: dict[str, Any] = {}
         self._over = threading.Event()
-        self._do: dict[str, Callable[[dict[str, Any]], Any]] = {
+        self._handlers: dict[str, Callable[[dict[str, Any]], Any]] = {
             "apply": self._apply, "undo": self._undo, "redo": self._redo, "save": self._save,
             "copy": self._copy, "paste": self._paste, "properties": self._properties,
             "try": self._try, "read": self._read, "form": self._form, "again": lambda _: None,
-            "scene": self._scene, "library": self._library, "take": self._take,
+            "scene": self._scene, "library": self._library, "take": self._insert_object,
         }  # fmt: skip
         self._shelf: list[LibraryObject] = []
-        self._programs = ProgramChecks(lambda: self.server.soon(self._tell))
+        self._programs = ProgramChecks(lambda: self.server.call_soon(self._broadcast))
         self.server = Server(self, port, "/build")
 
     def wait(self) -> None:
@@ -148,9 +148,9 @@ class BuildScreen:
     def receive(self, client: Client, command: dict[str, Any]) -> None:
         """Execute a command, and send the changed world to all pages."""
         number, name = command["id"], command["do"]
-        do = self._do.get(name)
+        do = self._handlers.get(name)
         if do is None:
-            client.put(refusal(number, unknown("command", name[:40], list(self._do))))
+            client.put(refusal(number, unknown("command", name[:40], list(self._handlers))))
             return
         if client.role != "control" and name not in _LOOKS:
             client.put(refusal(number, "this page is view-only"))
@@ -165,9 +165,9 @@ class BuildScreen:
             wrong = " ".join(f"{type(error).__name__}: {error}".split())
             client.put(refusal(number, f"internal error: {wrong}; please report it"))
         if name not in _LOOKS:
-            self._tell()
+            self._broadcast()
 
-    def _tell(self) -> None:
+    def _broadcast(self) -> None:
         self.server.broadcast_latest("document", self._document())
 
     def _apply(self, given: dict[str, Any]) -> list[str]:
@@ -232,7 +232,7 @@ class BuildScreen:
             for each in self._shelf
         ]
 
-    def _take(self, given: dict[str, Any]) -> str:
+    def _insert_object(self, given: dict[str, Any]) -> str:
         """Put an object of the library into the world."""
         index, place = given.get("index"), _values(given.get("values", {}))
         if not isinstance(index, int) or not 0 <= index < len(self._shelf):

@@ -96,7 +96,7 @@ class Client:
         self._latest[kind] = message
         self.wake.set()
 
-    def take(self) -> str | bytes | None:
+    def next_message(self) -> str | bytes | None:
         """Return the next message to send; None if there is none."""
         if self._messages:
             message = self._messages.popleft()
@@ -112,7 +112,7 @@ class Client:
             return content
         return latest
 
-    def may_ask(self) -> bool:
+    def may_send(self) -> bool:
         """Return whether it may send another command now."""
         now_s = time.monotonic()
         earned = (now_s - self._asked_s) * MAX_COMMANDS_PER_S

@@ -15,7 +15,7 @@ from crs_cc.workbench import console, questions, sources, stops
 from crs_cc.workbench.command import Command
 from crs_cc.workbench.comparing import COMPARING
 from crs_cc.workbench.messages import block_message, page_message, recording_message
-from crs_cc.workbench.page import known_of, page_of
+from crs_cc.workbench.page import feed_contents, page_of
 from crs_cc.workbench.panel_commands import PANEL
 from crs_cc.workbench.player import FASTEST, SLOWEST
 from crs_cc.workbench.values import values
@@ -40,7 +40,7 @@ def _pause(screen: Context) -> None:
         screen.player.pause()
         screen.publish()
 
-    screen.player.put(pause)
+    screen.player.submit(pause)
 
 
 def _step(screen: Context, timesteps: int) -> None:
@@ -88,7 +88,7 @@ def _frames(screen: Context, block: int) -> bytes:
 
 
 def _page(screen: Context) -> bytes:
-    return page_message(page_of(known_of(screen.feed)))
+    return page_message(page_of(feed_contents(screen.feed)))
 
 
 def _recording(screen: Context) -> bytes:
@@ -130,13 +130,13 @@ RUNNING: Final = (
 )  # fmt: skip
 
 
-def _stand(screen: Context) -> None:
+def _sync_programs(screen: Context) -> None:
     with screen.working():
-        screen.run.stand()
+        screen.run.sync_programs()
 
 
 DEBUGGING: Final = (
-    Command("stand", "Let the programs stand at the time that is shown.", _stand, needs="debug"),
+    Command("stand", "Run the programs to the displayed time.", _sync_programs, needs="debug"),
     Command("console", "Execute a command of the debugger.", console.execute, {"line": str},
             needs="debug"),
     Command("complete", "Return the completions of a line for the console.", console.completions,
@@ -156,14 +156,14 @@ DEBUGGING: Final = (
 
 QUESTIONS: Final = (
     Command("go", "Go to a place in the run, as another answer has it, and select a robot.",
-            questions.go, {"place": str, "robot": int}, needs="debug"),
+            questions.go_to, {"place": str, "robot": int}, needs="debug"),
     Command("why", "Return where the value of an expression came from.", questions.why,
             {"expression": str}, needs="debug"),
     Command("changes", "Return the values that an expression has had.", questions.changes,
             {"robot": int, "expression": str, "begin_s": float, "end_s": float}, needs="debug"),
     Command("when", "Return when a condition became true.", questions.when,
             {"condition": str}, needs="debug"),
-    Command("said", "Return what a log point at a line would have said.", questions.said,
+    Command("said", "Return what a log point at a line would have said.", questions.log_messages,
             {"file": str, "line": int, "text": str}, needs="debug"),
     Command("hits", "Return when a breakpoint was hit, or would have been.", questions.hits,
             {"number": int}, needs="debug"),

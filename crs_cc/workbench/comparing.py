@@ -30,7 +30,7 @@ def other_feed(screen: Context, name: str) -> Feed:
     return feed
 
 
-def apart(
+def distance_to_run(
     screen: Context, robot: int, name: str, *, begin_s: float, end_s: float, most: int
 ) -> Samples:
     """Return how far a robot is from where it is in another run, over time [m].
@@ -39,7 +39,7 @@ def apart(
         DebugError: there is none of this name.
     """
     feed = other_feed(screen, name)
-    return comparison.apart(
+    return comparison.distance_to_run(
         screen.feed, feed, robot, begin_s=begin_s, end_s=end_s, most=most
     )  # fmt: skip
 
@@ -64,16 +64,16 @@ def _differ(screen: Context, name: str, *, anew: bool) -> dict[str, Any]:
             screen.exact.close()
             screen.exact = None
         screen.exact = ExactComparison(screen.run, screen.feed, screen.others, name)
-    return screen.exact.go_on()
+    return screen.exact.continue_search()
 
 
-def _take(screen: Context, name: str, offset: int, data: str) -> None:
-    screen.others.take(name, offset, data)
+def _receive_piece(screen: Context, name: str, offset: int, data: str) -> None:
+    screen.others.add_piece(name, offset, data)
 
 
 def _open(screen: Context, name: str) -> dict[str, str]:
     opened = screen.others.open_sent(name)
-    tell(screen)
+    broadcast_runs(screen)
     return {"name": opened.name}
 
 
@@ -82,11 +82,11 @@ def _close(screen: Context, name: str) -> None:
         screen.exact.close()
         screen.exact = None
     screen.others.close(name)
-    tell(screen)
+    broadcast_runs(screen)
 
 
-def tell(screen: Context) -> None:
-    """Tell all pages which recordings there are to compare with."""
+def broadcast_runs(screen: Context) -> None:
+    """Send all pages the list of recordings to compare with."""
     text = message("others", runs=screen.others.listing())
     screen.server.broadcast_latest("others", text)
 
@@ -96,7 +96,7 @@ COMPARING: Final = (
             _compare, {"name": str}, controls=False, asks=True),
     Command("differ", "Look on for the first variable in which another run differs.", _differ,
             {"name": str, "anew": bool}, needs="debug", asks=True),
-    Command("bring", "Take a piece of a recording to compare with, as base 64.", _take,
+    Command("bring", "Take a piece of a recording to compare with, as base 64.", _receive_piece,
             {"name": str, "offset": int, "data": str}, longest=MAX_PIECE, at_once=True),
     Command("open", "Open the recording that was brought.", _open, {"name": str}, asks=True),
     Command("close", "Close a recording that this run was compared with.", _close, {"name": str},

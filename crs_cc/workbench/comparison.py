@@ -19,10 +19,10 @@ from crs_cc.workbench.trajectories import (
     Trajectories,
     common_times_s,
     distance_m,
-    is_same,
+    equal_or_absent,
     robots_of,
     trajectories,
-    turned,
+    wrap_angles,
 )
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ def common_robots(own: Feed, other: Feed) -> list[str]:
     return found
 
 
-def apart(
+def distance_to_run(
     own: Feed, other: Feed, robot: int, *, begin_s: float, end_s: float, most: int
 ) -> Samples:
     """Return how far a robot is from where it is in another run, over time [m]."""
@@ -93,7 +93,7 @@ def apart(
     here, there = (trajectories(each, names, begin_s, end_s) for each in (own, other))
     times_s, _ = common_times_s(here, there)
     times_s = times_s[(times_s >= begin_s - 1e-9) & (times_s <= end_s + 1e-9)]
-    found = distance_m(here.at(times_s), there.at(times_s))[:, 0]
+    found = distance_m(here.interpolate(times_s), there.interpolate(times_s))[:, 0]
     found[found < 2 * _STORED] = 0.0
     return thinned(times_s.tolist(), found, most)
 
@@ -118,11 +118,11 @@ def _is_traced(feed: Feed) -> bool:
 
 def _poses(own: Trajectories, other: Trajectories, names: Sequence[str]) -> Iterator[Difference]:
     times_s, are_alike = common_times_s(own, other)
-    here, there = own.at(times_s), other.at(times_s)
-    ways = here - there
-    ways[:, 2] = turned(ways[:, 2])
+    here, there = own.interpolate(times_s), other.interpolate(times_s)
+    displacements = here - there
+    displacements[:, 2] = wrap_angles(displacements[:, 2])
     tolerance = _STORED if are_alike else _BETWEEN
-    differs = ~is_same(ways, np.zeros_like(ways), tolerance)
+    differs = ~equal_or_absent(displacements, np.zeros_like(displacements), tolerance)
     differs &= ~(np.isnan(here) & np.isnan(there))
     here[:, 2], there[:, 2] = (np.degrees(each[:, 2]) % 360.0 for each in (here, there))
     for column, what in enumerate(("pose.x", "pose.y", "pose.heading")):

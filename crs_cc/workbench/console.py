@@ -8,7 +8,7 @@ from crs_cc.debug.commands.answer import Line
 from crs_cc.debug.commands.completion import complete
 from crs_cc.debug.errors import DebugError
 from crs_cc.workbench.allowed import check_allowed, may_complete
-from crs_cc.workbench.places import place_text
+from crs_cc.workbench.positions import position_text
 
 if TYPE_CHECKING:
     from crs_cc.workbench.context import Context
@@ -36,7 +36,7 @@ def execute(screen: Context, line: str) -> dict[str, Any]:
         listed = shell.context.instants
     # The numbers of a list, @3, are places to which a page can go later, too.
     new = [] if listed is before else listed
-    places = [[place_text(each.position), each.robot] for each in new[:MAX_PLACES]]
+    places = [[position_text(each.position), each.robot] for each in new[:MAX_PLACES]]
     return {"lines": lines, "places": places}
 
 

@@ -49,12 +49,12 @@ def begin(debugger: Debugger) -> Stop:
     return debugger.start() if is_soon and session.state.alive[robot] else debugger.stop
 
 
-def take_back(screen: Context, number: int) -> None:
-    """Take back a change, and all that followed."""
+def revert(screen: Context, number: int) -> None:
+    """Undo a change and all later ones."""
     debugger = screen.run.shell().debugger
     screen.player.pause()
     with screen.working():
-        debugger.take_back(number)
+        debugger.revert(number)
         if debugger.position == BEGINNING:
             begin(debugger)
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.timeline.change import Change
     from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
-    from crs_cc.workbench.branches import KnownBranches
+    from crs_cc.workbench.branches import BranchFeeds
     from crs_cc.workbench.debugged_run import DebuggedRun
     from crs_cc.workbench.playback import Playback
 
@@ -48,7 +48,7 @@ class DebuggedRecording:
         self._is_here = False
 
     @property
-    def stands(self) -> bool:
+    def is_inspectable(self) -> bool:
         """Whether the programs are at the displayed time."""
         return self._is_here
 
@@ -60,21 +60,21 @@ class DebuggedRecording:
     @property
     def time_s(self) -> float:
         """The simulated time [s]."""
-        debugged = self._there()
+        debugged = self._inspectable_run()
         return self._playback.time_s if debugged is None else debugged.time_s
 
     @property
     def halt(self) -> Halt:
         """The reason of the current or the last stop."""
-        debugged = self._there()
+        debugged = self._inspectable_run()
         return self._playback.halt if debugged is None else debugged.halt
 
-    def _there(self) -> DebuggedRun | None:
+    def _inspectable_run(self) -> DebuggedRun | None:
         """Return the programs if they are at the displayed time."""
         return self._debugged if self._is_here else None
 
     def advance(self, timesteps: int) -> bool:
-        """Advance at most so far; return whether it may go on."""
+        """Advance by at most a number of timesteps; return whether it can continue."""
         if self._leads and self._debugged is not None:
             own = timesteps * self.timestep_s / self._debugged.timestep_s
             return self._debugged.advance(max(1, round(own)))
@@ -89,7 +89,7 @@ class DebuggedRecording:
         self._playback.seek(time_s)
         self._is_here = False
 
-    def stand(self) -> None:
+    def sync_programs(self) -> None:
         """Run the programs to the time that is shown."""
         debugged, time_s = self._opened(), self._playback.time_s
         if self._is_here:
@@ -101,12 +101,12 @@ class DebuggedRecording:
             self._playback.seek(debugged.time_s)
 
     def interrupt(self) -> None:
-        """Let what it does end soon; thread-safe."""
+        """Request an interrupt; thread-safe."""
         if self._debugged is not None:
             self._debugged.interrupt()
 
     def forget_interrupt(self) -> None:
-        """Forget an interrupt that has come too late."""
+        """Discard an interrupt that arrived too late."""
         if self._debugged is not None:
             self._debugged.forget_interrupt()
 
@@ -118,16 +118,16 @@ class DebuggedRecording:
 
     def status(self, *, is_playing: bool) -> dict[str, Any]:
         """Return the table of the robots."""
-        return (self._there() or self._playback).status(is_playing=is_playing)
+        return (self._inspectable_run() or self._playback).status(is_playing=is_playing)
 
     def where(self) -> dict[str, Any] | None:
         """Return the location of the selected robot's program; None if it is at another time."""
-        debugged = self._there()
+        debugged = self._inspectable_run()
         return None if debugged is None else debugged.where()
 
     def shell(self) -> Shell:
         """Return the command line of the debugger, at the time that is shown."""
-        self.stand()
+        self.sync_programs()
         return self._opened().shell()
 
     def debugger(self) -> Debugger:
@@ -136,12 +136,12 @@ class DebuggedRecording:
 
     def session(self) -> Session:
         """Return the run, at the time that is shown."""
-        self.stand()
+        self.sync_programs()
         return self._opened().session()
 
     def edit(self, text: str, *, is_playing: bool) -> str:
         """Change the run where it is shown: from there on, it is another one."""
-        self.stand()
+        self.sync_programs()
         return self._opened().edit(text, is_playing=is_playing)
 
     def changes(self) -> Sequence[Change]:
@@ -150,16 +150,16 @@ class DebuggedRecording:
 
     def panel(self) -> dict[str, Any] | None:
         """Return the contents of the control panel; None while the programs are at another time."""
-        debugged = self._there()
+        debugged = self._inspectable_run()
         return None if debugged is None else debugged.panel()
 
-    def branches(self) -> KnownBranches:
+    def branches(self) -> BranchFeeds:
         """Return the branches that changes in the past have made."""
         return self._opened().branches()
 
     def switch(self, name: str) -> None:
         """Go to another branch; raise DebugError if there is none of this name."""
-        self.stand()
+        self.sync_programs()
         self._opened().switch(name)
         self._leads = True
 
@@ -167,12 +167,12 @@ class DebuggedRecording:
         """Return the world for pages if robots have been added since the last call."""
         return None if self._debugged is None else self._debugged.new_world()
 
-    def settle(self) -> None:
+    def refresh(self) -> None:
         """Update after a command of the debugger."""
         debugged = self._debugged
         if debugged is None or not self._is_here:
             return
-        debugged.settle()
+        debugged.refresh()
         if debugged.has_changed or debugged.time_s > self._playback.end_s + debugged.timestep_s:
             self._leads = True
         else:

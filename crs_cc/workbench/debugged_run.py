@@ -9,7 +9,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
 from crs_cc.workbench import sources
 from crs_cc.workbench.allowed import check_command
-from crs_cc.workbench.branches import KnownBranches
+from crs_cc.workbench.branches import BranchFeeds
 from crs_cc.workbench.control import begin, panel
 from crs_cc.workbench.recorded_content import MAX_NOTES
 from crs_cc.workbench.robot_table import status
@@ -52,10 +52,10 @@ class DebuggedRun:
         self._shell = Shell(debugger, check_command)
         self._known = set(debugger.names)
         self._watcher = watcher
-        self._branches = KnownBranches(debugger, watcher)
+        self._branches = BranchFeeds(debugger, watcher)
 
     @property
-    def stands(self) -> bool:
+    def is_inspectable(self) -> bool:
         """Return True: its programs are always where it is."""
         return True
 
@@ -70,7 +70,7 @@ class DebuggedRun:
         return self._debugger.session.time_s
 
     def advance(self, timesteps: int) -> bool:
-        """Advance at most so far; return whether it may go on."""
+        """Advance by at most a number of timesteps; return whether it can continue."""
         stop = self._debugger.tick(timesteps)
         self._arrive(stop)
         return stop.reason == "tick"
@@ -85,14 +85,14 @@ class DebuggedRun:
         self._debugger.interrupt()
 
     def forget_interrupt(self) -> None:
-        """Forget an interrupt that has come too late."""
+        """Discard an interrupt that arrived too late."""
         self._debugger.forget_interrupt()
 
     def select(self, robot: int) -> None:
         """Select a robot; raise DebugError if there is no such robot."""
         self._debugger.view.select_robot(robot)
 
-    def stand(self) -> None:
+    def sync_programs(self) -> None:
         """Do nothing: the programs are always at the displayed time."""
 
     def shell(self) -> Shell:
@@ -131,7 +131,7 @@ class DebuggedRun:
         """Return all changes of this branch."""
         return self._debugger.run.history.changes
 
-    def branches(self) -> KnownBranches:
+    def branches(self) -> BranchFeeds:
         """Return the branches that changes in the past have made."""
         return self._branches
 
@@ -153,14 +153,14 @@ class DebuggedRun:
         """Return the debugger."""
         return self._debugger
 
-    def settle(self) -> None:
+    def refresh(self) -> None:
         """Update after a command of the debugger."""
-        self._branches.notice()
+        self._branches.store_left_branch()
         changes = self._debugger.run.history.changes
         if changes is not self._changes:
             first = next((new for new in changes if new not in self._changes), None)
             self.has_changed, self._changes = True, changes
-            self._watcher.forget(None if first is None else first.position.timestep)
+            self._watcher.truncate(None if first is None else first.position.timestep)
         self._arrive(self._debugger.stop)
 
     def status(self, *, is_playing: bool) -> dict[str, Any]:
@@ -178,5 +178,5 @@ class DebuggedRun:
             text = ""
         is_plain = reason in _GOES_ON
         self.halt = Halt("paused" if is_plain else reason, text, stop.robot)
-        self._watcher.ends()
+        self._watcher.report_ends()
         self._watcher.show(is_last=reason != "tick")

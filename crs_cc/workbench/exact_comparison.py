@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from crs_cc.debug.branch_comparison import Difference, Facts
     from crs_cc.debug.first_difference import ComparedRun
-    from crs_cc.workbench.branches import KnownBranches
+    from crs_cc.workbench.branches import BranchFeeds
     from crs_cc.workbench.feed import Feed
     from crs_cc.workbench.other_runs import OtherRun, OtherRuns
     from crs_cc.workbench.run import Run
@@ -67,7 +67,7 @@ class ExactComparison:
         self._there: ComparedRun
         if other is None:
             self._there = _Branch(branches, name)
-            begin = max(0, int(branches.parted_s(name) / self._timestep_s) - 1)
+            begin = max(0, int(branches.common_until_s(name) / self._timestep_s) - 1)
         else:
             self._there = self._run_again(other)
             begin = self._same_until(other)
@@ -108,7 +108,7 @@ class ExactComparison:
         """Return whether it compares the run that is shown with another one."""
         return name == self.name and self._branch == self._run.branches().current
 
-    def go_on(self) -> dict[str, Any]:
+    def continue_search(self) -> dict[str, Any]:
         """Continue the search for a fraction of a second; return its progress and results.
 
         First for anything that differs, and from there on for a variable of a program.
@@ -121,7 +121,7 @@ class ExactComparison:
         goes_on = True
         try:
             while goes_on and time.monotonic() < until_s:
-                goes_on = self._look(end)
+                goes_on = self._search(end)
         except CrsError as error:
             text = error.diagnostics[0].text
             raise DebugError(f"{self.name} cannot be run again: {text}") from None
@@ -134,12 +134,12 @@ class ExactComparison:
             + ([] if self._of_variables is None else self._rows(self._of_variables)),
         }
 
-    def _look(self, end: int) -> bool:
-        """Look at some timesteps; return whether there is more to be looked at."""
+    def _search(self, end: int) -> bool:
+        """Compare some timesteps; return whether there are more to compare."""
         piece = max(1, _PIECE // len(self._robots))
         if self._of_variables is not None:
-            return self._of_variables.look(end, piece)
-        if self._of_all.look(end, piece):
+            return self._of_variables.search(end, piece)
+        if self._of_all.search(end, piece):
             return True
         found = self._of_all.found
         if not found or any(self._is_variable((each.robot, each.name)) for each in found):
@@ -181,7 +181,7 @@ def difference_rows(
 class _Branch:
     """A branch of the run that is shown."""
 
-    def __init__(self, branches: KnownBranches, name: str) -> None:
+    def __init__(self, branches: BranchFeeds, name: str) -> None:
         self._branches, self._name = branches, name
 
     def facts(self, timesteps: Sequence[int]) -> list[Facts]:

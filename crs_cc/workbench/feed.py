@@ -77,20 +77,20 @@ class Feed:
         self._sent_s = -1.0
 
     def greet(self, client: Client) -> None:
-        """Send a page its first message, with all that is known; thread-safe."""
+        """Send a page its first message, with the whole contents; thread-safe."""
         with self._lock:
             self._flush()  # the others must know of the block that this page is told
             client.since = self.server.sent if self.server else 0
-            known = self._known()
+            known = self._contents()
             text = message("hello", version=VERSION, role=client.role, **known)
         client.put(text)
 
-    def known(self) -> dict[str, Any]:
-        """Return the known data, except the frames; thread-safe."""
+    def contents(self) -> dict[str, Any]:
+        """Return the contents, except the frames; thread-safe."""
         with self._lock:
-            return self._known()
+            return self._contents()
 
-    def _known(self) -> dict[str, Any]:
+    def _contents(self) -> dict[str, Any]:
         return {**self.description, "frame_s": self.frame_s, **self._course()}
 
     def _course(self) -> dict[str, Any]:
@@ -104,21 +104,21 @@ class Feed:
         }
 
     def rosters(self) -> list[Roster]:
-        """Return who and what has been in the frames, and from when on."""
+        """Return the rosters of the frames, with their start times."""
         return list(self._rosters)
 
-    def settle(self) -> None:
-        """Send the frames up to here: the run has stopped, and pages may go back."""
+    def flush(self) -> None:
+        """Send the frames recorded so far: the run has stopped, and pages may go back."""
         with self._lock:
             self._flush()
 
     def _flush(self) -> None:
-        self._tell_block(self.frames.flush())
+        self._broadcast_block(self.frames.flush())
 
-    def _tell_block(self, block: Block | None) -> None:
-        """Tell pages of a block of frames, if there is a new one."""
+    def _broadcast_block(self, block: Block | None) -> None:
+        """Announce a block of frames to pages, if there is a new one."""
         if block is not None:
-            self._tell("block", block=[block.number, block.begin_s, block.end_s])
+            self._broadcast("block", block=[block.number, block.begin_s, block.end_s])
 
     def roster(self, time_s: float, robots: Sequence[str], objects: Sequence[str]) -> None:
         """Record the roster of the frames from a time on."""
@@ -127,10 +127,10 @@ class Feed:
             return
         with self._lock:
             self._rosters.append(new)
-            self._tell("roster", roster=roster_fields(new))
+            self._broadcast("roster", roster=roster_fields(new))
 
     def frame(self, time_s: float, values: FloatArray, *, is_last: bool = False) -> None:
-        """Note where everything is.
+        """Record the poses of all robots and objects.
 
         Args:
             time_s: when.
@@ -143,8 +143,8 @@ class Feed:
             last_s < 0.0 or time_s - last_s >= self.frame_s - _SLACK_S
         ):
             with self._lock:
-                self._tell_block(self.frames.add(time_s, values))
-        if self.server is None or not self.server.count:
+                self._broadcast_block(self.frames.add(time_s, values))
+        if self.server is None or not self.server.page_count:
             return
         now_s = time.monotonic()
         if is_last or now_s - self._sent_s >= _FRAME_S:
@@ -155,13 +155,13 @@ class Feed:
         self, time_s: float, kind: str, robot: int, text: str,
         place: tuple[float, float] | None = None,
     ) -> None:  # fmt: skip
-        """Note an event."""
+        """Record an event."""
         event: Event = (round(time_s, 6), kind, robot, text, *(place or (None, None)))
         with self._lock:
             self._events.append(event)
             if len(self._events) > MAX_EVENTS:
                 del self._events[: MAX_EVENTS // 2]
-            self._tell("event", event=event)
+            self._broadcast("event", event=event)
 
     def write(self, time_s: float, robot: int, stream: int, content: bytes) -> None:
         """Record the output of a program."""
@@ -173,25 +173,25 @@ class Feed:
                 gone = self._output[: len(self._output) // 4 + 1]
                 del self._output[: len(gone)]
                 self._output_size -= sum(len(each[3].encode()) + 32 for each in gone)
-            self._tell("output", output=piece)
+            self._broadcast("output", output=piece)
 
     def fill(self, events: Sequence[Any], output: Sequence[Any]) -> None:
-        """Note all events and all output of a run that is over."""
+        """Set all events and all output of a finished run."""
         self._events, self._output = list(events), list(output)
 
-    def forget(self, time_s: float) -> None:
-        """Discard data after a time: the run takes another course."""
+    def truncate(self, time_s: float) -> None:
+        """Discard data after a time, as the run diverges from it."""
         after_s = time_s + _SLACK_S
         with self._lock:
             self.end_s = time_s
-            self.frames.forget(time_s)
-            self.messages.forget(time_s)
-            self.trace.forget(time_s)
+            self.frames.truncate(time_s)
+            self.messages.truncate(time_s)
+            self.trace.truncate(time_s)
             self._events = [each for each in self._events if each[0] <= after_s]
             self._output = [each for each in self._output if each[0] <= after_s]
             self._output_size = sum(len(each[3].encode()) + 32 for each in self._output)
             self._rosters = [each for each in self._rosters if each[0] <= after_s]
-            self._tell("forget", time_s=time_s, blocks=self.frames.index())
+            self._broadcast("forget", time_s=time_s, blocks=self.frames.index())
 
     def fork(self) -> Feed:
         """Return an independent copy, which no page gets to see."""
@@ -204,15 +204,15 @@ class Feed:
             other._rosters = self._rosters[:]
         return other
 
-    def become(self, other: Feed) -> None:
-        """Take over the data of another feed, and notify all pages."""
+    def replace_with(self, other: Feed) -> None:
+        """Replace the contents with those of another feed, and notify all pages."""
         copied = other.fork()
         with self._lock:
             self.frames, self.messages, self.trace = copied.frames, copied.messages, copied.trace
             self._events, self._output = copied._events, copied._output
             self._rosters, self._output_size = copied._rosters, copied._output_size
             self.end_s = copied.end_s
-            self._tell("course", **self._course())
+            self._broadcast("course", **self._course())
 
     def events(self) -> list[Event]:
         """Return the events that are known."""
@@ -222,8 +222,8 @@ class Feed:
         """Return the output that is known."""
         return list(self._output)
 
-    def _tell(self, kind: str, **fields: Any) -> None:
-        if self.server is not None and self.server.count:
+    def _broadcast(self, kind: str, **fields: Any) -> None:
+        if self.server is not None and self.server.page_count:
             self.server.broadcast(message(kind, **fields))
 
 

@@ -126,7 +126,7 @@ class FrameStore:
             other._times_s, other._frames = self._times_s[:], self._frames[:]
         return other
 
-    def forget(self, time_s: float) -> None:
+    def truncate(self, time_s: float) -> None:
         """Discard all frames after a time."""
         with self._lock:
             if self._frames:

@@ -16,7 +16,7 @@ from crs_cc.debug.world.state_rows import vendor_state_rows
 from crs_cc.sim.model.degradation import degradables
 from crs_cc.sim.model.registry import devices
 from crs_cc.workbench.clearances import Clearances, closest
-from crs_cc.workbench.comparing import apart
+from crs_cc.workbench.comparing import distance_to_run
 from crs_cc.workbench.quantities import (
     APART,
     CLEARANCE,
@@ -55,7 +55,7 @@ Value = float | str
 
 def rows(screen: Context, robots: str) -> dict[str, Any]:
     """Return the rows of the table of robots, by their numbers with commas between."""
-    if not screen.run.stands:  # a recording: its status has what is known
+    if not screen.run.is_inspectable:  # a recording: its status has what is known
         return {"t": screen.run.time_s, "robots": []}
     debugger = screen.run.debugger()
     count = len(debugger.names)
@@ -71,7 +71,7 @@ def inspect(screen: Context, robot: int, expressions: str) -> dict[str, Any]:
     Of runs that are not debugged, programs are not asked: there is no `State[]`.
     """
     run, wanted = screen.run, _listed(expressions)
-    debugger = _debugger(screen, robot) if run.stands else None
+    debugger = _debugger(screen, robot) if run.is_inspectable else None
     if debugger is None and "debug" in run.can:
         raise DebugError("the programs are not at the displayed time")
     environment = run.session().environment
@@ -79,7 +79,7 @@ def inspect(screen: Context, robot: int, expressions: str) -> dict[str, Any]:
         raise DebugError(f"no robot {robot}")
     seen: list[tuple[Value, str | None]] = []
     for each in wanted:
-        known = _of_the_past(screen, robot, each)
+        known = _recorded_value(screen, robot, each)
         seen.append(value(environment, debugger, robot, each) if known is None else (known, None))
     return {
         "t": run.time_s,
@@ -108,7 +108,9 @@ def history(
     found: list[Samples | None] = []
     for each in _listed(expressions):
         if each.startswith(APART):
-            found.append(_apart(screen, robot, each, begin_s=begin_s, end_s=end_s, most=count))
+            found.append(
+                _distance_to_run(screen, robot, each, begin_s=begin_s, end_s=end_s, most=count)
+            )
         elif each == CLEARANCE:
             clearance = Clearances(screen.run.world, screen.feed, begin_s, end_s).of(robot)
             found.append(thinned(clearance.times_s.tolist(), clearance.gap_m, count))
@@ -117,15 +119,15 @@ def history(
     return {"t": screen.run.time_s, "end": screen.feed.end_s, "series": found}
 
 
-def _apart(screen: Context, robot: int, expression: str, **span: Any) -> Samples:
+def _distance_to_run(screen: Context, robot: int, expression: str, **span: Any) -> Samples:
     """Return how far a robot is from where it is in another run; nothing if that is closed."""
     try:
-        return apart(screen, robot, expression.removeprefix(APART), **span)
+        return distance_to_run(screen, robot, expression.removeprefix(APART), **span)
     except DebugError:
         return [], []
 
 
-def _of_the_past(screen: Context, robot: int, expression: str) -> Value | None:
+def _recorded_value(screen: Context, robot: int, expression: str) -> Value | None:
     """Return the latest value of a quantity in frames; None for another expression."""
     now_s = screen.run.time_s
     if expression == CLEARANCE:
@@ -135,11 +137,11 @@ def _of_the_past(screen: Context, robot: int, expression: str) -> Value | None:
     if not expression.startswith(APART):
         return None
     span = {"begin_s": now_s - _LATEST_S, "end_s": now_s, "most": MAX_SAMPLES}
-    _, ways = _apart(screen, robot, expression, **span)
-    return ways[-1] if ways and ways[-1] is not None else "not known"
+    _, distances_m = _distance_to_run(screen, robot, expression, **span)
+    return distances_m[-1] if distances_m and distances_m[-1] is not None else "not known"
 
 
-def near(screen: Context, robot: int) -> dict[str, Any]:
+def close_approaches(screen: Context, robot: int) -> dict[str, Any]:
     """Return the close approaches in the known part of the run; those of a robot first."""
     if not 0 <= robot < len(screen.run.world.robots):
         return {"approaches": [], "robots": 0}
@@ -153,13 +155,13 @@ def value(
 
     The text is that of a value of the program; None for all else.
     """
-    found = _own(environment, robot, expression)
+    found = _robot_quantity(environment, robot, expression)
     if found is not None:
         return found, None
     if debugger is None:
         return NOT_ASKED, None
     try:
-        seen = debugger.view.look_up(expression, robot=robot)
+        seen = debugger.view.evaluate_pure(expression, robot=robot)
     except DebugError as error:
         return str(error), None
     number, text = seen.number, seen.text[:_LONGEST]
@@ -168,7 +170,7 @@ def value(
     return float(number) if math.isfinite(number) else "not finite", text
 
 
-def _own(environment: Environment, robot: int, expression: str) -> Value | None:
+def _robot_quantity(environment: Environment, robot: int, expression: str) -> Value | None:
     """Return a quantity of the robot itself; None for an expression of its program."""
     if expression in QUANTITIES:
         return QUANTITIES[expression].of(environment, robot)

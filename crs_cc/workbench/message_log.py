@@ -39,21 +39,21 @@ class MessageLog:
         self._contents: dict[tuple[int, int], str] = {}
 
     def step(self, step: Step) -> None:
-        """Note the messages of a timestep."""
+        """Record the messages of a timestep."""
         for packets in step.posted:
             self._keep(packets)
         if len(step.traffic):
             self.add(_rows(step.traffic, self._contents))
 
     def add(self, rows: Iterable[Row]) -> None:
-        """Note what became of messages."""
+        """Record the fates of messages."""
         with self._lock:
             self._rows += rows
             if len(self._rows) > MAX_ROWS:
                 self._gone += MAX_ROWS // 2
                 del self._rows[: MAX_ROWS // 2]
 
-    def forget(self, time_s: float) -> None:
+    def truncate(self, time_s: float) -> None:
         """Discard entries after a time."""
         with self._lock:
             while self._rows and self._rows[-1][0] > time_s + _SLACK_S:

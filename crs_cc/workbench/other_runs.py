@@ -100,8 +100,8 @@ class OtherRuns:
         self._runs[name] = OtherRun(name, title_of(recording), feed, recording)
         return self._runs[name]
 
-    def take(self, name: str, offset: int, data: str) -> None:
-        """Take a piece of a recording that a page sends; thread-safe.
+    def add_piece(self, name: str, offset: int, data: str) -> None:
+        """Append a piece of a recording that a page uploads; thread-safe.
 
         Raises:
             ValueError: it is no piece of a recording, or does not follow what has come.

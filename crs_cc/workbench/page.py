@@ -138,7 +138,7 @@ def html_page(
     return page_of(data)
 
 
-def known_of(feed: Feed) -> dict[str, Any]:
+def feed_contents(feed: Feed) -> dict[str, Any]:
     """Return the data of a feed, as the contents of a page.
 
     Raises:
@@ -148,7 +148,7 @@ def known_of(feed: Feed) -> dict[str, Any]:
                 for number, begin_s, end_s in feed.frames.index()]  # fmt: skip
     if sum(len(content) for _, _, content in contents) > MAX_BYTES * _SHARE:
         raise ValueError("the run is too long for one page: record it and use crs replay --html")
-    known = feed.known()
+    known = feed.contents()
     return {
         **known,
         "world": _drawn(known["world"], known.get("fields")),

@@ -10,7 +10,7 @@ from base64 import b64encode
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
-from crs_cc.workbench.comparison import apart, common_robots, compare
+from crs_cc.workbench.comparison import common_robots, compare, distance_to_run
 from crs_cc.workbench.feed import roster_fields
 from crs_cc.workbench.other_runs import recorded_feed, title_of
 from crs_cc.workbench.recorded_content import frame_blocks
@@ -56,7 +56,7 @@ def compared_run(own: Recording, other: OtherRecording, most_bytes: int) -> dict
     end_s = min(mine.end_s, theirs.end_s)
     distances = {}
     for name in common_robots(mine, theirs)[:MAX_ROBOTS]:
-        times_s, values = apart(
+        times_s, values = distance_to_run(
             mine, theirs, names.index(name), begin_s=0.0, end_s=end_s, most=MAX_POINTS
         )
         rows = zip(times_s, values, strict=True)

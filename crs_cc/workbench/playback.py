@@ -83,12 +83,12 @@ class Playback:
         feed.fill(events_in(recording)[0], output_in(recording)[0])
 
     @property
-    def stands(self) -> bool:
+    def is_inspectable(self) -> bool:
         """Return False: it has no programs."""
         return False
 
     def advance(self, timesteps: int) -> bool:
-        """Advance at most so far; return whether it may go on."""
+        """Advance by at most a number of timesteps; return whether it can continue."""
         if self.time_s >= self.end_s:
             self.time_s = 0.0
         self.seek(self.time_s + timesteps * self.timestep_s)

@@ -58,8 +58,8 @@ class Player:
         self._asked: tuple[float, float, int] | None = None
         self._measured = (0.0, 0.0)
 
-    def put(self, job: Job) -> None:
-        """Have something done between two pieces; thread-safe."""
+    def submit(self, job: Job) -> None:
+        """Schedule a job between two pieces; thread-safe."""
         self._jobs.put(job)
 
     @property
@@ -68,17 +68,17 @@ class Player:
         return not self._jobs.empty()
 
     def end(self) -> None:
-        """Let the run end; thread-safe."""
+        """End the run; thread-safe."""
         self.has_ended = _always
         self._jobs.put(lambda: None)
 
     def play(self) -> None:
-        """Let the run continue."""
+        """Resume the run."""
         self.is_playing = True
         self.restart()
 
     def pause(self) -> None:
-        """Let it wait."""
+        """Pause the run."""
         self.is_playing = False
         self.rate = 0.0
 
@@ -99,17 +99,17 @@ class Player:
         """
         self._measure(now_s())
         while True:
-            self._do_jobs(wait_s=0.0)
+            self._run_jobs(wait_s=0.0)
             if self.has_ended():
                 return 0
             if not self.is_playing:
-                self._do_jobs(wait_s=None if self.has_ended is _never else _LOOK_S)
+                self._run_jobs(wait_s=None if self.has_ended is _never else _LOOK_S)
                 continue
             count = self._due(now_s())
             if count >= 1:
                 self._asked = time.monotonic(), now_s(), count
                 return count
-            self._do_jobs(wait_s=min(0.02, self._timestep_s / self.speed))
+            self._run_jobs(wait_s=min(0.02, self._timestep_s / self.speed))
 
     def _due(self, now_s: float) -> int:
         """Return how many timesteps may be taken now."""
@@ -140,7 +140,7 @@ class Player:
             self.rate = max(0.0, now_s - simulated_s) / (real_s - before_s)
             self._measured = real_s, now_s
 
-    def _do_jobs(self, wait_s: float | None) -> None:
+    def _run_jobs(self, wait_s: float | None) -> None:
         """Execute pending jobs; first wait for one, with or without a timeout."""
         try:
             job = self._jobs.get(timeout=wait_s) if wait_s != 0.0 else self._jobs.get_nowait()

@@ -14,7 +14,7 @@ from crs_cc.core.source import Diagnostic
 def problems(
     builder: WorldBuilder, programs: Mapping[str, Sequence[dict[str, Any]]]
 ) -> list[dict[str, Any]]:
-    """Return what `crs check` says of a world and its programs, errors that prevent saving first.
+    """Return what `crs check` reports on a world and its programs, blocking errors first.
 
     Args:
         builder: the world.

@@ -36,13 +36,13 @@ class Version(NamedTuple):
 class ProgramChecks:
     """Checks programs in the background."""
 
-    def __init__(self, tell: Callable[[], None]) -> None:
+    def __init__(self, notify: Callable[[], None]) -> None:
         """Begin without any.
 
         Args:
-            tell: called in a thread of its own when something new is known.
+            notify: called in a thread of its own when something new is known.
         """
-        self._tell = tell
+        self._notify = notify
         self._known: dict[Version, list[dict[str, Any]]] = {}
         self._wanted: list[Version] = []
         self._lock = threading.Lock()
@@ -90,7 +90,7 @@ class ProgramChecks:
                 while len(self._known) >= MAX_KEPT:
                     self._known.pop(next(iter(self._known)))
                 self._known[version] = found
-        self._tell()
+        self._notify()
 
 
 def _version(path: str, dialect: str) -> Version | None:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Final
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.past import Instant, Past, Range
 from crs_cc.debug.why import Why
-from crs_cc.workbench.places import place_text, position_of
+from crs_cc.workbench.positions import position_of, position_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -33,7 +33,7 @@ Row = tuple[float, float | None, str, str, int]
 """Time [s], value if it is a number, text, place, and robot or -1."""
 
 
-def go(screen: Context, place: str, robot: int) -> None:
+def go_to(screen: Context, place: str, robot: int) -> None:
     """Go to a place in the run and select a robot; -1 for the one that is selected."""
     debugger = screen.run.shell().debugger
     position = position_of(debugger, place)
@@ -49,8 +49,8 @@ def go(screen: Context, place: str, robot: int) -> None:
 
 def why(screen: Context, expression: str) -> dict[str, Any]:
     """Return where the value of an expression came from, as a tree."""
-    with _asking(screen) as debugger:
-        cause = Why(debugger.view, debugger.navigator).explain(_one(expression))
+    with _query(screen) as debugger:
+        cause = Why(debugger.view, debugger.navigator).explain(_single_expression(expression))
         return _node(debugger, cause)
 
 
@@ -68,8 +68,8 @@ def changes(
         raise DebugError("the run is not paused: pause it first")
     if not 0.0 <= begin_s <= end_s:
         raise DebugError("the span must begin at 0 or later, and end after that")
-    text = _one(expression)
-    with _asking(screen, robot, until_s=end_s) as debugger:
+    text = _single_expression(expression)
+    with _query(screen, robot, until_s=end_s) as debugger:
         past = Past(debugger.view, debugger.stop_points)
         part = past.part(begin_s, end_s)
         found = _AT.match(text)
@@ -80,12 +80,12 @@ def changes(
             rows = past.values_at(place, found["expression"], part)
             if rows and all(each.text.startswith("<") for each in rows):
                 raise DebugError(rows[0].text.strip("<>"))
-        return {"rows": kept([_row(each) for each in rows]), "is_at": found is not None}
+        return {"rows": thinned_rows([_row(each) for each in rows]), "is_at": found is not None}
 
 
 def when(screen: Context, condition: str) -> list[Row]:
     """Return when a condition became true, in all that is known of the run."""
-    text = _one(condition)
+    text = _single_expression(condition)
 
     def times(past: Past, whole: Range) -> Sequence[Instant]:
         return past.times(text, whole)
@@ -94,9 +94,9 @@ def when(screen: Context, condition: str) -> list[Row]:
             for at, number, _, place, robot in _found(screen, times)]  # fmt: skip
 
 
-def said(screen: Context, file: str, line: int, text: str) -> list[Row]:
+def log_messages(screen: Context, file: str, line: int, text: str) -> list[Row]:
     """Return the messages of a log point at a line in the known part of the run."""
-    wanted = _one(text)
+    wanted = _single_expression(text)
 
     def messages(past: Past, whole: Range) -> Sequence[Instant]:
         place = screen.run.debugger().stop_points.location(f"{file}:{line}")
@@ -122,14 +122,14 @@ def hits(screen: Context, number: int) -> list[Row]:
 def _found(screen: Context, ask: Callable[[Past, Range], Sequence[Instant]]) -> list[Row]:
     """Return the results in the known part of the run; the first ones if there are too many."""
     screen.player.pause()
-    with _asking(screen, until_s=screen.feed.end_s) as debugger:
+    with _query(screen, until_s=screen.feed.end_s) as debugger:
         past = Past(debugger.view, debugger.stop_points)
         return [_row(each) for each in ask(past, past.whole())[:MAX_INSTANTS]]
 
 
 @contextmanager
-def _asking(screen: Context, robot: int = -1, until_s: float = 0.0) -> Iterator[Debugger]:
-    """Have a question asked of a run that has been at a time; it is then where it was.
+def _query(screen: Context, robot: int = -1, until_s: float = 0.0) -> Iterator[Debugger]:
+    """Yield the debugger for a query about the past, and restore the position after it.
 
     Args:
         screen: the screen.
@@ -158,11 +158,12 @@ def _asking(screen: Context, robot: int = -1, until_s: float = 0.0) -> Iterator[
             debugger.stop, (view.robot, view.frame) = stop, looked_at
 
 
-def kept(rows: list[Row]) -> list[Row]:
+def thinned_rows(rows: list[Row]) -> list[Row]:
     """Return rows, of too many the first, the least and the greatest of each part.
 
     >>> rows = [(float(at), at % 7 - 3.0, "", "", 0) for at in range(9000)]
-    >>> len(kept(rows)) <= MAX_INSTANTS, kept(rows)[0] == rows[0], kept(rows[:5]) == rows[:5]
+    >>> thinned = thinned_rows(rows)
+    >>> len(thinned) <= MAX_INSTANTS, thinned[0] == rows[0], thinned_rows(rows[:5]) == rows[:5]
     (True, True, True)
     """
     if len(rows) <= MAX_INSTANTS:
@@ -181,7 +182,7 @@ def kept(rows: list[Row]) -> list[Row]:
 def _row(each: Instant) -> Row:
     number = None if each.number is None or not math.isfinite(each.number) else each.number
     text = each.text[:_LONGEST]
-    return round(each.time_s, 6), number, text, place_text(each.position), each.robot
+    return round(each.time_s, 6), number, text, position_text(each.position), each.robot
 
 
 def _node(debugger: Debugger, cause: Cause) -> dict[str, Any]:
@@ -194,7 +195,7 @@ def _node(debugger: Debugger, cause: Cause) -> dict[str, Any]:
         "how": cause.how,
         "expression": cause.expression,
         "t": time_s,
-        "place": "" if at is None else place_text(at),
+        "place": "" if at is None else position_text(at),
         "robot": cause.robot,
         "file": place.file if place else "",
         "line": place.line if place else 0,
@@ -208,7 +209,7 @@ def _beam(beam: Beam) -> dict[str, Any]:
     return {"sonar": beam.sonar, "echo": echo_m, "met": beam.met}
 
 
-def _one(text: str) -> str:
+def _single_expression(text: str) -> str:
     """Return an expression without space around it; raise DebugError if it has several lines."""
     text = text.strip()
     if not text or "\n" in text:

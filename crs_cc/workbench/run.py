@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.timeline.change import Change
     from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
-    from crs_cc.workbench.branches import KnownBranches
+    from crs_cc.workbench.branches import BranchFeeds
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ class Run(Protocol):
         """The reason of the current or the last stop."""
 
     @property
-    def stands(self) -> bool:
+    def is_inspectable(self) -> bool:
         """Whether its programs are at the displayed time, so that they can be inspected."""
 
     @property
@@ -59,16 +59,16 @@ class Run(Protocol):
         """The simulated time [s]."""
 
     def advance(self, timesteps: int) -> bool:
-        """Advance at most so far; return whether it may go on."""
+        """Advance by at most a number of timesteps; return whether it can continue."""
 
     def seek(self, time_s: float) -> None:
         """Go to a time."""
 
     def interrupt(self) -> None:
-        """Let what it does end soon; thread-safe."""
+        """Request an interrupt; thread-safe."""
 
     def forget_interrupt(self) -> None:
-        """Forget an interrupt that has come too late."""
+        """Discard an interrupt that arrived too late."""
 
     def select(self, robot: int) -> None:
         """Select a robot."""
@@ -79,7 +79,7 @@ class Run(Protocol):
     def where(self) -> dict[str, Any] | None:
         """Return the location of the selected robot's program; None if it is not known."""
 
-    def stand(self) -> None:
+    def sync_programs(self) -> None:
         """Move the programs to the displayed time; raise DebugError if this is impossible."""
 
     def shell(self) -> Shell:
@@ -108,7 +108,7 @@ class Run(Protocol):
     def panel(self) -> dict[str, Any] | None:
         """Return the contents of the control panel; None for runs that it cannot change."""
 
-    def branches(self) -> KnownBranches:
+    def branches(self) -> BranchFeeds:
         """Return its branches; raise DebugError if it has none."""
 
     def switch(self, name: str) -> None:
@@ -117,5 +117,5 @@ class Run(Protocol):
     def new_world(self) -> dict[str, Any] | None:
         """Return the world for pages if robots have been added since the last call."""
 
-    def settle(self) -> None:
+    def refresh(self) -> None:
         """Update after a command of the debugger."""

@@ -17,7 +17,7 @@ from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 from crs_cc.workbench.clients import Client
 from crs_cc.workbench.commands import TABLE
-from crs_cc.workbench.comparing import tell
+from crs_cc.workbench.comparing import broadcast_runs
 from crs_cc.workbench.messages import answer, message, refusal
 from crs_cc.workbench.other_runs import OtherRuns
 from crs_cc.workbench.pointing import Pointing
@@ -99,9 +99,9 @@ class Screen:
         if now_s - self._told_s >= _STATE_S:
             self._told_s = now_s
             self.server.broadcast_latest("state", self._state())
-        if now_s >= self._table_s and self.server.count:
+        if now_s >= self._table_s and self.server.page_count:
             self.server.broadcast_latest("status", self._status())
-            self._tell_panel()
+            self._send_panel()
             cost_s = time.monotonic() - now_s
             self._table_s = now_s + max(_STATUS_S, cost_s / _SHARE)
 
@@ -113,10 +113,10 @@ class Screen:
     def publish(self) -> None:
         """Send the current position of the run to all pages."""
         if not self.player.is_playing:
-            self.feed.settle()
+            self.feed.flush()
         self.server.broadcast_latest("state", self._state())
         self.server.broadcast_latest("status", self._status())
-        self._tell_panel()
+        self._send_panel()
         where = None if self.player.is_playing else self.run.where()
         if where is not None:
             self.server.broadcast_latest("where", message("where", t=self.run.time_s, **where))
@@ -141,14 +141,14 @@ class Screen:
     def _status(self) -> str:
         return message("status", **self.run.status(is_playing=self.player.is_playing))
 
-    def _meet(self) -> None:
-        """Tell pages of robots that have been added."""
+    def _announce_robots(self) -> None:
+        """Announce added robots to pages."""
         world = self.run.new_world()
         if world is not None:
             self.feed.description["world"] = world
             self.server.broadcast(message("world", world=world))
 
-    def _tell_panel(self) -> None:
+    def _send_panel(self) -> None:
         """Send the contents of the control panel, if they have changed."""
         found = self.run.panel()
         text = "" if found is None else message("panel", **found)
@@ -158,7 +158,7 @@ class Screen:
 
     @contextmanager
     def working(self) -> Iterator[None]:
-        """Tell that the run works at a command that may take long, and then what it has done."""
+        """Report the start of a command that may take long, and then its result."""
         before = self.run.halt, self.run.time_s
         self.is_busy = True
         self.server.broadcast_latest("state", self._state())
@@ -166,10 +166,10 @@ class Screen:
             yield
         finally:
             self.is_busy = False
-            self.run.settle()
+            self.run.refresh()
             if (self.run.halt, self.run.time_s) != before:  # or else it answers about another robot
                 self.stopped()
-            self._meet()
+            self._announce_robots()
 
     def wait_for(self, robots: str) -> None:
         """Report that the run is waiting for the hosts of robots; none when it continues."""
@@ -184,8 +184,8 @@ class Screen:
         """Send a page that has connected all that it must know."""
         self.feed.greet(client)
         self._panel = ""  # the new page has not been told
-        self.player.put(self.publish)
-        self.player.put(lambda: tell(self))
+        self.player.submit(self.publish)
+        self.player.submit(lambda: broadcast_runs(self))
 
     def receive(self, client: Client, command: dict[str, Any]) -> None:
         """Check a command and carry it out, at once or between two pieces of the run."""
@@ -201,7 +201,7 @@ class Screen:
             return
         self._waiting += 1
         self._newest[name] = number
-        self.player.put(self._job(client, row, command))
+        self.player.submit(self._job(client, row, command))
 
     def _refused(self, client: Client, name: str, row: Command | None) -> str:
         """Return why a command is not carried out; empty if it is."""

@@ -131,7 +131,7 @@ class Server:
         return f"{base}{self._page}#token={self.tokens[role]}"
 
     @property
-    def count(self) -> int:
+    def page_count(self) -> int:
         """The number of pages that are connected."""
         return len(self._clients)
 
@@ -139,31 +139,31 @@ class Server:
 
     def send(self, client: Client, message: str | bytes) -> None:
         """Send a message to a page."""
-        self.soon(lambda: client.put(message))
+        self.call_soon(lambda: client.put(message))
 
     def broadcast(self, message: str) -> None:
-        """Send a message to all pages, except those whose first message says it already."""
+        """Send a message to all pages, except those whose first message contains it already."""
         self.sent += 1
         number = self.sent
 
         def put() -> None:
-            content = on_wire(message)
+            content = encode_frame(message)
             for client in self._clients:
                 if number > client.since and not self._write(client, content):
                     client.put(message)
 
-        self.soon(put)
+        self.call_soon(put)
 
     def broadcast_latest(self, kind: str, message: str) -> None:
         """Send a message to all pages, in place of one of its kind that still waits."""
 
         def put() -> None:
-            content = on_wire(message)
+            content = encode_frame(message)
             for client in self._clients:
                 if not self._write(client, content):
                     client.put_latest(kind, message)
 
-        self.soon(put)
+        self.call_soon(put)
 
     def broadcast_frame(self, time_s: float, values: FloatArray) -> None:
         """Send a frame to all pages, in place of one that still waits."""
@@ -176,14 +176,14 @@ class Server:
         frame = self._last = LiveFrame(number, time_s, values, whole, change)
 
         def put() -> None:
-            content = b"" if frame.change is None else on_wire(frame.change)
+            content = b"" if frame.change is None else encode_frame(frame.change)
             for client in self._clients:
                 if content and client.frame_number == number - 1 and self._write(client, content):
                     client.frame_number = number
                 else:
                     client.put_latest("frame", frame)
 
-        self.soon(put)
+        self.call_soon(put)
 
     def _write(self, client: Client, content: bytes) -> bool:
         """Write to a page for which nothing waits; return whether that was so.
@@ -201,12 +201,12 @@ class Server:
         return True
 
     def close(self) -> None:
-        """Say good-bye to all pages, and end."""
-        self.soon(self._closing.set)
+        """Close the connections of all pages, and stop."""
+        self.call_soon(self._closing.set)
         self._thread.join(_STOP_S)
 
-    def soon(self, action: Callable[[], None]) -> None:
-        """Do something in the server's thread; nothing if that has ended."""
+    def call_soon(self, action: Callable[[], None]) -> None:
+        """Call a function in the server's thread, unless that has ended."""
         with contextlib.suppress(RuntimeError):  # the loop has ended
             self._loop.call_soon_threadsafe(action)
 
@@ -227,11 +227,11 @@ class Server:
         quiet.addHandler(logging.NullHandler())
         quiet.propagate = False
         async with serve(
-            self._talk,
+            self._handle_page,
             LOOPBACK,
             self.port,
-            process_request=self._answer,
-            select_subprotocol=_chosen,
+            process_request=self._process_request,
+            select_subprotocol=_select_subprotocol,
             compression=None,  # frames hold little that could be left out
             max_size=MAX_BYTES,
             max_queue=16,
@@ -245,7 +245,7 @@ class Server:
             server.close(code=_GOING, reason="the run has ended")
             await server.wait_closed()
 
-    def _answer(self, connection: ServerConnection, request: Request) -> Response | None:
+    def _process_request(self, connection: ServerConnection, request: Request) -> Response | None:
         """Return the answer to a request; None to open the channel."""
         if any(len(request.headers.get_all(name)) > 1 for name in _ONCE):
             return _response(HTTPStatus.BAD_REQUEST, b"a header is given twice\n")
@@ -259,7 +259,7 @@ class Server:
                 return _response(HTTPStatus.NOT_FOUND, b"no such file\n")
             return _response(HTTPStatus.OK, file.content, file.type)
         origin = request.headers.get("Origin")
-        if origin is not None and not self._is_own(origin, host):
+        if origin is not None and not self._is_same_origin(origin, host):
             return _response(HTTPStatus.FORBIDDEN, b"not a page of this server\n")
         peer = connection.transport.get_extra_info("socket")
         if self._front is None and is_of_another_user(peer):
@@ -271,8 +271,8 @@ class Server:
             return _response(HTTPStatus.SERVICE_UNAVAILABLE, b"too many pages are connected\n")
         return None
 
-    def _is_own(self, origin: str, host: str) -> bool:
-        """Return whether a page is one of ours: behind a front, of the host that it has asked."""
+    def _is_same_origin(self, origin: str, host: str) -> bool:
+        """Return whether a page comes from this server: behind a front, from the requested host."""
         if self._front is None:
             return is_own_origin(origin, self.port)
         return origin.partition("://")[2] == host
@@ -286,7 +286,7 @@ class Server:
                     return role
         return None
 
-    async def _talk(self, connection: ServerConnection) -> None:
+    async def _handle_page(self, connection: ServerConnection) -> None:
         role = self._role(connection.request)
         assert role is not None  # or else it was refused
         client = Client(role)
@@ -297,8 +297,8 @@ class Server:
             if self._last is not None:
                 client.put_latest("frame", self._last)
             async for text in connection:
-                command = _parsed(text)
-                if command is None or not client.may_ask():
+                command = _parse_command(text)
+                if command is None or not client.may_send():
                     await connection.close(_TOO_FAST, "too many commands, or none")
                     break
                 self._receiver.receive(client, command)
@@ -313,7 +313,7 @@ async def _send(client: Client, connection: ServerConnection) -> None:
     """Send what waits for a page, as fast as it can take it."""
     with contextlib.suppress(ConnectionClosed):
         while not client.is_lost:
-            message = client.take()
+            message = client.next_message()
             if message is None:
                 await client.wake.wait()
             else:
@@ -323,10 +323,10 @@ async def _send(client: Client, connection: ServerConnection) -> None:
         await connection.close(_TOO_SLOW, "this page is too slow")
 
 
-def on_wire(message: str | bytes) -> bytes:
+def encode_frame(message: str | bytes) -> bytes:
     r"""Return a message in a frame of a server, which is the same for all pages (RFC 6455 5.1).
 
-    >>> on_wire("pose")
+    >>> encode_frame("pose")
     b'\x81\x04pose'
     """
     if isinstance(message, str):
@@ -334,7 +334,7 @@ def on_wire(message: str | bytes) -> bytes:
     return Frame(Opcode.BINARY, message).serialize(mask=False)
 
 
-def _parsed(text: str | bytes) -> dict[str, Any] | None:
+def _parse_command(text: str | bytes) -> dict[str, Any] | None:
     """Return the command in a message; None if there is none."""
     try:
         command = json.loads(text)
@@ -345,7 +345,7 @@ def _parsed(text: str | bytes) -> dict[str, Any] | None:
     return command if isinstance(command.get("do"), str) else None
 
 
-def _chosen(_connection: ServerConnection, offered: Any) -> Subprotocol | None:
+def _select_subprotocol(_connection: ServerConnection, offered: Any) -> Subprotocol | None:
     return next((each for each in offered if each == PROTOCOL), None)
 
 

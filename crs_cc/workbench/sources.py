@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 from crs_cc.core.source import underline
 from crs_cc.debug.commands.stop_text import frame_text
 from crs_cc.debug.errors import DebugError
-from crs_cc.workbench.places import place_text
+from crs_cc.workbench.positions import position_text
 from crs_cc.workbench.stops import breakpoints
 
 if TYPE_CHECKING:
@@ -31,8 +31,8 @@ def where(shell: Shell) -> dict[str, Any]:
         place = own[0].location
     return {
         "robot": view.robot,
-        "place": place_text(debugger.position),
-        "statement": debugger.run.statements_begun(view.robot),
+        "place": position_text(debugger.position),
+        "statement": debugger.run.sites_passed(view.robot),
         "file": place.file if place else next(iter(program.files)),
         "line": place.line if place else 0,
         "files": list(program.executable.detail().lines),

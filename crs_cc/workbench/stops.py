@@ -22,7 +22,7 @@ _MAX_COMMANDS: Final = 50
 def breakpoints(shell: Shell) -> Iterator[dict[str, Any]]:
     """Yield all that the run stops at."""
     for each in shell.debugger.stop_points.breakpoints:
-        place = each.place.location if each.place else None
+        place = each.location.location if each.location else None
         yield {
             "number": each.number,
             "kind": each.kind,
@@ -49,7 +49,7 @@ def toggle(screen: Context, file: str, line: int) -> dict[str, Any]:
         points.remove(found.number)
         return {"removed": found.number}
     made = points.add_breakpoint(f"{file}:{line}")
-    return {"added": made.number, "note": made.place.note if made.place else ""}
+    return {"added": made.number, "note": made.location.note if made.location else ""}
 
 
 def change(
@@ -104,7 +104,7 @@ def events(_screen: Context) -> list[tuple[str, str]]:
 def _at(screen: Context, file: str, line: int) -> Breakpoint | None:
     """Return the breakpoint at a line; None if there is none."""
     for each in screen.run.debugger().stop_points.breakpoints:
-        place = each.place.location if each.place else None
+        place = each.location.location if each.location else None
         if place is not None and (place.file, place.line) == (file, line):
             return each
     return None

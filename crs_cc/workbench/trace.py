@@ -104,7 +104,7 @@ class Trace:
         self._samples[:half] = self._samples[:half:2]
         self._numbers = sum(each.size for each in self._samples)
 
-    def forget(self, time_s: float) -> None:
+    def truncate(self, time_s: float) -> None:
         """Discard entries after a time."""
         first = bisect_right(self._times_s, time_s + _SLACK_S)
         self._numbers -= sum(each.size for each in self._samples[first:])

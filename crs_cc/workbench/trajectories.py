@@ -40,7 +40,7 @@ class Trajectories:
     poses: FloatArray
     frame_s: float
 
-    def at(self, times_s: FloatArray) -> FloatArray:
+    def interpolate(self, times_s: FloatArray) -> FloatArray:
         """Return the poses at times, between those that are known; NaN before and after them."""
         if not len(self.times_s):
             return np.full((len(times_s), *self.poses.shape[1:]), np.nan)
@@ -54,7 +54,7 @@ class Trajectories:
         share = np.where(after > first, share, 0.0)[:, None]
         found = self.poses[first].copy()
         step = self.poses[after] - found
-        step[:, _TURN] = turned(step[:, _TURN])
+        step[:, _TURN] = wrap_angles(step[:, _TURN])
         is_between = share[:, 0] > 0.0  # or else a robot that comes next is nowhere already
         found[is_between] += share[is_between, :, None] * step[is_between]
         is_known = (before >= 0) & (times_s <= self.times_s[-1] + _SLACK_S)
@@ -62,7 +62,7 @@ class Trajectories:
         return found
 
 
-def turned(angle_rad: FloatArray) -> FloatArray:
+def wrap_angles(angle_rad: FloatArray) -> FloatArray:
     """Return angles from -pi to pi."""
     return angle_rad - 2.0 * math.pi * np.round(angle_rad / (2.0 * math.pi))
 
@@ -120,7 +120,7 @@ def distance_m(one: FloatArray, other: FloatArray) -> FloatArray:
     return np.hypot(step[:, 0], step[:, 1])
 
 
-def is_same(one: FloatArray, other: FloatArray, tolerance: float) -> BoolArray:
+def equal_or_absent(one: FloatArray, other: FloatArray, tolerance: float) -> BoolArray:
     """Return which numbers are the same, those that are not there included."""
     result: BoolArray = (np.abs(one - other) <= tolerance) | (np.isnan(one) & np.isnan(other))
     return result

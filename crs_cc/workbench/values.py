@@ -104,7 +104,7 @@ class _Tree:
         for number, display in self._shell.context.displays.items():
             key = f"{group}/{number}"
             try:
-                value = self._debugger.view.look_up(display.expression)
+                value = self._debugger.view.evaluate_pure(display.expression)
             except DebugError as error:
                 row = {"key": key, "name": display.expression, "error": str(error)}
             else:

@@ -50,7 +50,7 @@ class Watcher:
             self.show()
 
     def step(self, step: Step) -> None:
-        """Tell what happened in a timestep that has just ended."""
+        """Report the events of a timestep that has just ended."""
         session = self._session
         if self._is_off:
             return
@@ -63,11 +63,11 @@ class Watcher:
         for each in world_events(step, session.environment.world, _KINDS):
             self.feed.event(each.time_s, each.kind, each.robot, each.text, each.place)
         self.feed.messages.step(step)
-        self.ends()
+        self.report_ends()
         self.show(is_last=False)
 
-    def ends(self) -> None:
-        """Tell which programs have ended since the last time."""
+    def report_ends(self) -> None:
+        """Report the programs that have ended since the last call."""
         session = self._session
         alive = tuple(session.state.alive.tolist())
         if alive == self._alive or session.timesteps < self._timesteps:
@@ -86,7 +86,7 @@ class Watcher:
         self._alive = alive
 
     def stop(self) -> None:
-        """Tell nothing until `resume`: the run goes to another branch."""
+        """Report nothing until `resume`: the run switches to another branch."""
         self._is_off = True
 
     def resume(self, timesteps: int) -> None:
@@ -117,14 +117,14 @@ class Watcher:
             )
         self.feed.frame(environment.time_s, self._values(), is_last=is_last)
 
-    def forget(self, timestep: int | None) -> None:
-        """Forget what came after a timestep, or after now: the run takes another course."""
+    def truncate(self, timestep: int | None) -> None:
+        """Discard data after a timestep, or after now, as the run diverges from it."""
         session = self._session
         here = session.timesteps
         self._timesteps = here if timestep is None else min(timestep, here)
         self._alive = tuple(session.state.alive.tolist())
         time_s = self._timesteps * session.environment.timestep_s
-        self.feed.forget(min(time_s, session.time_s) - _SLACK_S)
+        self.feed.truncate(min(time_s, session.time_s) - _SLACK_S)
 
     def _values(self) -> FloatArray:
         state = self._session.environment.last_state

@@ -46,7 +46,7 @@ def test_the_run_is_that_of_the_command_line(capfd: pytest.CaptureFixture[str]) 
     assert other.run(until_s=4.0).state_hash != told["state_hash"]
 
 
-def test_duration_and_seed_are_the_worlds_unless_told() -> None:
+def test_duration_and_seed_default_to_those_of_the_world() -> None:
     for given, expected in ((None, (3.0, 4)), (1.0, (1.0, 9))):
         session = crs_cc.Session(WORLD, AHEAD, duration_s=given, seed=None if given is None else 9)
         assert (session.duration_s, session.seed) == expected
@@ -233,7 +233,7 @@ def test_python_receives_the_messages_to_a_robot_that_it_steers() -> None:
         (lambda run: run.restore(5), "restore takes a Snapshot, not int"),
     ],
 )
-def test_an_invalid_change_is_one_clear_error_and_changes_nothing(
+def test_an_invalid_change_is_one_error_without_effect(
     session: crs_cc.Session, change: object, expected: str
 ) -> None:
     before = session.state_hash()

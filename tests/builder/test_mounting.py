@@ -83,7 +83,7 @@ def test_a_robot_has_shapes_as_far_as_its_numbers_are_valid() -> None:
     assert robot_shapes(builder.document)["body"][0]["radius"] == 0.2
 
 
-def test_new_devices_and_sensors_stand_where_the_schema_wants_them() -> None:
+def test_new_devices_and_sensors_are_inserted_in_schema_order() -> None:
     builder = WorldBuilder(WORLDS / "lib" / "climber.xml")
     assert builder.add("compass") == "compass"
     tags = [node.tag for node in builder.document.root.children]
@@ -94,7 +94,7 @@ def test_new_devices_and_sensors_stand_where_the_schema_wants_them() -> None:
     assert tags[-2:] == ["sensor", "setup"]
 
 
-def test_copies_of_a_sonar_do_not_repeat_what_is_said_of_the_original() -> None:
+def test_copies_of_a_sonar_do_not_repeat_references_to_the_original() -> None:
     """Each of a ring was said to be in front."""
     text = ROBOT.replace("<id>0</id>", "<!-- a --> <id>0</id><!-- in front -->")
     text = text.replace("    <position>\n", "    <!-- of\n    two lines -->\n    <position>\n")

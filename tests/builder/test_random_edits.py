@@ -129,7 +129,7 @@ class Editor:
 
 
 @pytest.mark.parametrize("seed", range(SEQUENCES))
-def test_every_file_on_the_way_loads_and_undoing_gives_the_first_bytes(
+def test_every_intermediate_file_loads_and_undo_restores_the_bytes(
     seed: int,
 ) -> None:
     editor = Editor(seed)

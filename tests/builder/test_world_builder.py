@@ -108,7 +108,7 @@ def test_turning_mirroring_and_placing() -> None:
     assert builder.get("there/bring")["x"] == "1m"
 
 
-def test_new_elements_stand_with_their_kind_and_have_ids() -> None:
+def test_new_elements_are_inserted_next_to_their_kind_and_have_ids() -> None:
     builder = WorldBuilder(text=ROOM)
     assert builder.add("wall", x1=0, y1=4, x2="1m", y2=4.25) == "wall1"
     assert (
@@ -354,7 +354,7 @@ def test_problems_are_those_of_crs_check() -> None:
         ("text", ["robot0"], {"text": "x"}, "has elements"),
     ],
 )
-def test_what_cannot_be_done_says_why_and_changes_nothing(
+def test_invalid_operations_report_the_reason_and_have_no_effect(
     operation: str, names: list[str], values: dict[str, str | float | None], wrong: str
 ) -> None:
     builder = WorldBuilder(text=ROOM)
@@ -398,7 +398,7 @@ def test_robot_definitions_are_edited_as_well(tmp_path: Path) -> None:
 # -- the file --------------------------------------------------------------------------------------
 
 
-def test_a_file_is_saved_when_it_is_valid_and_nobody_else_has_changed_it(tmp_path: Path) -> None:
+def test_a_file_is_saved_if_it_is_valid_and_unchanged_on_disk(tmp_path: Path) -> None:
     path = tmp_path / "room.xml"
     path.write_text(ROOM)
     path.chmod(0o640)

@@ -150,7 +150,7 @@ def test_functions_of_varargs_take_any_arguments(capfd: pytest.CaptureFixture[st
         ),
     ],
 )
-def test_what_is_not_there_is_said(
+def test_missing_files_are_reported(
     source: str, said: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     Path("wanting.c").write_text(source)

@@ -123,9 +123,11 @@ def test_the_empty_world_from_the_cache_is_the_one_that_was_read(
     assert first.stdout.count("\n") == 16
 
 
-def ends(folder: Path, before: str, code: str = "leave(3)") -> subprocess.CompletedProcess[str]:
+def ends(
+    folder: Path, before: str, code: str = "exit_process(3)"
+) -> subprocess.CompletedProcess[str]:
     return crs(
-        folder, f"import atexit, sys\nfrom crs_cc.cli.process import leave\n{before}\n{code}"
+        folder, f"import atexit, sys\nfrom crs_cc.cli.process import exit_process\n{before}\n{code}"
     )
 
 
@@ -151,7 +153,7 @@ def test_leaving_waits_for_other_threads(tmp_path: Path) -> None:
 
 
 def test_leaving_returns_to_a_profiler(tmp_path: Path) -> None:
-    code = "try: leave(3)\nexcept SystemExit as end: print('returned', end.code)"
+    code = "try: exit_process(3)\nexcept SystemExit as end: print('returned', end.code)"
     done = ends(tmp_path, "sys.setprofile(lambda *_: None)", code)
     assert done.stdout == "returned 3\n"
 

@@ -101,14 +101,14 @@ def test_a_program_reaches_a_server_of_this_machine(capfd: pytest.CaptureFixture
     assert capfd.readouterr().out.splitlines()[:2] == ["olleh ohce", "04 3 2 1 mus"]
 
 
-def test_where_nobody_listens_a_connection_is_refused(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_connection_to_a_closed_port_is_refused(capfd: pytest.CaptureFixture[str]) -> None:
     way = f"logger:7000=127.0.0.1:{free_port()}"
     assert run(CLIENT, "--connect", way, "--", "logger", "7000") == 2
     assert run(CLIENT, "--", "host", "7000") == 2  # no way is open
     assert capfd.readouterr().err == "connect: Connection refused\n" * 2
 
 
-def test_pages_pause_and_change_a_run_with_ways_to_the_real_network(
+def test_pages_pause_and_change_a_run_on_the_real_network(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     port, said = free_port(), io.BytesIO()
@@ -151,7 +151,7 @@ def test_a_script_does_what_the_real_network_would(capfd: pytest.CaptureFixture[
         ("--forward", "7000:nobody", "unknown robot 'nobody' (known: robot0)"),
     ],
 )
-def test_a_wrong_way_is_named(
+def test_an_invalid_connect_option_is_reported(
     option: str, value: str, said: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     assert run(str(PROGRAMS / "idle.c"), option, value) == 2

@@ -86,7 +86,7 @@ def test_a_program_that_waits_gets_no_hint(capfd: pytest.CaptureFixture[str]) ->
     assert "warning" not in capfd.readouterr().err
 
 
-def test_a_silent_run_without_a_limit_says_where_it_stands(
+def test_a_silent_run_without_a_limit_reports_its_progress(
     capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     Path("silent.c").write_text(

@@ -85,6 +85,6 @@ def test_timesteps_in_which_nothing_moves_count(most: int) -> None:
         for _ in range(count):
             one_by_one.add(*places)
         at_once.add(*places)
-        at_once.stay(count - 1)
+        at_once.repeat_last(count - 1)
     assert one_by_one.path(0).tolist() == at_once.path(0).tolist()
     assert one_by_one.places_at(0, 3) == at_once.places_at(0, 3)

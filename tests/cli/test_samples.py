@@ -99,7 +99,7 @@ def test_an_unknown_page_is_an_error_with_a_suggestion(capsys: pytest.CaptureFix
     assert "unknown page 'sensor': did you mean 'sensors'?" in capsys.readouterr().err
 
 
-def test_an_installation_without_its_files_says_so() -> None:
+def test_an_incomplete_installation_is_reported() -> None:
     from crs_cc.core.errors import InternalError
 
     with pytest.raises(InternalError, match="was not installed"):

@@ -10,7 +10,7 @@ import pytest
 
 from crs_cc.cli.main import main
 from crs_cc.debug.breakpoints import Breakpoint
-from crs_cc.debug.kept_stops import KIND, restore_stops
+from crs_cc.debug.saved_breakpoints import KIND, restore_breakpoints
 from crs_cc.recording.recording import Recording
 from crs_cc.workbench.recorded_content import events_in
 
@@ -87,7 +87,7 @@ def test_commands_of_breakpoints_are_not_kept() -> None:
     """They would be executed by whoever opens a run of somebody else."""
     data = {"kind": KIND, "what": "breakpoint", "text": "main", "commands": "shell"}
     points = cast("StopPoints", FakePoints())
-    restore_stops(points, [data, data | {"what": "x"}, data | {"ignore": []}], 1)
+    restore_breakpoints(points, [data, data | {"what": "x"}, data | {"ignore": []}], 1)
     assert cast("FakePoints", points).made == [
         ("main", {"condition": "", "robot": None, "ignore": 0})
     ]

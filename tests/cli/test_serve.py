@@ -167,7 +167,7 @@ def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path)
     assert folder.joinpath("killed.mcap").read_bytes() == folder.joinpath("local.mcap").read_bytes()
 
 
-def test_robots_whose_host_is_lost_stand_still_where_the_run_goes_on_without_it(
+def test_robots_of_a_lost_host_stop_if_the_run_continues_without_it(
     folder: Path,
 ) -> None:
     options = "--max-time", "5", "--speed", "2", "--on-loss", "stop", "--csv", "tables"
@@ -325,7 +325,7 @@ def test_a_recording_has_the_program_of_each_robot_and_their_input(folder: Path)
     verify(folder / "both.mcap")
 
 
-def test_a_host_says_that_it_tries_again(folder: Path) -> None:
+def test_a_host_reports_that_it_reconnects(folder: Path) -> None:
     with bound("127.0.0.1", 0) as closed:  # nobody listens
         at = f"127.0.0.1:{closed.getsockname()[1]}"
         host = join(folder, "left", at, "echo.c", "--retry", "0.3")
@@ -437,7 +437,7 @@ def test_the_address_of_a_page_says_whether_the_run_is_encrypted(
                 assert said[1:] == [f"crs: warning: {at} is not encrypted"] * is_wrong
 
 
-def test_other_machines_are_let_in_only_if_that_is_said(folder: Path) -> None:
+def test_other_machines_are_admitted_only_on_request(folder: Path) -> None:
     words = crs("serve", "world.xml", "--listen", "0.0.0.0:0")
     done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 2

@@ -79,7 +79,7 @@ def test_elements_go_from_world_to_world(
         ("turn room.xml crate --angle 1deg -o wall.xml", 122, "exists already"),
     ],
 )
-def test_what_is_wrong_is_said_and_nothing_is_written(
+def test_errors_are_reported_and_nothing_is_written(
     arguments: str, status: int, said: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     before = {path: path.read_bytes() for path in Path().glob("*.xml")}

@@ -117,7 +117,7 @@ def ours(session: str) -> list[Seen]:
     return rows
 
 
-def test_gdb_knows_the_commands_that_are_said_to_be_its_own() -> None:
+def test_commands_marked_as_gdb_commands_exist_in_gdb() -> None:
     found = installed_gdb()
     names = [name for each in COMMANDS if (name := gdb_name(each.name))]
     assert len(names) > 50

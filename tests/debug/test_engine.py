@@ -103,8 +103,8 @@ def test_breakpoints_stop_forward_and_backward(loop: Debugger) -> None:
 
 def test_a_line_without_code_means_the_next_line_with_code(loop: Debugger) -> None:
     point = loop.stop_points.add_breakpoint("8")
-    assert point.place
-    assert point.place.note == "no code at line 8; moved to line 12"
+    assert point.location
+    assert point.location.note == "no code at line 8; moved to line 12"
 
 
 def test_invalid_breakpoints_are_refused(loop: Debugger) -> None:
@@ -199,7 +199,7 @@ def test_advance_stops_at_its_location_or_in_the_caller(loop: Debugger) -> None:
 def test_conditions_apply_forward_and_backward(loop: Debugger) -> None:
     loop.stop_points.add_breakpoint("6", condition="what == 1 && total < 10")
     assert loop.resume().reason == "breakpoint"
-    assert loop.view.look_up("what").number == 1
+    assert loop.view.evaluate_pure("what").number == 1
     here = loop.position
     assert loop.resume().reason == "end"
     assert loop.resume(backward=True).position == here
@@ -213,36 +213,36 @@ def test_a_condition_must_be_valid_at_its_location(loop: Debugger) -> None:
     with pytest.raises(DebugError):
         loop.stop_points.set_condition(point.number, "what")
     assert loop.resume().reason == "breakpoint"
-    assert loop.view.look_up("i").number == 1
+    assert loop.view.evaluate_pure("i").number == 1
 
 
 def test_ignored_hits_and_log_points(loop: Debugger) -> None:
     said: list[str] = []
-    loop.stop_points.say = said.append
+    loop.stop_points.print_log = said.append
     loop.stop_points.add_breakpoint("14", ignore=1)
     loop.stop_points.add_breakpoint("7", log="{what} twice is {result}, {total}")
     with pytest.raises(DebugError, match="nothing"):
         loop.stop_points.add_breakpoint("7", log="{nothing}")
     loop.resume()
-    assert loop.view.look_up("i").number == 1
+    assert loop.view.evaluate_pure("i").number == 1
     assert [text.partition(", ")[0] for text in said] == ["0 twice is 0", "1 twice is 2"]
 
 
 def test_inspection_has_no_side_effects(loop: Debugger) -> None:
     with pytest.raises(DebugError):
-        loop.view.look_up("total = 3")
-    assert loop.view.look_up("total").number == 0
+        loop.view.evaluate_pure("total = 3")
+    assert loop.view.evaluate_pure("total").number == 0
     loop.evaluate("total = 3")
-    assert loop.view.look_up("total").number == 3
+    assert loop.view.evaluate_pure("total").number == 3
 
 
 def test_a_refused_expression_sets_no_convenience_variable(loop: Debugger) -> None:
-    loop.view.look_up("$old = 7")
+    loop.view.evaluate_pure("$old = 7")
     for name in ("new", "old"):
         with pytest.raises(DebugError):
-            loop.view.look_up(f"${name} = total = 5")
-    assert loop.view.look_up("$old").number == 7
-    assert loop.view.look_up("$new").text == "void"
+            loop.view.evaluate_pure(f"${name} = total = 5")
+    assert loop.view.evaluate_pure("$old").number == 7
+    assert loop.view.evaluate_pure("$new").text == "void"
 
 
 def test_a_function_of_the_library_stops_before_the_statements_that_call_it(
@@ -342,7 +342,7 @@ def test_default_robot_for_conditions_of_robot_independent_events(
     sources = [source.format(number) for number in (1, 2, 3)]
     debugger = debugger_of(*sources, folder=tmp_path, world="platoon.xml")
     said: list[str] = []
-    debugger.stop_points.say = said.append
+    debugger.stop_points.print_log = said.append
     debugger.start()
     point = debugger.stop_points.add_catchpoint("tick", condition="mine == 1")
     debugger.stop_points.add_catchpoint("tick", log="{mine}", robot=None)
@@ -401,4 +401,4 @@ def test_backward_to_a_breakpoint_with_very_many_hits(tmp_path: Path) -> None:
     debugger.resume()
     debugger.stop_points.add_breakpoint("5")
     debugger.resume(backward=True)
-    assert (line(debugger), debugger.view.look_up("i").number) == (5, 19999)
+    assert (line(debugger), debugger.view.evaluate_pure("i").number) == (5, 19999)

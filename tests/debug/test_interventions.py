@@ -8,7 +8,7 @@ import pytest
 
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.interventions import interventions, take_back
+from crs_cc.debug.interventions import interventions, revert
 from tests.debug.debuggers import debugger_of
 
 ADD = """\
@@ -63,14 +63,14 @@ def test_changes_and_typed_lines_are_listed_in_the_order_of_the_run(tmp_path: Pa
     ]  # fmt: skip
 
 
-def test_a_mistyped_line_is_asked_for_again(tmp_path: Path) -> None:
+def test_a_mistyped_line_is_requested_again(tmp_path: Path) -> None:
     user = User("1", "22", "3", "2", "5", "6")
     shell = session(user, tmp_path)
     said(shell, "continue")
     assert shell.debugger.session.exit_status(0) == 26
     said(shell, "undo 2")
     assert len(interventions(shell.debugger)) == 1
-    assert shell.debugger.view.look_up("total").number == 1
+    assert shell.debugger.view.evaluate_pure("total").number == 1
     said(shell, "continue")
     assert (shell.debugger.session.exit_status(0), user.asked) == (1 + 2 + 5, 5)
 
@@ -79,11 +79,11 @@ def test_the_first_line_can_be_taken_back(tmp_path: Path) -> None:
     user = User("1", "2", "3", "7", "8", "9")
     shell = session(user, tmp_path)
     said(shell, "continue")
-    take_back(shell.debugger, 0)
+    revert(shell.debugger, 0)
     said(shell, "continue")
     assert shell.debugger.session.exit_status(0) == 7 + 8 + 9
     with pytest.raises(DebugError):
-        take_back(shell.debugger, 3)
+        revert(shell.debugger, 3)
 
 
 def test_a_change_before_a_line_stays_when_that_is_taken_back(tmp_path: Path) -> None:

@@ -55,7 +55,7 @@ def stepped(debugger: Debugger, expression: str) -> list[str]:
     debugger.goto_time(0.0)
     found: list[str] = []
     while True:
-        text = debugger.view.look_up(expression).text
+        text = debugger.view.evaluate_pure(expression).text
         if not found or found[-1] != text:
             found.append(text)
         if debugger.view.is_over or debugger.step_statement().reason != "step":
@@ -101,7 +101,7 @@ def test_a_message_added_after_the_fact_is_that_of_a_log_point(debugger: Debugge
     whole = past(debugger).whole()
     found = past(debugger).messages(place, "{i}: {speed} at {robot0.x > 0.1}", whole)
     said: list[str] = []
-    debugger.stop_points.say = said.append
+    debugger.stop_points.print_log = said.append
     debugger.stop_points.add_breakpoint("16", log="{i}: {speed} at {robot0.x > 0.1}")
     debugger.goto_time(0.0)
     debugger.resume()
@@ -145,7 +145,7 @@ def test_every_printed_line_leads_to_its_statement(tmp_path: Path) -> None:
             debugger.view.select_robot(robot)
             debugger.goto_statement(statement)
             assert line(debugger) == 9
-            assert debugger.view.look_up("i").text == text.removeprefix("turn ")
+            assert debugger.view.evaluate_pure("i").text == text.removeprefix("turn ")
             debugger.goto_end()
     with pytest.raises(DebugError, match="no line 99 has been printed"):
         past(debugger).printed(99)

@@ -68,16 +68,16 @@ def test_stops_are_those_of_a_replay_of_all(
 def test_a_program_that_is_not_concerned_stays_where_it_is(tmp_path: Path) -> None:
     debugger = debugger_of(DRIVE, folder=tmp_path, world="pair.xml")
     debugger.goto_timestep(30)
-    run, begin = debugger.run, debugger.run.history.places(debugger.position)[0]
-    before = run.statements_begun(1)
+    run, begin = debugger.run, debugger.run.history.snapshots_before(debugger.position)[0]
+    before = run.sites_passed(1)
     for _ in run.replay(begin, Position(25, 0), robots=[0]):
-        assert run.statements_begun(1) == before
-    assert 0 < run.statements_begun(0) < before
+        assert run.sites_passed(1) == before
+    assert 0 < run.sites_passed(0) < before
     run.seek(Position(25, 0))
-    assert 0 < run.statements_begun(1) < before
+    assert 0 < run.sites_passed(1) < before
 
 
-def test_an_error_of_another_robot_stops_the_way_back(tmp_path: Path) -> None:
+def test_an_error_of_another_robot_stops_reverse_execution(tmp_path: Path) -> None:
     debugger = debugger_of(DRIVE, FAIL, folder=tmp_path, world="pair.xml")
     stop = debugger.resume()
     assert (stop.reason, stop.robot) == ("error", 1)

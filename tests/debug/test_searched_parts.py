@@ -125,6 +125,6 @@ def test_the_oldest_stretches_are_forgotten_first(debugger: Debugger) -> None:
     passed = PassedSites(1500)
     fleet, sites = debugger.session.fleet, [10, 10]
     for timestep in range(0, 10 * STRETCH, STRETCH):
-        passed.at(timestep, fleet, sites)
+        passed.begin_stretch(timestep, fleet, sites)
     known = [passed.passed(each * STRETCH, {0: [0]}) is not None for each in range(10)]
     assert known == [False] * 6 + [True] * 3 + [False]

@@ -30,7 +30,7 @@ def functions(debugger: Debugger) -> list[str]:
 
 def number(debugger: Debugger, text: str) -> object:
     """Return the value of an expression."""
-    return debugger.view.look_up(text).number
+    return debugger.view.evaluate_pure(text).number
 
 
 RECURSION = """\
@@ -168,7 +168,7 @@ int main(void)
 """
 
 
-def test_step_enters_no_skipped_function_and_nothing_that_it_calls(tmp_path: Path) -> None:
+def test_step_does_not_enter_skipped_functions_and_their_callees(tmp_path: Path) -> None:
     debugger = debugger_of(SKIPPED, folder=tmp_path)
     debugger.start()
     skip = debugger.navigator.skips.add("tree")
@@ -443,7 +443,7 @@ def test_input_is_replayed_and_requested_once(tmp_path: Path) -> None:
     assert (number(debugger, "n"), len(asked)) == (2, 4)
     debugger.goto_statement(2)
     assert walk(debugger, [debugger.next] * 3) == [7, 6, 7]
-    assert debugger.view.look_up("line").text == '"cd\\n"'
+    assert debugger.view.evaluate_pure("line").text == '"cd\\n"'
     assert len(asked) == 4
     debugger.resume()
     assert (number(debugger, "n"), len(asked)) == (2, 4)

@@ -99,7 +99,7 @@ def test_unused_globals_can_be_changed_and_follow_the_run(debugger: Debugger) ->
     assert [Change.of(each.as_data()) for each in debugger.run.history.changes] == list(
         debugger.run.history.changes
     )
-    debugger.take_back(1)
+    debugger.revert(1)
     assert (text(debugger, "unused_gain"), text(debugger, "table[1]")) == ("3.0", "2")
 
 
@@ -123,9 +123,9 @@ def test_functions_that_are_only_called_have_addresses_for_expressions(debugger:
 def test_breakpoints_can_be_set_in_functions_that_are_never_called(debugger: Debugger) -> None:
     for place in ("helper", "7"):
         made = debugger.stop_points.add_breakpoint(place)
-        assert made.place is not None
-        assert made.place.location is not None
-        assert (made.place.location.line, made.place.note) == (7, "'helper' is never called")
+        assert made.location is not None
+        assert made.location.location is not None
+        assert (made.location.location.line, made.location.note) == (7, "'helper' is never called")
     assert debugger.resume().reason == "end"
 
 
@@ -161,5 +161,5 @@ def test_a_function_that_prints_can_be_called(debugger: Debugger, printed: list[
     assert Change.of(change.as_data()) == change
     assert not debugger.view.holds("report(1) == 0", 0)  # a condition prints nothing
     assert printed == [b"n is 41\n", b"n is 1\n"]
-    debugger.take_back(0)
+    debugger.revert(0)
     assert debugger.run.console.text() == b""

@@ -145,7 +145,7 @@ class Watching:
         slot["stop_before_all"], slot["stop_from"] = 1, statement
         while int(slot["statements"]) < statement:
             assert self.run()
-            self.watches.take()
+            self.watches.drain()
         slot["stop_before_all"] = slot["stop_from"] = 0
 
     def to_line(self, line: str) -> None:
@@ -201,9 +201,9 @@ class Watching:
     def found(self) -> Iterator[Found]:
         """Run to the end; return each stop for an access."""
         while self.run():
-            for access in self.watches.take():
+            for access in self.watches.drain():
                 yield Found(self.line, self.begun, access)
-        for access in self.watches.take():
+        for access in self.watches.drain():
             yield Found("", self.begun, access)
 
 
@@ -333,7 +333,7 @@ def again_from(run: Watching, saved: Snapshot) -> list[Found]:
     run.fleet.slots["stop_before_all"] = 0
     run.host.exit_status[0] = None
     run.ended = False
-    run.watches.forget()
+    run.watches.reset()
     return list(run.found())
 
 
@@ -440,7 +440,7 @@ def changes_by_watching(
     while run.run() and run.begun < MOST_STATEMENTS:
         found += [
             (run.begun, each.watched.number, each.old[0], each.new[0])
-            for each in run.watches.take()
+            for each in run.watches.drain()
             if each.old[0] != each.new[0]
         ]
     return found

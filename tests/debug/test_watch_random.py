@@ -81,7 +81,7 @@ def by_watching(
     changes = list[Change]()
     run.watches.arm(objects)
     while run.run() and run.begun < end:
-        for each in run.watches.take():
+        for each in run.watches.drain():
             if each.what == "return":
                 return changes, run.begun
             if each.old[0] != each.new[0]:
@@ -154,7 +154,7 @@ def expression_by_watching(
 
     run.watches.arm([watched_expression(1, text, "change", current, None).watched])
     while run.run() and run.begun < end:
-        for each in run.watches.take():
+        for each in run.watches.drain():
             if each.what == "return":
                 return changes, run.begun
             if each.old[0] != each.new[0]:

@@ -140,7 +140,7 @@ def test_stepping_stops_at_watchpoints(loop: Debugger) -> None:
 
 def test_conditions_ignored_hits_and_log_points(loop: Debugger) -> None:
     said: list[str] = []
-    loop.stop_points.say = said.append
+    loop.stop_points.print_log = said.append
     loop.stop_points.add_watchpoint("total", condition="total > 2")
     quiet = loop.stop_points.add_watchpoint("goal.x", "write", ignore=1)
     logged = loop.stop_points.add_watchpoint("goal.order[2]", log="order {goal.order[2]}")

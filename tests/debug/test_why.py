@@ -77,7 +77,7 @@ def test_every_node_is_a_write_that_single_stepping_shows(tmp_path: Path) -> Non
     while not debugger.view.is_over:
         number[debugger.position] = len(number)
         for name, found in values.items():
-            found.append(debugger.view.look_up(name).text)
+            found.append(debugger.view.evaluate_pure(name).text)
         debugger.step_statement()
     debugger.stop_points.add_breakpoint("31")
     debugger.goto_time(0.0)

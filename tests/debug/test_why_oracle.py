@@ -399,7 +399,7 @@ def test_messages_and_state(pair: Debugger) -> None:
     explained = 0
     for tenths in range(10, 60, 7):
         pair.goto_time(tenths / 10)
-        told = int(pair.view.look_up("told", robot=1).number or 0)
+        told = int(pair.view.evaluate_pure("told", robot=1).number or 0)
         if not told:
             continue
         cause = Why(pair.view, pair.navigator).explain("told")

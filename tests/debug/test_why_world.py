@@ -152,7 +152,7 @@ def test_time_and_charges_say_what_they_are_made_of(
 
 
 @pytest.mark.parametrize("expression", ["$world.queued", "near.present", "post.x"])
-def test_a_value_without_causes_says_so(expression: str, debugger: Debugger) -> None:
+def test_a_value_without_causes_is_reported(expression: str, debugger: Debugger) -> None:
     debugger.goto_time(1.0)
     (found,) = texts(debugger, expression)
     assert found.endswith("a value of the world")

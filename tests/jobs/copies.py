@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from crs_cc.jobs.apart import apart
+from crs_cc.jobs.forked import run_forked
 from crs_cc.jobs.worker import serve
 
 _kept: list[int] = []
@@ -29,8 +29,8 @@ def _in_copy(job: dict[str, Any]) -> dict[str, Any]:
 
 def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
     prepared()
-    return {"process": os.getpid(), **apart(lambda: _in_copy(job))}
+    return {"process": os.getpid(), **run_forked(lambda: _in_copy(job))}
 
 
 if __name__ == "__main__":
-    serve(_work, alike=lambda _: "a")
+    serve(_work, batch_key=lambda _: "a")

@@ -20,4 +20,4 @@ def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    serve(_work, alike=lambda job: str(job["name"]))
+    serve(_work, batch_key=lambda job: str(job["name"]))

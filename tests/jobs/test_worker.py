@@ -44,7 +44,7 @@ def test_a_process_does_so_many_jobs() -> None:
     assert found[-1] != found[0]
 
 
-def test_a_process_in_which_something_went_wrong_does_no_more() -> None:
+def test_a_process_is_not_reused_after_a_failure() -> None:
     found = pids(done({"name": "a"}, {"name": "a", "how": "wrong"}, {"name": "a"}))
     assert found[0] == found[1] != found[2]
 

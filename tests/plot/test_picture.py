@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from lxml import etree
 
-from crs_cc.plot.picture import Picture, Trip
+from crs_cc.plot.picture import Picture, RobotPath
 from crs_cc.plot.tracks import Tracks, simplified
 from crs_cc.sim.engine.drawings import LINE, ROBOT, Drawing
 from crs_cc.sim.engine.robot_colours import colour
@@ -44,9 +44,9 @@ ROOM = WorldModel(
 OPEN = WorldModel("open", Area(-5.0, -5.0, 10.0, 10.0, edge_m=0.0))
 
 
-def trip(*places: tuple[float, float], name: str = "robot0", heading_rad: float = 0.0) -> Trip:
+def trip(*places: tuple[float, float], name: str = "robot0", heading_rad: float = 0.0) -> RobotPath:
     robot = Robot(name, SCOUT, Pose(*places[0], math.pi / 2))
-    return Trip(robot, np.array(places), heading_rad)
+    return RobotPath(robot, np.array(places), heading_rad)
 
 
 def draw(picture: Picture) -> etree._Element:
@@ -108,7 +108,7 @@ def test_up_in_the_world_is_up_on_the_page() -> None:
 
 
 @pytest.mark.parametrize("places", [[(0.0, 0.0)], [(5.0, 5.0)] * 3, [(0, 0), (1e4, 3.0)]])
-def test_everything_is_on_the_page_whatever_the_path(
+def test_everything_is_on_the_page_for_any_path(
     places: list[tuple[float, float]],
 ) -> None:
     root = draw(Picture("t", "", OPEN, [trip(*places)]))
@@ -236,7 +236,7 @@ def test_lights_sounds_and_fingers_are_drawn(tmp_path):
     things = '<robot x="1m" y="1m"/><light x="2m" y="2m"/><sound x="3m" y="1m"/>'
     world = gripping(tmp_path, things, 'length="4m" width="3m"', GRIPPER).environment.world
     path = np.array([[1.0, 1.0]])
-    trips = [Trip(world.robots[0], path, 0.0)]
+    trips = [RobotPath(world.robots[0], path, 0.0)]
     plain = Picture("t", "s", replace(world, lights=(), sounds=()), trips)
     full = Picture("t", "s", world, trips)
     tags = b"<line", b"<circle"
@@ -256,11 +256,13 @@ def test_sources_and_nests_are_drawn_to_scale_with_their_names():
 
 def test_axes_have_units_and_odometrys_path_is_shown_where_it_differs() -> None:
     true = trip((1.0, 1.0), (2.0, 1.0))
-    same = replace(true, believed=true.path)
+    same = replace(true, odometry=true.path)
     root = draw(Picture("t", "s", ROOM, [same]))
     assert {"x [m]", "y [m]"} <= set(texts(root))
     assert "by odometry" not in texts(root)
-    other = replace(true, believed=true.path + np.array([[0.0, 0.0], [0.0, 0.5]]), misled_m=0.5)
+    other = replace(
+        true, odometry=true.path + np.array([[0.0, 0.0], [0.0, 0.5]]), odometry_error_m=0.5
+    )
     root = draw(Picture("t", "s", ROOM, [other]))
     assert "by odometry" in texts(root)
     dashed = [each for each in root.iter(f"{SVG}g") if each.get("stroke-dasharray")]

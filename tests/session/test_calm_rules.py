@@ -99,7 +99,7 @@ def test_programs_that_have_ended_are_not_waited_for(tmp_path: Path) -> None:
     assert compare(world_of(tmp_path, PAIR), [build(tmp_path, ENDS)] * 2, 40) > 5
 
 
-def test_a_speed_above_the_limit_is_told(tmp_path: Path) -> None:
+def test_a_speed_above_the_limit_is_reported(tmp_path: Path) -> None:
     assert compare(world_of(tmp_path, ALONE), [build(tmp_path, HASTENS)], 40) > 5
     session, _ = start(world_of(tmp_path, ALONE), [build(tmp_path, HASTENS)], Observer())
     session.advance(40)
@@ -145,7 +145,7 @@ def test_a_robot_whose_battery_is_empty_stops(tmp_path: Path) -> None:
     assert session.environment.state.drive.limp[0, :2].all()
 
 
-def test_what_was_asked_is_answered_once(tmp_path: Path) -> None:
+def test_each_request_gets_one_reply(tmp_path: Path) -> None:
     assert compare(world_of(tmp_path, PAIR), [build(tmp_path, NAPS)] * 2, 20) > 5
 
 

@@ -55,7 +55,7 @@ def run_to(session: Session, time_s: float) -> Session:
     return session
 
 
-def test_a_robot_that_is_let_in_is_one_that_joins_at_that_time(roam: Executable):
+def test_an_admitted_robot_equals_one_that_joins_at_that_time(roam: Executable):
     at_its_time = run_to(begun(yard('join="1s"'), roam), 3.0)
     session = run_to(begun(yard('join="100s"'), roam), 1.0)
     before = session.snapshot()
@@ -78,7 +78,7 @@ def test_a_robot_that_is_delayed_is_one_that_joins_later(roam: Executable):
         edit_run(session, "delay home")
 
 
-def test_a_robot_that_is_let_in_waits_while_its_place_is_occupied(roam: Executable):
+def test_an_admitted_robot_waits_while_its_start_is_occupied(roam: Executable):
     other = '<robot id="other" x="19m" y="2m" leave="1s"/>'
     session = begun(yard('join="100s"', other), roam)
     assert edit_run(session, "join guest") == "guest joins; not before there is room: guest"
@@ -86,7 +86,7 @@ def test_a_robot_that_is_let_in_waits_while_its_place_is_occupied(roam: Executab
     assert run_to(session, 2.0).result().robots[2].joined_s == 1.0
 
 
-def test_who_has_joined_or_left_is_not_let_in(roam: Executable):
+def test_present_and_departed_robots_are_not_admitted(roam: Executable):
     session = begun(yard('join="0s"'), roam)
     with pytest.raises(ValueError, match="'guest' has already joined"):
         session.state.admit_robots([1])

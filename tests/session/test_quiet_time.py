@@ -337,7 +337,7 @@ def test_a_session_ends_when_its_last_program_has_ended(tmp_path: Path) -> None:
         assert session.timesteps == step
 
 
-def test_the_environment_says_that_nothing_is_quiet_while_a_robot_drives(tmp_path: Path) -> None:
+def test_time_is_not_quiet_while_a_robot_drives(tmp_path: Path) -> None:
     source = "#include <Nclient.h>\nint main(void) { connect_robot(1); vm(50, 50, 0); for (;;) ; }"
     run = start(world_of("one robot"), [build(tmp_path, source)], skips=True)
     for _ in range(10):

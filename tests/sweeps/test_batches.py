@@ -23,7 +23,7 @@ def sizes(batches: Batches, took_s: float | None) -> list[int]:
     found = []
     for batch in batches:
         found.append(len(batch))
-        batches.took(took_s)
+        batches.add_duration(took_s)
     return found
 
 

@@ -136,7 +136,7 @@ def test_an_invalid_experiment_is_one_clear_error(text: str, folder: Path) -> No
     assert str(wrong.value).startswith(f"{path}: error: ")
 
 
-def test_everything_that_is_wrong_is_said_before_the_first_run(folder: Path) -> None:
+def test_all_errors_are_reported_before_the_first_run(folder: Path) -> None:
     path = write(
         folder,
         """
@@ -171,7 +171,9 @@ robots = [2, 3]
         ('files = { a = "none.txt" }', "none.txt"),
     ],
 )
-def test_what_is_unknown_is_said_before_the_first_run(more: str, text: str, folder: Path) -> None:
+def test_unknown_names_are_reported_before_the_first_run(
+    more: str, text: str, folder: Path
+) -> None:
     path = write(folder, more)
     with pytest.raises(ExperimentError) as wrong:
         swept(path, folder / "out")
@@ -196,7 +198,7 @@ def test_a_run_that_fails_is_a_row_and_a_recording_for_the_debugger(
     assert "drive.c:15" in capfd.readouterr().out
 
 
-def test_a_recording_that_the_disk_has_no_room_for_is_told_and_made_later(
+def test_a_recording_that_does_not_fit_the_disk_is_reported_and_retried(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path, out = write(folder, MANY), folder / "out"

@@ -68,12 +68,12 @@ def write(folder: Path, more: str = "", experiment: str = EXPERIMENT) -> Path:
 def _as_worker() -> Iterator[None]:
     """Do as a process of its own does."""
     before, worker._loaded = Path.cwd(), None
-    apart, worker.apart = worker.apart, lambda compute: compute()  # this one is not copied
+    run_forked, worker.run_forked = worker.run_forked, lambda compute: compute()  # no fork of this
     try:
         yield
     finally:
         os.chdir(before)
-        worker._loaded, worker.apart = None, apart
+        worker._loaded, worker.run_forked = None, run_forked
 
 
 def inline(tasks: Iterable[Task], _retries: int = 0) -> Generator[Outcome, None, None]:

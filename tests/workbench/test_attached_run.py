@@ -56,7 +56,7 @@ def test_a_saved_script_makes_the_changes_again_at_their_timesteps(
     changes = RunChanges(script, again.environment.timestep_s)
     while again.timesteps < session.timesteps:
         again.advance(1)
-        changes.make(again, found.append)
+        changes.apply_due(again, found.append)
     assert found == made
     assert found[-1].position == Position(9, 0)
     assert again.state_hash() == session.state_hash()
@@ -91,7 +91,7 @@ def test_a_run_is_not_changed_while_it_repeats_a_recorded_one(make: Callable[[],
     assert [each.text for each in made] == ["turn left to 5"]
 
 
-def test_readings_are_shown_where_programs_are_not_asked(make: Callable[[], Session]) -> None:
+def test_readings_are_shown_without_inspectable_programs(make: Callable[[], Session]) -> None:
     session = make()
     session.advance(8)
     screen = Screen(attached(session, [].append), Feed({}, 0.05), Player(0.05))

@@ -73,7 +73,7 @@ def test_the_run_before_a_change_in_the_past_is_kept_as_it_was(screen: Screen) -
     assert screen.feed.end_s == pytest.approx(2.5)
     assert hash_at(screen, 1.5) == changed != plain
     assert screen.feed.output() != output
-    control.take_back(screen, 0)  # it lies in the past: the changed run is kept, too
+    control.revert(screen, 0)  # it lies in the past: the changed run is kept, too
     assert names(screen) == ["main", "run2", "run3"]
     screen.run.advance(10)
     assert hash_at(screen, 1.5) == plain
@@ -94,7 +94,7 @@ def test_two_runs_are_compared_from_where_they_part(screen: Screen) -> None:
     assert path[-1][1] == pytest.approx(2.0, abs=1e-3)
 
 
-def test_a_change_where_the_run_stands_makes_no_branch(screen: Screen) -> None:
+def test_a_change_at_the_current_position_creates_no_branch(screen: Screen) -> None:
     control.edit(screen, "turn ada to 45")
     assert names(screen) == ["main", "run2"]
 

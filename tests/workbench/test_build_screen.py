@@ -34,7 +34,7 @@ def ask(screen: BuildScreen, do: str, role: Role = "control", **fields: Any) -> 
     """Return the answer to a command: its value, or its error as text after `!`."""
     client = Client(role)
     screen.receive(client, {"id": 1, "do": do, **fields})
-    text = client.take()
+    text = client.next_message()
     assert isinstance(text, str)
     found = json.loads(text)
     return f"!{found['error']}" if "error" in found else found["value"]
@@ -43,7 +43,7 @@ def ask(screen: BuildScreen, do: str, role: Role = "control", **fields: Any) -> 
 def document(screen: BuildScreen) -> Any:
     client = Client("view")
     screen.greet(client)
-    hello, found = client.take(), client.take()
+    hello, found = client.next_message(), client.next_message()
     assert json.loads(str(hello))["type"] == "hello"
     return json.loads(str(found))
 
@@ -52,7 +52,7 @@ def step(operation: str, *names: str, **values: Any) -> dict[str, Any]:
     return {"steps": [{"operation": operation, "names": list(names), "values": values}]}
 
 
-def test_a_page_is_told_everything_and_changes_it_by_operations(screen: BuildScreen) -> None:
+def test_a_page_receives_the_document_and_edits_it_by_operations(screen: BuildScreen) -> None:
     before = document(screen)
     assert before["area"] == {"x": 0, "y": 0, "length": 12, "width": 7, "edge": 0.1}
     assert [each["name"] for each in before["things"]][1:5] == [
@@ -115,7 +115,7 @@ def test_problems_name_their_elements_and_prevent_saving(screen: BuildScreen) ->
         ("properties", {"name": 1}, "!'name' must be a string"),
     ],
 )
-def test_what_cannot_be_done_is_refused_and_changes_nothing(
+def test_invalid_operations_are_rejected_without_effect(
     screen: BuildScreen, do: str, fields: dict[str, Any], wrong: str
 ) -> None:
     before = screen.builder.document.text
@@ -144,7 +144,7 @@ def step_of_heat(name: str, **attributes: Any) -> dict[str, Any]:
     return {"steps": [{"operation": "set", "names": [name], "attributes": attributes}]}
 
 
-def test_a_page_that_may_look_only_changes_nothing(screen: BuildScreen) -> None:
+def test_a_read_only_page_cannot_edit(screen: BuildScreen) -> None:
     for do in ("apply", "undo", "save", "copy", "try", "read"):
         assert ask(screen, do, "view") == "!this page is view-only"
 
@@ -167,7 +167,7 @@ def test_a_new_world_is_saved_below_a_plain_name_only(
         made.server.close()
 
 
-def test_a_run_that_cannot_start_says_why_and_leaves_nothing(tmp_path: Path) -> None:
+def test_a_run_that_cannot_start_reports_the_reason_and_cleans_up(tmp_path: Path) -> None:
     path = tmp_path / "room.xml"
     path.write_bytes((WORLDS / "room.xml").read_bytes())
     with pytest.raises(ValueError, match="robot 'robot0' has no program"):
@@ -178,7 +178,7 @@ def test_a_run_that_cannot_start_says_why_and_leaves_nothing(tmp_path: Path) -> 
     assert sorted(each.name for each in tmp_path.iterdir()) == ["bad.c", "room.xml"]
 
 
-def test_what_is_wrong_with_a_trial_is_not_said_of_its_copy(
+def test_errors_of_a_trial_do_not_name_its_copy(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It was said of `.new.trial.xml`, a file that the user has not made."""

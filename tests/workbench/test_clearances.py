@@ -48,7 +48,7 @@ def test_each_approach_is_listed_once_the_closest_first(feed: Feed) -> None:
     assert second[3] == pytest.approx(1.0 - RADIUS_M, abs=1e-3)
 
 
-def test_who_is_not_in_the_world_has_no_clearance(feed: Feed) -> None:
+def test_absent_robots_have_no_clearance(feed: Feed) -> None:
     feed.frame(7.0, np.array([[np.nan, 2.0], [np.nan, 9.0], [0.0, 0.0]]))
     found = Clearances(WORLD, feed, 6.5).of(0)
     assert np.isnan(found.gap_m).tolist() == [True]

@@ -94,7 +94,7 @@ def values_unfold_are_marked_when_they_change_and_can_be_set(page: Any, screen: 
     page.fill("input.new-value", "9")
     page.keyboard.press("Enter")
     wait(page, "!document.querySelector('input.new-value')")
-    assert screen.run.debugger().view.look_up("plan.goal[1]", robot=1).text == "9"
+    assert screen.run.debugger().view.evaluate_pure("plan.goal[1]", robot=1).text == "9"
     page.locator(".listing").focus()
     page.keyboard.press("F10")
     page.wait_for_selector(".line[data-line='22'].current")

@@ -63,7 +63,7 @@ def test_the_camera_the_infrared_ring_and_the_heat_sensor_are_shown(
     assert about["heat"] == 3.0
 
 
-def test_the_heat_of_what_was_cooled_or_heated_is_told(environment: Environment) -> None:
+def test_changed_heats_are_reported(environment: Environment) -> None:
     edit(environment, "heat cylinder0 0")
     edit(environment, "heat robot0 2.5")
     assert devices_in_view(environment, range(1), 0)["heats"] == {"cylinder0": 0.0, "robot0": 2.5}
@@ -76,7 +76,7 @@ def test_a_robot_of_unknown_height_is_drawn_as_slender_as_a_scout() -> None:
     assert kind["height"] == pytest.approx(0.35 * 0.06 / RADIUS_M)
 
 
-def test_a_field_is_told_as_shares_of_its_largest_amount() -> None:
+def test_a_field_is_sent_as_shares_of_its_largest_amount() -> None:
     ants = ROOT / "samples" / "scout_c" / "ants"
     session = Session(ants / "ants.xml")
     session.run(10.0)

@@ -17,7 +17,7 @@ class LateServer:
     """Hands messages to pages only later, as the server's thread may do."""
 
     def __init__(self) -> None:
-        self.sent, self.count = 0, 1
+        self.sent, self.page_count = 0, 1
         self.late: list[tuple[int, str]] = []
 
     def broadcast(self, message: str) -> None:
@@ -35,13 +35,13 @@ class LateServer:
 
 def taken(client: Client) -> list[dict[str, Any]]:
     found = []
-    while (message := client.take()) is not None:
+    while (message := client.next_message()) is not None:
         assert isinstance(message, str)
         found.append(json.loads(message))
     return found
 
 
-def test_a_page_that_connects_meanwhile_is_told_everything_once() -> None:
+def test_a_page_that_connects_during_a_run_receives_everything_once() -> None:
     feed, server, client = Feed({}, 0.05), LateServer(), Client("view")
     feed.server = server  # type: ignore[assignment]
     feed.event(1.0, "collision", 0, "before")
@@ -62,7 +62,7 @@ def test_pages_know_of_every_frame_while_the_run_stands() -> None:
     feed.greet(second)  # closes a block
     for number in range(30, 45):
         feed.frame(number / 20, np.zeros((3, 1)))
-    feed.settle()
+    feed.flush()
     server.deliver(first)
     server.deliver(second)
     (_, *blocks), (hello, *more) = taken(first), taken(second)
@@ -72,12 +72,12 @@ def test_pages_know_of_every_frame_while_the_run_stands() -> None:
     assert [*hello["blocks"], *(each["block"] for each in more)] == spans
 
 
-def test_another_course_is_told_without_what_came_later() -> None:
+def test_truncated_data_is_not_sent_again() -> None:
     feed, client = Feed({}, 0.05), Client("view")
     for time_s in (1.0, 2.0, 3.0):
         feed.event(time_s, "collision", 0, "")
         feed.write(time_s, 0, 1, b"x")
-    feed.forget(2.0)
+    feed.truncate(2.0)
     feed.greet(client)
     hello = taken(client)[0]
     assert [each[0] for each in hello["events"]] == [each[0] for each in hello["output"]] == [1, 2]

@@ -36,7 +36,7 @@ def test_blocks_have_every_frame_and_a_second_each() -> None:
 def test_another_course_discards_what_comes_after() -> None:
     store = filled(50)
     before = {number for number, _, _ in store.index()}
-    store.forget(1.5)
+    store.truncate(1.5)
     assert times(store)[-1] == 1.5
     store.add(1.55, np.zeros((3, 3)))
     assert times(store)[-2:] == [1.5, 1.55]

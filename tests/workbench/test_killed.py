@@ -52,7 +52,7 @@ def until(condition: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
-def test_a_page_tells_that_its_server_was_killed_and_one_of_the_next_server_works(
+def test_a_page_reports_a_killed_server_and_one_of_the_next_server_works(
     browser: Any, tmp_path: Path
 ) -> None:
     with served(tmp_path) as (process, address):
@@ -92,12 +92,12 @@ def test_a_run_goes_on_when_the_browser_that_shows_it_is_killed(tmp_path: Path) 
             start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
         )  # fmt: skip
         try:
-            until(lambda: screen.server.count == 1)
-            screen.player.put(screen.player.play)
+            until(lambda: screen.server.page_count == 1)
+            screen.player.submit(screen.player.play)
             until(lambda: screen.run.time_s > 0.2)
         finally:
             os.killpg(shown.pid, signal.SIGKILL)
             shown.wait()
-        until(lambda: screen.server.count == 0)
+        until(lambda: screen.server.page_count == 0)
         killed_s = screen.run.time_s
         until(lambda: screen.run.time_s > killed_s + 0.5)

@@ -21,7 +21,7 @@ def test_what_a_page_does_not_have_yet_is_sent_in_pieces_and_the_future_is_forgo
     assert log.since(1)["rows"][0][1] == 7
     assert log.since(2)["rows"] == []
     assert log.since(0)["fates"][7] == ["shut", "lost: link outage"]
-    log.forget(0.55)
+    log.truncate(0.55)
     assert log.since(0)["end"] == 1
 
 

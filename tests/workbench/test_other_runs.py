@@ -193,12 +193,12 @@ def test_branches_are_compared_by_their_variables(runs: Path, stack: ExitStack) 
     asked(screen, "console", line="set var turns = turns + 5")
     screen.run.advance(20)
     here = screen.run.debugger().session.state_hash()
-    known = screen.feed.known()
+    known = screen.feed.contents()
     found = differ(screen, "main")
     assert found["t"] == pytest.approx(1.0)
     assert {"robot": "ada", "what": "turns", "by": "5"}.items() <= found["found"][0].items()
     assert screen.run.debugger().session.state_hash() == here
-    assert screen.feed.known() == known
+    assert screen.feed.contents() == known
     control.switch(screen, "main")
     assert screen.run.time_s == pytest.approx(screen.feed.end_s - 1.0, abs=0.1)
     assert differ(screen, "run2")["t"] == pytest.approx(1.0)
@@ -213,7 +213,7 @@ def test_robots_are_those_of_the_same_names(runs: Path, stack: ExitStack) -> Non
         asked(screen, "compare", name="other.mcap")
 
 
-def test_what_cannot_be_compared_is_said(runs: Path, stack: ExitStack) -> None:
+def test_incomparable_runs_are_reported(runs: Path, stack: ExitStack) -> None:
     screen = shown(runs, "near", stack, "slow")
     assert asked(screen, "compare", name="slow.mcap")["until"] == pytest.approx(4.0)
     with pytest.raises(DebugError, match=r"the timestep of slow.mcap is 0.1 s, not 0.05 s"):
@@ -278,12 +278,12 @@ def test_what_is_no_recording_is_refused(runs: Path, stack: ExitStack) -> None:
         asked(screen, "open", name="more.mcap")
 
 
-def test_a_trajectory_is_known_between_its_times_and_stands_while_nothing_moved() -> None:
+def test_a_trajectory_is_interpolated_and_constant_while_nothing_moved() -> None:
     poses = np.zeros((3, 3, 1))
     poses[:, 0, 0] = [0.0, 1.0, 3.0]
     poses[:, 2, 0] = [3.1, -3.1, -3.1]
     known = Trajectories(np.array([0.0, 0.1, 5.0]), poses, 0.1)
-    found = known.at(np.array([-1.0, 0.05, 4.0, 4.85, 4.925, 5.0, 6.0]))
+    found = known.interpolate(np.array([-1.0, 0.05, 4.0, 4.85, 4.925, 5.0, 6.0]))
     assert found[:, 0, 0].tolist() == pytest.approx(
         [np.nan, 0.5, 1.0, 1.0, 2.0, 3.0, np.nan], nan_ok=True
     )

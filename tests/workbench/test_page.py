@@ -53,7 +53,7 @@ def test_it_holds_the_run(html: Path) -> None:
     assert "default-src 'none'" in text  # it could load nothing if it wanted to
 
 
-def test_a_page_that_would_be_too_large_is_thinned_and_says_so(recorded: Path) -> None:
+def test_a_page_that_would_be_too_large_is_thinned_with_a_note(recorded: Path) -> None:
     recording = Recording(recorded)
     text = html_page(recording, world_of(recording), most_bytes=600)
     recording.close()

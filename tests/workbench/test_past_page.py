@@ -125,7 +125,7 @@ def numbers_of_lists_in_the_console_are_links(page: Any) -> None:
     wait(page, "crs.model.where.line === 19 && crs.model.where.t < 0.5")
 
 
-def test_the_past_is_asked_in_the_page(browser: Any, tmp_path: Path) -> None:
+def test_the_page_queries_the_past(browser: Any, tmp_path: Path) -> None:
     """One test, since each step begins where the one before has led."""
     with running(tmp_path, PROGRAM, WORLD) as screen, page_in(browser, screen, 1280, 760) as page:
         a_variable_is_explained_by_a_tree(page)

@@ -43,7 +43,7 @@ def test_a_piece_is_never_long_so_that_the_run_can_be_paused(speed: float) -> No
         assert len(run.pieces) < run.time_s / TIMESTEP_S  # it takes several at once
 
 
-def test_it_waits_while_paused_and_ends_when_told() -> None:
+def test_it_waits_while_paused_and_ends_on_request() -> None:
     player = Player(TIMESTEP_S)
-    player.put(player.end)
+    player.submit(player.end)
     assert player.timesteps(lambda: 0.0) == 0

@@ -27,7 +27,7 @@ def test_two_clicks_answer_a_program(tmp_path: Path, browser: Any) -> None:
             screen.publish()
 
         wait(page, "crs.views.active")
-        screen.player.put(ask)
+        screen.player.submit(ask)
         note = "document.querySelector('.pointing')"
         wait(page, f"!{note}.hidden && {note}.textContent.includes('anna')")
         page.evaluate("crs.views.place(() => [1, 2, 0])")

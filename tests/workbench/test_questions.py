@@ -142,7 +142,7 @@ def test_a_place_that_the_run_has_not_been_at_is_refused(
     assert wrong in page.error("go", place=place, robot=0)
 
 
-def test_a_page_that_may_look_only_asks_nothing(screen: Screen) -> None:
+def test_a_read_only_page_cannot_query(screen: Screen) -> None:
     with page_of(screen, "view") as page:
         assert "view-only" in page.error("why", expression="speed")
 

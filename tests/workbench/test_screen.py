@@ -104,7 +104,7 @@ def test_a_command_is_checked_before_it_reaches_the_run(live: Screen) -> None:
         assert page.error("break", file="go.c", line=10**6).startswith("go.c has no code")
 
 
-def test_the_token_for_viewing_steers_nothing(live: Screen) -> None:
+def test_the_viewing_token_does_not_permit_control(live: Screen) -> None:
     with page_of(live, "view") as page:
         for name, row in TABLE.items():
             if row.controls:
@@ -240,7 +240,7 @@ def test_a_recording_is_played_by_the_same_channel(recorded: Path, replayed: Scr
     recording.close()
 
 
-def test_inside_a_recording_programs_stand_step_and_take_another_course(replayed: Screen) -> None:
+def test_programs_in_a_recording_can_be_inspected_stepped_and_changed(replayed: Screen) -> None:
     with page_of(replayed) as page:
         end_s = page.told["state"]["end"]
         page.ask("seek", time_s=2.0)

@@ -159,7 +159,7 @@ def test_a_slow_page_loses_frames_and_gets_a_whole_one_then(server: Server) -> N
     values = np.zeros((3, 4))
     with opened(server) as page:
         page.recv(5)
-        while not server.count:
+        while not server.page_count:
             time.sleep(0.001)
         decoder, seen = FrameDecoder(), []
         for number in range(50):
@@ -177,7 +177,7 @@ def test_messages_arrive_in_order_written_at_once_or_after_what_waits(server: Se
     sent = [f"{number} {'x' * (300_000 if number % 7 == 0 else 10)}" for number in range(40)]
     with opened(server, max_size=None) as page:
         page.recv(5)
-        while not server.count:
+        while not server.page_count:
             time.sleep(0.001)
         for text in sent:
             server.broadcast(text)
@@ -193,7 +193,7 @@ def test_a_hundred_pages_hear_the_run_and_one_that_is_killed_makes_room() -> Non
             pass
         assert refused.value.response.status_code == 503
         pages.pop().socket.shutdown(SHUT_RDWR)  # without a word, as a browser that is killed
-        while server.count == MAX_CLIENTS:
+        while server.page_count == MAX_CLIENTS:
             time.sleep(0.001)
         pages.append(stack.enter_context(opened(server)))
         server.broadcast("to all")

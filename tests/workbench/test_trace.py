@@ -40,7 +40,7 @@ def test_going_on_after_a_change_forgets_what_came_later(environment: Environmen
     trace = Trace()
     before = environment.snapshot()
     drive(environment, trace, 10)
-    trace.forget(environment.timestep_s * 3.5)
+    trace.truncate(environment.timestep_s * 3.5)
     assert len((trace.samples(0, "speed", 0.0, 10.0, 100) or ([], []))[0]) == 4
     environment.restore(before)
     drive(environment, trace, 10)

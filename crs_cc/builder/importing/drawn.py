@@ -1,14 +1,14 @@
 """The result of reading a plan: elements in metres, and what was omitted.
 
->>> drawn = Drawn()
+>>> drawn = PlanElements()
 >>> drawn.wall((0, 0), (2, 0), thickness_m=0.1)
->>> drawn.leave("image")
->>> drawn.leave("image")
+>>> drawn.omit("image")
+>>> drawn.omit("image")
 >>> print(drawn.clip())
 <clip>
   <wall x1="0m" y1="0m" x2="2m" y2="0m" thickness="0.1m"/>
 </clip>
->>> drawn.left_out()
+>>> drawn.omissions()
 ['2 of <image>']
 """
 
@@ -38,29 +38,29 @@ _SHOWN: Final = 40
 
 
 @dataclass(slots=True)
-class Drawn:
+class PlanElements:
     """The elements read from a plan.
 
     Attributes:
         elements: tag and attributes of each element.
         materials: the attributes of materials by names.
-        skipped: what was left out, and how often.
+        omitted: what was left out, and how often.
         points: the points that elements have, for their extent.
     """
 
     elements: list[tuple[str, dict[str, str]]] = field(default_factory=list)
     materials: dict[str, dict[str, str]] = field(default_factory=dict)
-    skipped: Counter[str] = field(default_factory=Counter)
+    omitted: Counter[str] = field(default_factory=Counter)
     points: list[Point] = field(default_factory=list)
 
-    def leave(self, what: str, why: str = "") -> None:
-        """Leave something out."""
-        if len(self.skipped) < 1000:
-            self.skipped[f"<{what[:_SHOWN]}>{f': {why}' if why else ''}"] += 1
+    def omit(self, what: str, why: str = "") -> None:
+        """Record something that is omitted."""
+        if len(self.omitted) < 1000:
+            self.omitted[f"<{what[:_SHOWN]}>{f': {why}' if why else ''}"] += 1
 
-    def left_out(self) -> list[str]:
+    def omissions(self) -> list[str]:
         """Return a description of what was omitted."""
-        return [f"{count} of {what}" for what, count in sorted(self.skipped.items())]
+        return [f"{count} of {what}" for what, count in sorted(self.omitted.items())]
 
     def material(self, name: str, colour: str | None) -> str:
         """Return the name of a material, which is made if it is new; empty if it has none."""
@@ -74,7 +74,7 @@ class Drawn:
     ) -> None:
         """Add a wall [m]."""
         if math.dist(start, end) < SHORTEST_M:
-            self.leave("wall", "too short")
+            self.omit("wall", "too short")
             return
         names = zip(("x1", "y1", "x2", "y2"), (*start, *end), strict=True)
         values = {name: length(value) for name, value in names}
@@ -93,7 +93,7 @@ class Drawn:
     ) -> None:  # fmt: skip
         """Add a box [m]."""
         if min(size) < SHORTEST_M:
-            self.leave("box", "too small")
+            self.omit("box", "too small")
             return
         values = {**pose(centre, heading_rad), "length": length(size[0]), "width": length(size[1])}
         reach_m = math.hypot(*size) / 2
@@ -104,7 +104,7 @@ class Drawn:
     ) -> None:
         """Add a cylinder [m]."""
         if radius_m < SHORTEST_M:
-            self.leave("cylinder", "too small")
+            self.omit("cylinder", "too small")
             return
         values = {**pose(centre, 0.0), "radius": length(radius_m)}
         self._add("cylinder", {**values, **(more or {})}, *_around(centre, radius_m))

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
-from crs_cc.builder.importing.drawn import Drawn
+from crs_cc.builder.importing.drawn import PlanElements
 from crs_cc.builder.importing.png_plan import read_png
 from crs_cc.builder.importing.sdf_plan import read_sdf
 from crs_cc.builder.importing.stage_plan import read_stage
@@ -21,7 +21,9 @@ from crs_cc.sim.files.xml_document import read_file
 THICKNESS_M: Final = 0.1
 
 
-def read_plan(path: Path, scale_m: float | None = None, thickness_m: float = THICKNESS_M) -> Drawn:
+def read_plan(
+    path: Path, scale_m: float | None = None, thickness_m: float = THICKNESS_M
+) -> PlanElements:
     """Return the elements of a plan: SVG, PNG, a world of Stage, or SDF.
 
     Args:
@@ -33,7 +35,7 @@ def read_plan(path: Path, scale_m: float | None = None, thickness_m: float = THI
         WorldError: it cannot be read; the message says why.
     """
     text, file = read_file(path), str(path)
-    readers: dict[str, Callable[[], Drawn]] = {
+    readers: dict[str, Callable[[], PlanElements]] = {
         ".svg": lambda: read_svg(text, file, scale_m, thickness_m),
         ".png": lambda: read_png(text, scale_m),
         ".world": lambda: read_stage(
@@ -51,6 +53,6 @@ def read_plan(path: Path, scale_m: float | None = None, thickness_m: float = THI
     except (ValueError, OverflowError) as wrong:
         raise WorldError.at(place, f"cannot be imported: {wrong}") from None
     if not drawn.elements:
-        left = ", ".join(drawn.left_out()) or "it is empty"
+        left = ", ".join(drawn.omissions()) or "it is empty"
         raise WorldError.at(place, f"nothing in it can be imported ({left})")
     return drawn

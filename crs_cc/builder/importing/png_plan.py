@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from crs_cc.builder.importing.drawn import MAX_ELEMENTS, Drawn
+from crs_cc.builder.importing.drawn import MAX_ELEMENTS, PlanElements
 from crs_cc.sim.files.image import grey_values
 from crs_cc.sim.files.map_elements import rectangles
 
 
-def read_png(data: bytes, scale_m: float | None, threshold: float = 0.5) -> Drawn:
+def read_png(data: bytes, scale_m: float | None, threshold: float = 0.5) -> PlanElements:
     """Return the walls that a picture shows.
 
     Args:
@@ -20,13 +20,13 @@ def read_png(data: bytes, scale_m: float | None, threshold: float = 0.5) -> Draw
     """
     if scale_m is None:
         raise ValueError("a picture has no physical size: give the scale, the size of a pixel")
-    drawn = Drawn()
+    elements = PlanElements()
     rows, columns = grey_values(data).shape
     width_m, height_m = columns * scale_m, rows * scale_m
     for left, bottom, right, top in dark_boxes(data, threshold):
         centre = (left + right) / 2 * width_m, (bottom + top) / 2 * height_m
-        drawn.box(centre, ((right - left) * width_m, (top - bottom) * height_m))
-    return drawn
+        elements.box(centre, ((right - left) * width_m, (top - bottom) * height_m))
+    return elements
 
 
 def dark_boxes(data: bytes, threshold: float) -> list[tuple[float, float, float, float]]:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Final
 
-from crs_cc.builder.importing.drawn import Drawn, length
+from crs_cc.builder.importing.drawn import PlanElements, length
 from crs_cc.builder.spans import Node, parse
 from crs_cc.sim.model.world import Pose
 
@@ -14,7 +14,7 @@ _UPRIGHT_RAD: Final = 1e-6
 _READ: Final = frozenset({"link", "pose", "static", "collision", "visual", "inertial"})
 
 
-def read_sdf(text: bytes, file: str) -> Drawn:
+def read_sdf(text: bytes, file: str) -> PlanElements:
     """Return the boxes and cylinders of an SDF file.
 
     Raises:
@@ -24,7 +24,7 @@ def read_sdf(text: bytes, file: str) -> Drawn:
     root = parse(text, file).root
     if root.tag != "sdf":
         raise ValueError(f"the root element must be <sdf>, not <{root.tag}>")
-    drawn = Drawn()
+    drawn = PlanElements()
     work: list[tuple[Node, Pose]] = [(node, Pose()) for node in reversed(root.children)]
     while work:
         node, around = work.pop()
@@ -38,16 +38,16 @@ def read_sdf(text: bytes, file: str) -> Drawn:
                 ]
                 _model(drawn, node, place)
         elif node.tag != "physics":
-            drawn.leave(node.tag)
+            drawn.omit(node.tag)
     return drawn
 
 
-def _model(drawn: Drawn, model: Node, place: Pose) -> None:
+def _model(drawn: PlanElements, model: Node, place: Pose) -> None:
     is_static = _text(model, "static").strip() in ("true", "1")
     links = [child for child in model.children if child.tag == "link"]
     for child in model.children:
         if child.tag not in _READ | {"model"}:
-            drawn.leave(child.tag)
+            drawn.omit(child.tag)
     for link in links:
         there = _pose(drawn, link, place)
         shapes = [child for child in link.children if child.tag == "collision"]
@@ -58,7 +58,7 @@ def _model(drawn: Drawn, model: Node, place: Pose) -> None:
                 _shape(drawn, collision, own, {"mass": f"{mass.strip()}kg"} if mass else {})
 
 
-def _shape(drawn: Drawn, collision: Node, place: Pose, more: dict[str, str]) -> None:
+def _shape(drawn: PlanElements, collision: Node, place: Pose, more: dict[str, str]) -> None:
     geometry = next(_children(collision, "geometry"), None)
     for shape in geometry.children if geometry else ():
         centre = place.x_m, place.y_m
@@ -70,22 +70,22 @@ def _shape(drawn: Drawn, collision: Node, place: Pose, more: dict[str, str]) -> 
             (height_m,) = _numbers(_text(shape, "length"), 1)
             drawn.cylinder(centre, radius_m, {**more, **_height(height_m)})
         else:
-            drawn.leave(shape.tag)
+            drawn.omit(shape.tag)
 
 
 def _height(value_m: float) -> dict[str, str]:
     return {"height": length(value_m)} if value_m >= 0.001 else {}
 
 
-def _pose(drawn: Drawn, node: Node, around: Pose | None) -> Pose | None:
+def _pose(drawn: PlanElements, node: Node, around: Pose | None) -> Pose | None:
     """Return where an element is; None if it does not stand upright."""
     own = next(_children(node, "pose"), None)
     if own is not None and own.attributes.get("relative_to"):
-        drawn.leave(node.tag, "it is placed relative to something else")
+        drawn.omit(node.tag, "it is placed relative to something else")
         return None
     x, y, _, roll, pitch, yaw = _numbers("" if own is None else own.text, 6)
     if max(abs(math.sin(roll)), abs(math.sin(pitch))) > _UPRIGHT_RAD:
-        drawn.leave(node.tag, "it does not stand upright")
+        drawn.omit(node.tag, "it does not stand upright")
         return None
     return Pose(x, y, yaw).within(around or Pose())
 

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final
 
-from crs_cc.builder.importing.drawn import Drawn, Point
+from crs_cc.builder.importing.drawn import PlanElements, Point
 from crs_cc.builder.importing.png_plan import dark_boxes
 from crs_cc.builder.importing.stage_tokens import Block, parse
 from crs_cc.sim.model.world import Pose
@@ -20,7 +20,7 @@ _ROBOTS: Final = frozenset({"position", "pioneer2dx", "pioneer3dx", "amigobot"})
 _NO_MODELS: Final = frozenset({"window", "include", "ranger", "laser", "sensor", "gripper"})
 
 
-def read_stage(text: str, picture: Callable[[str], bytes]) -> Drawn:
+def read_stage(text: str, picture: Callable[[str], bytes]) -> PlanElements:
     """Return the elements of a Stage world.
 
     Args:
@@ -30,13 +30,13 @@ def read_stage(text: str, picture: Callable[[str], bytes]) -> Drawn:
     Raises:
         ValueError: it is no such file, or too large.
     """
-    drawn = Drawn()
+    drawn = PlanElements()
     kinds: dict[str, Block] = {}
     for block in parse(text):
         if block.word == "define":
             kinds[block.name] = block
         elif block.word in _NO_MODELS:
-            drawn.leave(block.word)
+            drawn.omit(block.word)
         else:
             _model(drawn, kinds, block, picture)
     return drawn
@@ -52,7 +52,7 @@ def _chain(kinds: Mapping[str, Block], block: Block) -> tuple[list[Block], str]:
 
 
 def _model(
-    drawn: Drawn, kinds: Mapping[str, Block], block: Block, picture: Callable[[str], bytes]
+    drawn: PlanElements, kinds: Mapping[str, Block], block: Block, picture: Callable[[str], bytes]
 ) -> None:
     chain, base = _chain(kinds, block)
     values = {name: value for each in reversed(chain) for name, value in each.values.items()}
@@ -70,12 +70,12 @@ def _model(
     for each in chain:
         for inner in each.blocks:
             if inner.word != "block":
-                drawn.leave(inner.word, "inside of a model")
+                drawn.omit(inner.word, "inside of a model")
     if values.get("bitmap"):
         try:
             boxes = dark_boxes(picture(values["bitmap"][0]), 0.5)
         except ValueError as wrong:
-            drawn.leave("bitmap", f"{values['bitmap'][0][:80]}: {wrong}")
+            drawn.omit("bitmap", f"{values['bitmap'][0][:80]}: {wrong}")
         else:
             _bitmap(drawn, boxes, size, Pose(*centre, heading_rad), more)
     elif shapes:
@@ -85,7 +85,7 @@ def _model(
 
 
 def _bitmap(
-    drawn: Drawn,
+    drawn: PlanElements,
     boxes: Sequence[tuple[float, float, float, float]],
     size: Sequence[float],
     place: Pose,
@@ -100,7 +100,11 @@ def _bitmap(
 
 
 def _blocks(
-    drawn: Drawn, shapes: Sequence[Block], size: Sequence[float], place: Pose, more: dict[str, str]
+    drawn: PlanElements,
+    shapes: Sequence[Block],
+    size: Sequence[float],
+    place: Pose,
+    more: dict[str, str],
 ) -> None:
     """Add the blocks of a model, which are scaled together to its size."""
     chains: list[list[Point]] = []

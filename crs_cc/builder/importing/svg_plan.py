@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Final
 
-from crs_cc.builder.importing.drawn import Drawn, Point
+from crs_cc.builder.importing.drawn import PlanElements, Point
 from crs_cc.builder.importing.svg_path import MAX_POINTS, chains
-from crs_cc.builder.importing.svg_transform import IDENTITY, Matrix, apply, matrix, times
+from crs_cc.builder.importing.svg_transform import IDENTITY, Matrix, apply, compose, matrix
 from crs_cc.builder.spans import Node, parse
 from crs_cc.plot.x11_colours import HEX
 from crs_cc.sim.model.colours import rgb
@@ -46,7 +46,7 @@ class _Style:
     layer: str = ""
 
 
-def read_svg(text: bytes, file: str, scale_m: float | None, thickness_m: float) -> Drawn:
+def read_svg(text: bytes, file: str, scale_m: float | None, thickness_m: float) -> PlanElements:
     """Return what an SVG file shows.
 
     Args:
@@ -69,7 +69,7 @@ def read_svg(text: bytes, file: str, scale_m: float | None, thickness_m: float) 
 
 class _Reader:
     def __init__(self, root: Node, scale_m: float | None, thickness_m: float) -> None:
-        self.drawn = Drawn()
+        self.drawn = PlanElements()
         self._thickness_m = thickness_m
         self._count = 0
         box = _numbers(root.attributes.get("viewBox", ""))
@@ -96,12 +96,12 @@ class _Reader:
             try:
                 style = _styled(node, around)
             except ValueError as wrong:
-                self.drawn.leave(tag, str(wrong))
+                self.drawn.omit(tag, str(wrong))
                 continue
             if tag in ("svg", "g", "a"):
                 work += [(child, style) for child in reversed(node.children)]
             elif style.stroke == "none" and (style.fill == "none" or tag == "line"):
-                self.drawn.leave(tag, "it cannot be seen")
+                self.drawn.omit(tag, "it cannot be seen")
             else:
                 self._shape(tag, node, style)
 
@@ -123,9 +123,9 @@ class _Reader:
                 case "path":
                     self._path(node, style)
                 case _:
-                    self.drawn.leave(tag)
+                    self.drawn.omit(tag)
         except _Unreadable as wrong:
-            self.drawn.leave(tag, str(wrong))
+            self.drawn.omit(tag, str(wrong))
 
     def _path(self, node: Node, style: _Style) -> None:
         try:
@@ -197,7 +197,7 @@ def _styled(node: Node, around: _Style) -> _Style:
         stroke=own.get("stroke", node.attributes.get("stroke", around.stroke)),
     )
     if "transform" in node.attributes:
-        found = replace(found, by=times(around.by, matrix(node.attributes["transform"])))
+        found = replace(found, by=compose(around.by, matrix(node.attributes["transform"])))
     if _tag(node) == "g":
         label = node.attributes.get("inkscape:label") or node.attributes.get("id", "")
         layer = node.attributes.get("inkscape:groupmode") == "layer" or not around.layer

@@ -34,7 +34,7 @@ def matrix(text: str) -> Matrix:
         if call is None:
             raise ValueError(f"{text[:40]!r} is not a transformation")
         numbers = [float(word) for word in call[2].replace(",", " ").split()]
-        found = times(found, _one(call[1], numbers))
+        found = compose(found, _one(call[1], numbers))
         place = call.end()
     return found
 
@@ -51,7 +51,7 @@ def _one(name: str, numbers: list[float]) -> Matrix:
             return _turn(angle)
         case "rotate", [angle, x, y]:
             there, back = (1.0, 0.0, 0.0, 1.0, x, y), (1.0, 0.0, 0.0, 1.0, -x, -y)
-            return times(times(there, _turn(angle)), back)
+            return compose(compose(there, _turn(angle)), back)
     raise ValueError(f"{name[:20]!r} is not a supported transformation")
 
 
@@ -60,8 +60,8 @@ def _turn(angle_deg: float) -> Matrix:
     return cos, sin, -sin, cos, 0.0, 0.0
 
 
-def times(left: Matrix, right: Matrix) -> Matrix:
-    """Return the transformation that does the right one first."""
+def compose(left: Matrix, right: Matrix) -> Matrix:
+    """Return the composition of two transformations; the right one is applied first."""
     a, b, c, d, e, f = left
     g, h, i, j, k, m = right
     return (

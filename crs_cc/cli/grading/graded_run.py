@@ -85,7 +85,7 @@ def _compile_error(error: CompileError, mark: str) -> GradedRun:
     return GradedRun("compile error", first.text, place.file, place.line, fingerprint=mark)
 
 
-class _Over(Exception):  # noqa: N818 - the run is over, for a reason
+class _RunStopped(Exception):  # noqa: N818 - the run is over, for a reason
     """The run is over before its time.
 
     Attributes:
@@ -139,7 +139,7 @@ class _ProgramRun:
             self._recorder.begin(session)
         try:
             self._step_to_end()
-        except _Over as over:
+        except _RunStopped as over:
             result, text = over.result, over.text
         done = session.result()
         if self._recorder is not None:
@@ -170,7 +170,7 @@ class _ProgramRun:
                 return
 
     def _most_timesteps(self) -> int:
-        """Return the number of timesteps to run without a look at what has become of it."""
+        """Return the number of timesteps to run until the limits are checked again."""
         session, timestep_s = self._session, self._loaded.world.timestep_s
         most = self._look - session.timesteps % self._look
         left_s = self._end_s - session.time_s
@@ -185,17 +185,17 @@ class _ProgramRun:
         its program has ended.
 
         Raises:
-            _Over: it must be stopped.
+            _RunStopped: it must be stopped.
         """
         limits = self._job.limits
         if self._refused:
-            raise _Over("refused", f"{self._refused}() is not allowed: no robot can do that")
+            raise _RunStopped("refused", f"{self._refused}() is not allowed: no robot can do that")
         if self._session.timesteps % self._look and not is_last:
             return
         if self._printed > limits.max_output:
-            raise _Over("limit", f"printed more than {limits.max_output:,} bytes")
+            raise _RunStopped("limit", f"printed more than {limits.max_output:,} bytes")
         if int(self._session.state.fuel[self._mine].max()) > limits.max_fuel:
-            raise _Over("limit", f"computed more than {limits.max_fuel:,} instructions")
+            raise _RunStopped("limit", f"computed more than {limits.max_fuel:,} instructions")
 
     def _sample(self) -> None:
         if self._recorder is not None:
@@ -203,7 +203,7 @@ class _ProgramRun:
         self._plot.sample(self._session)
 
     def step(self, step: Step) -> None:
-        """Note the contacts and the requests of a timestep."""
+        """Record the contacts and the requests of a timestep."""
         if self._recorder is not None:
             self._recorder.step(step)
         self._plot.add_contacts(step, len(self._session.fleet))
@@ -212,7 +212,7 @@ class _ProgramRun:
                 self._refused = self._codes[served.code]
 
     def passed(self, passage: Passage) -> None:
-        """Note a passage of timesteps, in which nothing was touched."""
+        """Record a passage of timesteps without contacts."""
         if self._recorder is not None:
             self._recorder.passed(passage)
         self._plot.add_passage(self._session, passage)

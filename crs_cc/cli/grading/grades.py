@@ -39,14 +39,14 @@ class Grade:
         submission: the submission.
         cases: what it was run in.
         runs: what has become of each of these runs.
-        alike: the names of submissions that are the same program, apart from names and comments.
+        identical: the names of submissions with the same program, apart from names and comments.
         files: the recording of each run, relative to the folder of runs; empty for none.
     """
 
     submission: Submission
     cases: tuple[Case, ...]
     runs: tuple[GradedRun, ...]
-    alike: tuple[str, ...] = ()
+    identical: tuple[str, ...] = ()
     files: tuple[str, ...] = ()
 
     @property
@@ -71,7 +71,7 @@ class Grade:
 
     @property
     def result(self) -> Result:
-        """How its runs ended, by the first that did not just end."""
+        """The result of the first run that did not end normally, else of the first."""
         return self.worst.result
 
     @property
@@ -85,7 +85,9 @@ class Grade:
         return list(goals) if goals else [None] * len(self.cases[case].goals)
 
 
-def alike(runs: Sequence[Sequence[GradedRun]], names: Sequence[str]) -> list[tuple[str, ...]]:
+def identical_programs(
+    runs: Sequence[Sequence[GradedRun]], names: Sequence[str]
+) -> list[tuple[str, ...]]:
     """Return for each submission the names of the others that are the same program."""
     groups: dict[str, list[int]] = defaultdict(list)
     for number, own in enumerate(runs):

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
-from crs_cc.cli.grading.grades import Case, Grade, alike
+from crs_cc.cli.grading.grades import Case, Grade, identical_programs
 from crs_cc.cli.grading.job import GradedRun, Job, Limits, Robots
 from crs_cc.cli.grading.processes import run_all
 from crs_cc.cli.grading.submissions import Copy, Submission, UnusableError, copy
@@ -79,7 +79,7 @@ def grade_all(
         [unusable[number] if number in unusable else next(ran) for _ in cases]
         for number in range(len(submissions))
     ]
-    same = alike(runs, [submission.name for submission in submissions])
+    same = identical_programs(runs, [submission.name for submission in submissions])
     grades = [
         Grade(each, tuple(cases), tuple(runs[n]), same[n], tuple(file_names(n, each, cases)))
         for n, each in enumerate(submissions)

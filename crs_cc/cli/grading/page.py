@@ -80,13 +80,14 @@ def _row(grade: Grade, number: int) -> str:
     marks = "".join(
         _mark(run, goal) for case, run in enumerate(grade.runs) for goal in grade.outcomes(case)
     )
-    like = f'<div class="like">same program: {_text(", ".join(grade.alike))}</div>'
+    like = f'<div class="like">same program: {_text(", ".join(grade.identical))}</div>'
     return (
         f'<tr class="{grade.result.replace(" ", "-")}">'
         f'<td><a href="#s{number}">{_text(grade.submission.name)}</a></td>'
         f'<td class="number">{grade.earned:g}</td>'
         f'<td class="number" data-key="{grade.percent:.4f}">{grade.percent:.0f} %</td>{marks}'
-        f"<td>{grade.result}</td><td>{_text(grade.message)}{like if grade.alike else ''}</td></tr>"
+        f"<td>{grade.result}</td>"
+        f"<td>{_text(grade.message)}{like if grade.identical else ''}</td></tr>"
     )
 
 
@@ -106,8 +107,8 @@ def _details(grade: Grade, number: int, runs: str | None) -> str:
     parts = [f'<section id="s{number}"><h2>{_text(grade.submission.name)}</h2>']
     points = f"{grade.earned:g} of {grade.possible:g} points"
     parts.append(f"<p>{points}. {_text(grade.message)}</p>")
-    if grade.alike:
-        names = _text(", ".join(grade.alike))
+    if grade.identical:
+        names = _text(", ".join(grade.identical))
         parts.append(f"<p>Same program, names and comments aside: {names}.</p>")
     for case, run, file in zip(grade.cases, grade.runs, grade.files, strict=True):
         if run.picture:

@@ -54,6 +54,6 @@ def refused_codes(allowed: Collection[str]) -> dict[int, str]:
 
 
 def _is_the_librarys(name: str, executable: Executable) -> bool:
-    """Return whether a name means our function, not one of the program's own."""
+    """Return whether a name refers to the library's function, not to one of the program."""
     function = executable.program.functions.get(name)
     return function is not None and in_library(function.location)

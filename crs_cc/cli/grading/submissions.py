@@ -33,12 +33,12 @@ _O_NONBLOCK: Final = getattr(os, "O_NONBLOCK", 0)
 
 
 class UnusableError(Exception):
-    """What was handed in is not a program; the text says why."""
+    """A submission that is not a program; the text is the reason."""
 
 
 @dataclass(frozen=True, slots=True)
 class Submission:
-    """Something that was handed in.
+    """A submission.
 
     Attributes:
         name: its name for people, one printable line.

@@ -34,7 +34,7 @@ def as_csv(grades: Sequence[Grade]) -> str:
     writer.writerow([*_COLUMNS, *map(safe, goals)])
     for grade in grades:
         figures = f"{grade.earned:g}", f"{grade.possible:g}", f"{grade.percent:.1f}"
-        words = grade.result, grade.message, ", ".join(grade.alike)
+        words = grade.result, grade.message, ", ".join(grade.identical)
         found = [each for case in range(len(cases)) for each in grade.outcomes(case)]
         name = safe(grade.submission.name)
         writer.writerow([name, *figures, *map(safe, words), *map(_cell, found)])
@@ -52,7 +52,7 @@ def _line(grade: Grade, width: int) -> str:
     name = name if len(name) <= width else f"{name[: width - 3]}..."
     points = f"{grade.earned:g} of {grade.possible:g}"
     line = f"{name:{width}}  {points:>12}  {grade.message or grade.result}"
-    return f"{line}  (as {', '.join(grade.alike)})" if grade.alike else line
+    return f"{line}  (as {', '.join(grade.identical)})" if grade.identical else line
 
 
 def _cell(goal: GoalResult | None) -> str:

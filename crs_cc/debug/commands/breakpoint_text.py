@@ -28,14 +28,14 @@ def name_of(one: Breakpoint) -> str:
 
 def described(one: Breakpoint) -> str:
     """Return a description of a breakpoint's location."""
-    location = one.place.location if one.place else None
+    location = one.location.location if one.location else None
     if one.watch is not None:
         if one.kind == "breakpoint":
             return f"if {one.text}"
         option = "-location " * one.watch.is_location
         return f"{option}{one.text}, {_ACCESSES[one.watch.watched.kind]}"
-    if one.place is None:
+    if one.location is None:
         return one.text
     if location is None:
         return f"{one.text}, a robot function"
-    return f"{one.place.function} at {location.file}:{location.line}"
+    return f"{one.location.function} at {location.file}:{location.line}"

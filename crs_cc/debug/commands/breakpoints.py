@@ -48,7 +48,7 @@ def _made(context: CommandContext, made: Breakpoint) -> Answer:
     context.keep_number("bpnum", made.number)
     yield f"{name_of(made)}: {described(made)}"
     yield from _warned(context, made)
-    note = made.place.note if made.place else made.watch.note if made.watch else ""
+    note = made.location.note if made.location else made.watch.note if made.watch else ""
     if note:
         yield note
 
@@ -88,7 +88,7 @@ def placed(
 def _is_of_world(context: CommandContext, condition: str) -> bool:
     """Return whether a condition uses the world, and no local variables."""
     evaluator = context.debugger.view.evaluator(context.debugger.view.robot)
-    if not evaluator.uses_outside(condition):
+    if not evaluator.uses_external_values(condition):
         return False
     with contextlib.suppress(DebugError):
         evaluator.global_scope(condition)
@@ -183,9 +183,9 @@ def _clear(context: CommandContext, text: str) -> Answer:
         each.number
         for each in points.breakpoints
         if where is not None
-        and each.place is not None
-        and each.place.location is not None
-        and (each.place.location.file, each.place.location.line) == (where.file, where.line)
+        and each.location is not None
+        and each.location.location is not None
+        and (each.location.location.file, each.location.location.line) == (where.file, where.line)
     ]
     if not found:
         raise DebugError(f"no breakpoint at {text or 'this line'}")

@@ -65,7 +65,7 @@ def _changed(context: CommandContext, changes: list[tuple[str, str]]) -> Iterato
 def _printf(context: CommandContext, text: str) -> Answer:
     literal, *expressions = split_arguments(require_argument(text, '"FORMAT",EXPRESSION...'))
     pattern = string_literal(literal)
-    values = [context.debugger.view.look_up(each) for each in expressions]
+    values = [context.debugger.view.evaluate_pure(each) for each in expressions]
     yield formatted_text(pattern, values).removesuffix("\n")
 
 
@@ -121,7 +121,7 @@ def _ptype(context: CommandContext, text: str) -> Answer:
 def _examine(context: CommandContext, text: str) -> Answer:
     wanted, expression = parse_format(text)
     if expression:
-        value = context.debugger.view.look_up(expression)
+        value = context.debugger.view.evaluate_pure(expression)
         address = _address(value)
     elif context.examined is not None:
         address, known = context.examined

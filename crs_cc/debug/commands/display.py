@@ -30,7 +30,9 @@ class Display:
 
     def text(self, debugger: Debugger) -> str:
         """Return the expression with its current value; raise DebugError if it is invalid here."""
-        return f"{self.name} = {formatted(debugger.view.look_up(self.expression), self.format)}"
+        return (
+            f"{self.name} = {formatted(debugger.view.evaluate_pure(self.expression), self.format)}"
+        )
 
 
 def remove_displays(displays: dict[int, Display], numbers: Sequence[int]) -> None:

@@ -84,10 +84,10 @@ LACKING: Final = (
 """Commands that gdb has and we do not, and what to do or to know."""
 
 
-def lacking_reason(text: str) -> str:
+def unsupported_reason(text: str) -> str:
     """Return why a line of gdb is no command here, and what to do; "" if there is nothing to say.
 
-    >>> print(lacking_reason("disas main"))
+    >>> print(unsupported_reason("disas main"))
     'disassemble' does not exist here: "crs compile --emit wat" prints a program's code
     """
     words = text.split()

@@ -21,7 +21,7 @@ from crs_cc.debug.commands.skipping import SKIPPING
 from crs_cc.debug.commands.stop_text import program_lines
 from crs_cc.debug.commands.why import go_to_write
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.interventions import interventions, take_back
+from crs_cc.debug.interventions import interventions, revert
 from crs_cc.debug.past import Past
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.timeline.position import BEGINNING
@@ -37,7 +37,7 @@ def _run(context: CommandContext, text: str) -> Answer:
         raise DebugError(f"unexpected argument '{text}' (expected -keep)")
     done = interventions(context.debugger)
     if done and not text:
-        take_back(context.debugger, 0)
+        revert(context.debugger, 0)
         what = "one change" if len(done) == 1 else f"{len(done)} changes"
         yield f'Discarded {what}, which "run -keep" would have repeated.'
     context.debugger.goto(BEGINNING)

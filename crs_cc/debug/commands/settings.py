@@ -176,7 +176,7 @@ class Settings:
             except DebugError as error:
                 yield f"{path}:{number}: {error}"
 
-    def keep_in(self, path: Path | None) -> None:
+    def save_to(self, path: Path | None) -> None:
         """Write changes from now on to a file."""
         self._file = path
 

@@ -13,7 +13,7 @@ from crs_cc.debug.commands.answer import Answer, Line, SourceLine
 from crs_cc.debug.commands.arguments import reject_arguments
 from crs_cc.debug.commands.command import Command
 from crs_cc.debug.commands.context import CommandContext, CommandInput
-from crs_cc.debug.commands.gdb_names import lacking_reason
+from crs_cc.debug.commands.gdb_names import unsupported_reason
 from crs_cc.debug.commands.table import UndefinedCommandError, find
 from crs_cc.debug.errors import DebugError
 
@@ -120,7 +120,7 @@ def _find(text: str) -> tuple[Command, str]:
     try:
         return find(text)
     except UndefinedCommandError:
-        reason = lacking_reason(text)
+        reason = unsupported_reason(text)
         if not reason:
             raise
         raise DebugError(reason) from None

@@ -182,7 +182,7 @@ def line_count(lines: Sequence[str]) -> int:
 
 def _lines_with_breakpoints(context: CommandContext, file: str) -> set[int]:
     places = [
-        each.place.location for each in context.debugger.stop_points.breakpoints if each.place
+        each.location.location for each in context.debugger.stop_points.breakpoints if each.location
     ]
     return {each.line for each in places if each is not None and each.file == file}
 

@@ -165,7 +165,7 @@ def current_line(debugger: Debugger, frame: BacktraceFrame) -> Answer:
 
 def when_text(debugger: Debugger) -> str:
     """Return the current time of a run."""
-    begun = debugger.run.statements_begun(debugger.view.robot)
+    begun = debugger.run.sites_passed(debugger.view.robot)
     stmt = f"{debugger.names[debugger.view.robot]} before stmt {begun + 1}"
     return f"t = {debugger.view.time_s:.3f} s, {position_text(debugger.position)}, {stmt}"
 

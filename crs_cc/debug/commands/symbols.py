@@ -111,7 +111,7 @@ def _info_scope(context: CommandContext, text: str) -> Answer:
 
 def _info_symbol(context: CommandContext, text: str) -> Answer:
     view = context.debugger.view
-    number = view.look_up(require_argument(text, "an address, such as &total")).number
+    number = view.evaluate_pure(require_argument(text, "an address, such as &total")).number
     name = ""
     if isinstance(number, int):
         name = view.evaluator(view.robot).inspector().symbol_at(number)
@@ -120,7 +120,7 @@ def _info_symbol(context: CommandContext, text: str) -> Answer:
 
 def _info_address(context: CommandContext, text: str) -> Answer:
     name = require_argument(text, "the name of a variable or a function")
-    value = context.debugger.view.look_up(f"&({name})")
+    value = context.debugger.view.evaluate_pure(f"&({name})")
     yield f"{name} is at {formatted(value, OutputFormat('a'))}"
 
 

@@ -30,7 +30,7 @@ class UserSession:
 
     def keep_settings(self) -> None:
         """Keep the settings that are changed from now on."""
-        self._context.settings.keep_in(settings_file())
+        self._context.settings.save_to(settings_file())
 
     def keep_commands(self, typed: Sequence[str]) -> None:
         """Store the commands of this session after those of sessions that have ended since."""

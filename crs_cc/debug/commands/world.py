@@ -17,7 +17,7 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.interventions import interventions, take_back
+from crs_cc.debug.interventions import interventions, revert
 from crs_cc.debug.world.goal_rows import goal_rows
 from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
@@ -211,7 +211,7 @@ def _undo(context: CommandContext, text: str) -> Answer:
         raise DebugError("there is nothing to undo")
     if not 1 <= numbers[0] <= made:
         raise DebugError(f'no edit {numbers[0]}; see "info edits"')
-    return context.move(partial(take_back, context.debugger, numbers[0] - 1))
+    return context.move(partial(revert, context.debugger, numbers[0] - 1))
 
 
 CHANGES: Final = Group(

@@ -76,8 +76,8 @@ def set_exception_breakpoints(session: EditorSession, arguments: Arguments) -> M
 def data_breakpoint_info(session: EditorSession, arguments: Arguments) -> Message:
     """Return whether an object can be watched, and its data ID."""
     try:
-        at, expression = _meant(session, arguments)
-        _demand_object(session, at, expression)
+        at, expression = _watch_target(session, arguments)
+        _require_object(session, at, expression)
     except (RefusalError, DebugError) as error:
         return {"dataId": None, "description": str(error)}
     return {
@@ -105,14 +105,14 @@ def set_data_breakpoints(session: EditorSession, arguments: Arguments) -> Messag
     return {"breakpoints": session.breakpoints.replace(("data", ""), requests)}
 
 
-def _meant(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, str]:
+def _watch_target(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, str]:
     """Return the C expression to watch, and its scope; raise RefusalError if it is invalid."""
     if "variablesReference" in arguments and arguments.integer("variablesReference"):
         return expression_of(session, arguments)
     return requested_frame(session, arguments), arguments.text("name")
 
 
-def _demand_object(session: EditorSession, at: FrameHandle, expression: str) -> None:
+def _require_object(session: EditorSession, at: FrameHandle, expression: str) -> None:
     """Check that an expression names an object in memory; raise DebugError if it does not."""
     debugger = session.require_stopped()
     active = None if at.frame is None else debugger.view.frames(at.robot)[at.frame].active

@@ -164,7 +164,7 @@ class EditorBreakpoints:
             wanted.number, wanted.message, wanted.location = 0, str(error), None
             return
         wanted.number, wanted.location = made.number, _location(made)
-        wanted.message = made.place.note if made.place else ""
+        wanted.message = made.location.note if made.location else ""
 
     def _add_line(self, debugger: Debugger, request: RequestedBreakpoint) -> Breakpoint:
         file = self._locations.file_at(request.target)
@@ -179,7 +179,7 @@ class EditorBreakpoints:
         if message:
             body["message"] = message
         if each.location is not None:
-            place = self._locations.place(each.location)
+            place = self._locations.location(each.location)
             body |= {"source": place["source"], "line": place["line"]}
         elif each.request.line:  # nvim-dap finds the sign of a breakpoint by its line
             body["line"] = self._locations.line(each.request.line)
@@ -260,7 +260,7 @@ def _add_exception(debugger: Debugger, request: RequestedBreakpoint) -> Breakpoi
 
 
 def _location(made: Breakpoint) -> Location | None:
-    return made.place.location if made.place else None
+    return made.location.location if made.location else None
 
 
 _ADD: Final[dict[str, Callable[[Debugger, RequestedBreakpoint], Breakpoint]]] = {

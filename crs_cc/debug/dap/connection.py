@@ -18,7 +18,7 @@ LOOKING: Final = frozenset(
 """Requests that clients make by themselves; nobody wants a window for each that fails."""
 
 
-class ClientGoneError(Exception):
+class ClientDisconnectedError(Exception):
     """The client has closed the connection."""
 
 
@@ -61,4 +61,4 @@ class Connection:
                 self._sink.write(encode({"seq": self._seq, **message}))
                 self._sink.flush()
             except (OSError, ValueError):  # the latter of a closed stream
-                raise ClientGoneError from None
+                raise ClientDisconnectedError from None

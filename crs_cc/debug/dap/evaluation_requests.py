@@ -33,10 +33,10 @@ def evaluate(session: EditorSession, arguments: Arguments) -> Message:
     debugger, at = session.require_stopped(), requested_frame(session, arguments)
     text, context = arguments.text("expression"), arguments.text("context", "watch")
     if context != "repl":
-        value = debugger.view.look_up(text, robot=at.robot, frame=at.frame)
+        value = debugger.view.evaluate_pure(text, robot=at.robot, frame=at.frame)
         line = value.full if context == "clipboard" else value.text
         return value_message(session, value, text, at, text=line, key="result")
-    _look_from(debugger, at)
+    _select_frame(debugger, at)
     assert session.shell is not None
     if session.shell.is_collecting or not _is_expression(debugger, at, text):
         return _command(session, text)
@@ -45,7 +45,7 @@ def evaluate(session: EditorSession, arguments: Arguments) -> Message:
     return value_message(session, value, text, at, text=value.full, key="result")
 
 
-def _look_from(debugger: Debugger, at: FrameHandle) -> None:
+def _select_frame(debugger: Debugger, at: FrameHandle) -> None:
     debugger.view.select_robot(at.robot)
     if at.frame is not None:
         debugger.view.select_frame(at.frame)
@@ -105,7 +105,7 @@ def set_expression(session: EditorSession, arguments: Arguments) -> Message:
 def _assign(session: EditorSession, at: FrameHandle, expression: str, value: str) -> Message:
     debugger = session.require_debugger()
     debugger.evaluate(f"({expression}) = ({value})", robot=at.robot, frame=at.frame)
-    now = debugger.view.look_up(expression, robot=at.robot, frame=at.frame)
+    now = debugger.view.evaluate_pure(expression, robot=at.robot, frame=at.frame)
     session.after_response = session.report_invalidated
     body = value_message(session, now, expression, at)
     del body["evaluateName"]
@@ -116,7 +116,7 @@ def completions(session: EditorSession, arguments: Arguments) -> Message:
     """Return the completions of a line in the console."""
     debugger, at = session.require_stopped(), requested_frame(session, arguments)
     assert session.shell is not None
-    _look_from(debugger, at)
+    _select_frame(debugger, at)
     end = session.locations.to_column(arguments.natural("column")) - 1
     text = arguments.text("text")[: max(end, 0)]
     found = complete(session.shell.context, text)

@@ -47,10 +47,10 @@ def step_in(session: EditorSession, arguments: Arguments) -> None:
     if not number:
         _step(session, arguments, Debugger.step)
         return
-    call = session.handles.take(number)
+    call = session.handles.get(number)
     if not isinstance(call, CallSite):
         raise RefusalError("unknown 'targetId'")
-    session.execution = Execution(partial(step_into, _look_at(session, arguments), call))
+    session.execution = Execution(partial(step_into, _select_robot(session, arguments), call))
 
 
 def step_in_targets(session: EditorSession, arguments: Arguments) -> Message:
@@ -66,7 +66,7 @@ def step_in_targets(session: EditorSession, arguments: Arguments) -> Message:
         text = line[place.line - 1][place.column - 1 : place.last] if place.last else ""
         targets.append(
             {
-                "id": session.handles.give(call),
+                "id": session.handles.add(call),
                 "label": text or f"{plain_name(call.function)}()",
                 "line": session.locations.line(place.line),
             }
@@ -90,17 +90,17 @@ def _step(
     granularity = arguments.text("granularity", "statement")
     if granularity not in _GRANULARITIES:
         raise RefusalError(f"'granularity' must be {', '.join(_GRANULARITIES)}")
-    debugger = _look_at(session, arguments)
+    debugger = _select_robot(session, arguments)
     move = Debugger.step_statement if granularity == "instruction" else by_line
     session.execution = Execution(partial(move, debugger, backward=backward))
 
 
 def step_out(session: EditorSession, arguments: Arguments) -> None:
     """Run until the function returns."""
-    session.execution = Execution(_look_at(session, arguments).finish)
+    session.execution = Execution(_select_robot(session, arguments).finish)
 
 
-def _look_at(session: EditorSession, arguments: Arguments) -> Debugger:
+def _select_robot(session: EditorSession, arguments: Arguments) -> Debugger:
     """Select the robot of a request."""
     debugger = session.require_stopped()
     debugger.view.select_robot(session.robot(arguments))
@@ -139,7 +139,7 @@ def goto_targets(session: EditorSession, arguments: Arguments) -> Message:
     assert place.location is not None
     targets = []
     for backward, label in ((False, "the next time it gets here"), (True, "the last time it did")):
-        number = session.handles.give(_GotoTarget(f"{file}:{line}", backward))
+        number = session.handles.add(_GotoTarget(f"{file}:{line}", backward))
         at = session.locations.line(place.location.line)
         targets.append({"id": number, "label": label, "line": at})
     return {"targets": targets}
@@ -147,8 +147,8 @@ def goto_targets(session: EditorSession, arguments: Arguments) -> Message:
 
 def goto(session: EditorSession, arguments: Arguments) -> None:
     """Run to a visit of a line."""
-    debugger = _look_at(session, arguments)
-    visit = session.handles.take(arguments.integer("targetId"))
+    debugger = _select_robot(session, arguments)
+    visit = session.handles.get(arguments.integer("targetId"))
     if not isinstance(visit, _GotoTarget):
         raise RefusalError("unknown 'targetId'")
     session.execution = Execution(partial(_visit, debugger, debugger.view.robot, visit))

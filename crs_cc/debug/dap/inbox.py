@@ -6,7 +6,7 @@ to `watched`, which can interrupt the run.
 >>> inbox = Inbox()
 >>> inbox.put(ClientRequest(1, "threads", {}))
 >>> inbox.close()
->>> inbox.take().command, inbox.take()
+>>> inbox.get().command, inbox.get()
 ('threads', None)
 """
 
@@ -66,14 +66,14 @@ class Inbox:
             if self._interrupt is not None:
                 self._interrupt(None)
 
-    def take(self, *, wait: bool = True) -> ClientRequest | None:
+    def get(self, *, wait: bool = True) -> ClientRequest | None:
         """Return the next request; None at the end, or if there is none and no wait is wanted."""
         with self._changed:
             while wait and not self._requests and not self._closed:
                 self._changed.wait()
             return self._requests.popleft() if self._requests else None
 
-    def withdraw(self, seq: int) -> ClientRequest | None:
+    def cancel(self, seq: int) -> ClientRequest | None:
         """Remove a pending request by number."""
         with self._changed:
             found = next((each for each in self._requests if each.seq == seq), None)

@@ -31,7 +31,7 @@ def stack_trace(session: EditorSession, arguments: Arguments) -> Message:
     frames = debugger.view.frames(robot)
     if not frames:
         label = {
-            "id": session.handles.give(FrameHandle(robot)),
+            "id": session.handles.add(FrameHandle(robot)),
             "name": activity(debugger.session, robot),
             "presentationHint": "label",
         }
@@ -53,12 +53,12 @@ def stack_trace(session: EditorSession, arguments: Arguments) -> Message:
 def _frame(session: EditorSession, robot: int, frame: BacktraceFrame, address: int) -> Message:
     handle = FrameHandle(robot, frame.number, frame.function)
     return {
-        "id": session.handles.give(handle),
+        "id": session.handles.add(handle),
         "name": frame.function,
         "instructionPointerReference": f"{address:#x}",
         "presentationHint": "subtle" if frame.is_library else "normal",
         "canRestart": False,
-        **session.locations.place(frame.location),
+        **session.locations.location(frame.location),
     }
 
 

@@ -43,7 +43,7 @@ class ClientLocations:
         self._first_line, self._first_column = first_line, first_column
         self._has_uris = form == "uri"
 
-    def know(self, files: Iterable[str]) -> None:
+    def add_sources(self, files: Iterable[str]) -> None:
         """Add the names of source files; a file keeps its number."""
         known = set(self._files)
         self._files += [file for file in dict.fromkeys(files) if file not in known]
@@ -56,7 +56,7 @@ class ClientLocations:
         """Return the protocol's `Source` of a file."""
         name = file.rpartition("/")[2]
         if file.startswith(LIBRARY):
-            self.know([file])
+            self.add_sources([file])
             number = self._files.index(file) + 1
             return {
                 "name": name, "sourceReference": number, "origin": "library",
@@ -110,7 +110,7 @@ class ClientLocations:
         """Return the column for a client's number."""
         return column + 1 - self._first_column
 
-    def place(self, location: Location) -> Message:
+    def location(self, location: Location) -> Message:
         """Return a location: source, line and column."""
         return {
             "source": self.source(location.file),

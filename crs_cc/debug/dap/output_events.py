@@ -47,20 +47,20 @@ class OutputEvents:
             whole, newline, rest = text, "", ""
         self._begun[which] = rest
         if whole or newline:
-            self._tell(which, whole + newline)
+            self._send(which, whole + newline)
 
     def flush(self) -> None:
         """Send incomplete lines."""
         for which, text in self._begun.items():
             if text:
-                self._tell(which, text)
+                self._send(which, text)
         self._begun.clear()
 
-    def say(self, text: str, category: str = "console") -> None:
+    def send_message(self, text: str, category: str = "console") -> None:
         """Send a message of the debugger."""
         self._connection.event("output", {"category": category, "output": f"{text}\n"})
 
-    def _tell(self, which: tuple[int, int], text: str) -> None:
+    def _send(self, which: tuple[int, int], text: str) -> None:
         robot, stream = which
         if len(self._names) > 1:
             lines = text.splitlines(keepends=True)

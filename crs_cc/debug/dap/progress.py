@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Final
 
-from crs_cc.debug.dap.connection import ClientGoneError, Connection
+from crs_cc.debug.dap.connection import ClientDisconnectedError, Connection
 
 DELAY_S: Final = 1.0
 """Moves that take less are not told of, and it is told so often how far a move is [s]."""
@@ -28,7 +28,7 @@ class Progress:
 
     @contextmanager
     def of(self, title: str, told: Callable[[], str]) -> Iterator[None]:
-        """Tell of a move if it takes long.
+        """Report a move if it takes long.
 
         Args:
             title: what is done.
@@ -39,7 +39,7 @@ class Progress:
             return
         self._number += 1
         over = threading.Event()
-        work = threading.Thread(target=self._tell, args=(title, told, over), daemon=True)
+        work = threading.Thread(target=self._report, args=(title, told, over), daemon=True)
         work.start()
         try:
             yield
@@ -47,8 +47,8 @@ class Progress:
             over.set()
             work.join()
 
-    def _tell(self, title: str, told: Callable[[], str], over: threading.Event) -> None:
-        """Tell of a move until it is over."""
+    def _report(self, title: str, told: Callable[[], str], over: threading.Event) -> None:
+        """Report the progress of a move until it is over."""
         key = {"progressId": f"move-{self._number}"}
         if over.wait(self._delay_s):
             return
@@ -58,5 +58,5 @@ class Progress:
             while not over.wait(self._delay_s):
                 self._connection.event("progressUpdate", {**key, "message": told()})
             self._connection.event("progressEnd", {**key})
-        except ClientGoneError:
+        except ClientDisconnectedError:
             return

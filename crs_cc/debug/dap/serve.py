@@ -14,7 +14,7 @@ from queue import SimpleQueue
 from typing import Any, BinaryIO, Final
 
 from crs_cc.debug.dap.arguments import MAX_INTEGER, Arguments, RefusalError
-from crs_cc.debug.dap.connection import NOBODY, ClientGoneError, Connection
+from crs_cc.debug.dap.connection import NOBODY, ClientDisconnectedError, Connection
 from crs_cc.debug.dap.framing import BadMessageError, BrokenStreamError, Message, read_message
 from crs_cc.debug.dap.inbox import ClientRequest, Inbox
 from crs_cc.debug.dap.request_table import HANDLERS
@@ -116,7 +116,7 @@ def serve(
     def work() -> None:
         try:
             Server(session, inbox, HANDLERS).serve()
-        except ClientGoneError:
+        except ClientDisconnectedError:
             pass  # then nobody is left to tell
         except Exception as error:
             sys.stderr.write(f"crs: {explain(error)}\n")
@@ -130,7 +130,7 @@ def serve(
         worker.start()
         threading.stack_size(size)
     try:
-        with contextlib.suppress(ClientGoneError):
+        with contextlib.suppress(ClientDisconnectedError):
             for request in _requests(receive, connection, session):
                 try:
                     admitted = admit(request)
@@ -149,7 +149,7 @@ def _requests(
     """Yield the client's requests, up to `disconnect` or the end of the stream.
 
     Raises:
-        ClientGoneError: the client has closed the connection.
+        ClientDisconnectedError: the client has closed the connection.
     """
     while not session.over:
         try:
@@ -193,7 +193,7 @@ def _sort(request: ClientRequest, connection: Connection, inbox: Inbox) -> None:
         if arguments is None or arguments.text("progressId", ""):
             inbox.put(request)
             return
-        withdrawn = inbox.withdraw(arguments.integer("requestId", 0))
+        withdrawn = inbox.cancel(arguments.integer("requestId", 0))
     except RefusalError as error:
         connection.refuse(request, str(error), error.word)
         return

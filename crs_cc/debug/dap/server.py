@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping
 
 from crs_cc.core.errors import CrsError
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
-from crs_cc.debug.dap.connection import ClientGoneError
+from crs_cc.debug.dap.connection import ClientDisconnectedError
 from crs_cc.debug.dap.framing import Message
 from crs_cc.debug.dap.inbox import ClientRequest, Inbox
 from crs_cc.debug.dap.session import EditorSession, Execution
@@ -41,10 +41,10 @@ class Server:
         """Answer requests until the session is over, or no more can come.
 
         Raises:
-            ClientGoneError: the client has closed the connection.
+            ClientDisconnectedError: the client has closed the connection.
         """
         session = self._session
-        while not session.over and (request := self._inbox.take()) is not None:
+        while not session.over and (request := self._inbox.get()) is not None:
             self._answer(request)
             while session.execution is not None and not session.over:
                 motion, session.execution = session.execution, None
@@ -59,7 +59,7 @@ class Server:
             return
         try:
             body = handler(self._session, Arguments.of(request.arguments))
-        except ClientGoneError:
+        except ClientDisconnectedError:
             raise
         except RefusalError as error:
             connection.refuse(request, str(error), error.word)
@@ -67,9 +67,9 @@ class Server:
             connection.refuse(request, explain(error))
         else:
             connection.respond(request, body)
-            self._tell_more()
+            self._report_effects()
 
-    def _tell_more(self) -> None:
+    def _report_effects(self) -> None:
         """Report the effects of a request."""
         session = self._session
         after_response, session.after_response = session.after_response, None
@@ -87,10 +87,10 @@ class Server:
                 "programs run", lambda: f"t = {debugger.session.time_s:.1f} s"
             ):
                 stop = self._run(motion, debugger)
-        except ClientGoneError:
+        except ClientDisconnectedError:
             raise
         except Exception as error:
-            session.output.say(explain(error), "stderr")
+            session.output.send_message(explain(error), "stderr")
             stop = debugger.stop
         session.is_running = False
         session.handles.clear()  # of what was asked for on the way
@@ -108,7 +108,7 @@ class Server:
             if stop.reason != "interrupt" or motion.go_on is None:
                 return stop
             while not self._wants_end(debugger):
-                request = self._inbox.take(wait=False)
+                request = self._inbox.get(wait=False)
                 if request is None:
                     break
                 self._answer(request)

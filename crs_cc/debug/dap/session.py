@@ -39,14 +39,14 @@ class Handles:
         self._first += len(self._objects)
         self._objects.clear()
 
-    def give(self, value: Any) -> int:
+    def add(self, value: Any) -> int:
         """Assign a number to an object; raise RefusalError if there are too many."""
         if len(self._objects) >= MAX_HANDLES:
             raise RefusalError("too many variables are expanded: collapse some, or resume")
         self._objects.append(value)
         return self._first + len(self._objects) - 1
 
-    def take(self, number: int) -> Any:
+    def get(self, number: int) -> Any:
         """Return the object with a number; raise RefusalError if it is unknown or stale."""
         if not self._first <= number < self._first + len(self._objects):
             raise RefusalError("the reference is no longer valid: the programs have moved on")
@@ -176,16 +176,16 @@ class EditorSession:
         except OSError as error:
             raise RefusalError(f"'cwd' cannot be used: {error.strerror}") from None
         for name in launch.unknown:
-            self.output.say(f"unknown attribute '{name}' of launch: ignored", "important")
-        debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
+            self.output.send_message(f"unknown attribute '{name}' of launch: ignored", "important")
+        debugger = self._open_run(launch.command_line, self.output.write, self.output.send_message)
         self.launch, self._debugger, self.has_started = launch, debugger, False
         self.breakpoints.debugger = debugger
         self.shell = Shell(debugger)
-        debugger.stop_points.say = self.output.say
+        debugger.stop_points.print_log = self.output.send_message
         self.output.begin(debugger.names)
         self.handles.clear()
         for program in debugger.run.programs:
-            self.locations.know(program.executable.detail().lines)
+            self.locations.add_sources(program.executable.detail().lines)
 
     def begin(self) -> None:
         """Start the run: go to its first statement, or its first breakpoint."""
@@ -204,7 +204,7 @@ class EditorSession:
 
     @contextmanager
     def interruptible(self, *, by_all: bool) -> Iterator[None]:
-        """Let arriving requests interrupt the run in the block.
+        """Interrupt the run when a request arrives during the block.
 
         Args:
             by_all: whether every request does; else only those that stop the programs.

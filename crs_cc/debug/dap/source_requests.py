@@ -56,7 +56,7 @@ def _instruction(session: EditorSession, address: int, row: CodeLine | None) -> 
         return said | {"presentationHint": "invalid"}
     if row.location is None:
         return said
-    place = session.locations.place(row.location)
+    place = session.locations.location(row.location)
     return said | {"location": place["source"], "line": place["line"], "column": place["column"]}
 
 

@@ -41,7 +41,7 @@ def requested_frame(session: EditorSession, arguments: Arguments) -> FrameHandle
         if frame is None:
             return FrameHandle(debugger.view.robot)
         return FrameHandle(debugger.view.robot, frame.number, frame.function)
-    found = session.handles.take(arguments.integer("frameId"))
+    found = session.handles.get(arguments.integer("frameId"))
     if not isinstance(found, FrameHandle):
         raise RefusalError("unknown 'frameId'")
     return found
@@ -106,9 +106,7 @@ def value_message(
     if session.client.flag("supportsVariableType", default=False):
         body["type"] = str(value.type)
     if count:
-        body["variablesReference"] = session.handles.give(
-            ExpandableValue(whole, its_expression, at)
-        )
+        body["variablesReference"] = session.handles.add(ExpandableValue(whole, its_expression, at))
         indexed = isinstance(whole.type, ArrayType)
         body["indexedVariables" if indexed else "namedVariables"] = count
     if expression and key == "value":

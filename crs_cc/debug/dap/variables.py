@@ -58,7 +58,7 @@ def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
             continue
         scope = {
             "name": name,
-            "variablesReference": session.handles.give(ScopeHandle(name, at)),
+            "variablesReference": session.handles.add(ScopeHandle(name, at)),
             "expensive": False,
         }
         yield scope | ({"presentationHint": hints[name]} if name in hints else {})
@@ -66,7 +66,7 @@ def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
 
 def variables(session: EditorSession, arguments: Arguments) -> Message:
     """Return the variables of a scope, or the parts of a value."""
-    thing = session.handles.take(arguments.integer("variablesReference"))
+    thing = session.handles.get(arguments.integer("variablesReference"))
     start, count = arguments.natural("start", 0), arguments.natural("count", 0)
     wanted = arguments.text("filter", "")
     match thing:
@@ -96,7 +96,7 @@ def expression_of(session: EditorSession, arguments: Arguments) -> tuple[FrameHa
     Raises:
         RefusalError: there is none.
     """
-    thing = session.handles.take(arguments.integer("variablesReference"))
+    thing = session.handles.get(arguments.integer("variablesReference"))
     name = arguments.text("name")
     expression = ""
     if isinstance(thing, ExpandableValue):
@@ -112,7 +112,7 @@ def expression_of(session: EditorSession, arguments: Arguments) -> tuple[FrameHa
 
 
 def _row(session: EditorSession, row: Row) -> Message:
-    parts = session.handles.give(RowsHandle(row.children)) if row.children else 0
+    parts = session.handles.add(RowsHandle(row.children)) if row.children else 0
     hint = {"attributes": ["readOnly"]}
     return {
         "name": row.name,

@@ -33,25 +33,25 @@ from crs_cc.debug.data.expression_compiler import (
 )
 from crs_cc.debug.data.expression_memory import EvaluationError
 from crs_cc.debug.data.expression_scope import active_call, global_scope, lasting_scope
+from crs_cc.debug.data.external_values import ExternalUse, ExternalValues, NoExternalValues
 from crs_cc.debug.data.instruction_steps import SCRATCH
 from crs_cc.debug.data.interpret import Interpreter, check_address, result_bytes
 from crs_cc.debug.data.memory import MemoryReads, SavedRegister, StoppedMemory
 from crs_cc.debug.data.memory_inspection import FULL, MemoryInspector
 from crs_cc.debug.data.notation import (
     NAME,
-    OutsideName,
+    ExternalName,
     Slice,
     convenience_assignment,
+    display_name,
     slice_in,
-    spelled,
 )
 from crs_cc.debug.data.observation import UNREADABLE, Observation
 from crs_cc.debug.data.observed_value import observed
 from crs_cc.debug.data.operators import unsigned
-from crs_cc.debug.data.outside import Nothing, Outside, OutsideUse
 from crs_cc.debug.data.scope import FrameAddresses, Scopes, Storage
 from crs_cc.debug.data.slices import row_of
-from crs_cc.debug.data.spare_definitions import SpareDefinitions
+from crs_cc.debug.data.unlinked_definitions import UnlinkedDefinitions
 from crs_cc.debug.data.unused_objects import Edits, UnusedObjects, no_edits
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
@@ -92,7 +92,7 @@ class Evaluator:
         convenience_values: dict[str, Value] | None = None,
         fields: tuple[StateField, ...] = (),
         *,
-        outside: Outside | None = None,
+        external: ExternalValues | None = None,
         edits: Edits = no_edits,
         robot: int = 0,
     ) -> None:
@@ -103,7 +103,7 @@ class Evaluator:
             names: the names of its source files.
             convenience_values: the convenience variables, shared with other programs.
             fields: the fields of `State[]` for its robot.
-            outside: the world and the other robots; None if there is no world.
+            external: the world and the other robots; None if there is no world.
             edits: returns the changes of objects that the program does not use.
             robot: the number of its robot.
         """
@@ -118,9 +118,9 @@ class Evaluator:
         now = stopped()
         self._compiled = now.compiled
         self._scopes = Scopes(now.program, now.compiled)
-        self._outside = outside or Nothing()
+        self._external = external or NoExternalValues()
         self._preparation = ExpressionCompiler(
-            names, self._scopes, self.convenience_values, self._outside
+            names, self._scopes, self.convenience_values, self._external
         )
         self._memory = StoppedMemory(now, self._explain)
         self._unused = UnusedObjects((now.program.unused or Program()).data, edits)
@@ -128,7 +128,7 @@ class Evaluator:
             now.program,
             now.compiled.addresses,
             self._memory,
-            SpareDefinitions(now.program).lend,
+            UnlinkedDefinitions(now.program).get,
             self._unused,
         )
 
@@ -156,9 +156,9 @@ class Evaluator:
         wanted = slice_in(text)
         if wanted is not None:
             return Evaluation(self._slice(wanted, frame))
-        alone = self.outside_alone(text, frame)
+        alone = self.external_name(text, frame)
         if alone is not None:
-            return Evaluation(self._outside.value(alone))
+            return Evaluation(self._external.value(alone))
         prepared, result = self._run(text, stopped, frame)
         try:
             value = self._value(prepared.compiled, result)
@@ -231,9 +231,9 @@ class Evaluator:
         wanted = slice_in(text)
         if wanted is not None:
             return self._slice(wanted, frame).type
-        alone = self.outside_alone(text, frame)
+        alone = self.external_name(text, frame)
         if alone is not None:
-            return self._outside.value(alone).type
+            return self._external.value(alone).type
         return self._prepared(text, frame).compiled.type
 
     def scope_of(self, text: str, frame: StackFrame | None = None) -> ExpressionScope:
@@ -344,13 +344,13 @@ class Evaluator:
         name_above = self._interpreter.name_of
         return MemoryInspector(self._stopped(), scratch, self._fields, self.full_style, name_above)
 
-    def uses_outside(self, text: str, frame: StackFrame | None = None) -> bool:
+    def uses_external_values(self, text: str, frame: StackFrame | None = None) -> bool:
         """Return whether an expression uses the world, or the programs of other robots.
 
         Raises:
             DebugError: it is invalid here.
         """
-        return bool(self._prepared(text, frame).outside)
+        return bool(self._prepared(text, frame).external)
 
     def global_scope(self, text: str, frame: StackFrame | None = None) -> ExpressionContext:
         """Return where the names of an expression have their meaning, whatever is called.
@@ -369,13 +369,13 @@ class Evaluator:
         frame = frame or _innermost(stopped)
         return self._standing(stopped, frame, FrameAddresses.of(stopped, frame))
 
-    def outside_alone(self, text: str, frame: StackFrame | None = None) -> OutsideName | None:
+    def external_name(self, text: str, frame: StackFrame | None = None) -> ExternalName | None:
         """Return the value from outside that an expression is; None if it is more than that."""
         if not _MAY_BE_OUTSIDE.search(text):
             return None
         rest, special = self._preparation.rewritten(text, self._here(frame))
         is_alone = rest.strip() == NAME.format(0) and len(special) == 1
-        return special[0] if is_alone and isinstance(special[0], OutsideName) else None
+        return special[0] if is_alone and isinstance(special[0], ExternalName) else None
 
     def _standing(
         self, stopped: StoppedProgram, frame: StackFrame | None, known: FrameAddresses
@@ -418,7 +418,7 @@ class Evaluator:
         arguments: list[int | bytes] = []
         saved: list[SavedRegister] = []
         for use in prepared.uses:
-            if isinstance(use, bytes | OutsideUse):
+            if isinstance(use, bytes | ExternalUse):
                 arguments.append(use if isinstance(use, bytes) else self._content(use))
                 continue
             where = (
@@ -435,11 +435,11 @@ class Evaluator:
         self._memory.begin(saved)
         return self._interpreter.evaluate(prepared.compiled.program, EXPRESSION, arguments)
 
-    def _content(self, use: OutsideUse) -> bytes:
+    def _content(self, use: ExternalUse) -> bytes:
         """Return the bytes of a value from outside."""
-        value = self._outside.value(use.name)
+        value = self._external.value(use.name)
         if not value.is_initialised:
-            raise EvaluationError(f"'{spelled(use.name)}' is uninitialised")
+            raise EvaluationError(f"'{display_name(use.name)}' is uninitialised")
         return value.content
 
     def _pointer(self, use: Use, saved: SavedRegister | None, address: int | bytes) -> int:

@@ -12,17 +12,17 @@ from typing import Any, Final
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
+from crs_cc.debug.data.external_values import ExternalUse, ExternalValues, external_use
 from crs_cc.debug.data.notation import (
     NAME,
     ConvenienceVariable,
     QualifiedName,
     SpecialName,
-    restored,
+    display_name,
+    restore_names,
     rewritten,
-    spelled,
     with_world,
 )
-from crs_cc.debug.data.outside import Outside, OutsideUse, outside_use
 from crs_cc.debug.data.scope import Scopes, Storage, concrete
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
@@ -90,13 +90,13 @@ class PreparedExpression:
         uses: its arguments: addresses of variables, values from outside, and bytes of convenience
             variables.
         sizes: the sizes of types for which it was compiled.
-        outside: the values from outside among its arguments.
+        external: the values from outside among its arguments.
     """
 
     compiled: CompiledExpression
-    uses: tuple[Use | OutsideUse | bytes, ...]
+    uses: tuple[Use | ExternalUse | bytes, ...]
     sizes: Sizes
-    outside: tuple[OutsideUse, ...] = ()
+    external: tuple[ExternalUse, ...] = ()
 
 
 class SourceNames:
@@ -162,13 +162,17 @@ class ExpressionCompiler:
     """Compiles expressions and caches them."""
 
     def __init__(
-        self, names: SourceNames, scopes: Scopes, kept: Mapping[str, Value], outside: Outside
+        self,
+        names: SourceNames,
+        scopes: Scopes,
+        kept: Mapping[str, Value],
+        external: ExternalValues,
     ) -> None:
         """Store the names of files and functions, the convenience variables, and the world."""
         self._names = names
         self._scopes = scopes
         self._kept = kept
-        self._outside = outside
+        self._external = external
         self._known: dict[tuple[Any, ...], PreparedExpression] = {}
 
     def of(self, text: str, standing: ExpressionContext) -> PreparedExpression:
@@ -188,16 +192,16 @@ class ExpressionCompiler:
 
     def _is_current(self, found: PreparedExpression) -> bool:
         """Return whether the types of values from outside are as they were."""
-        if not found.outside:
+        if not found.external:
             return True
-        return all(self._outside.state(each.name) == each.state for each in found.outside)
+        return all(self._external.state(each.name) == each.state for each in found.external)
 
     def _compile(self, text: str, standing: ExpressionContext) -> PreparedExpression:
         names = self._names.of(standing.function, standing.place.file)
         rest, special = self.rewritten(text, standing)
         used, blocks = set(_WORD.findall(_MEMBER.sub(" ", rest))), names.in_blocks(standing.place)
         known = self._visible(standing, names, used, blocks)
-        found: list[tuple[str, Use | OutsideUse | bytes, CType]] = [
+        found: list[tuple[str, Use | ExternalUse | bytes, CType]] = [
             (name, Use(storage), self._type(names, storage, standing)) for name, storage in known
         ]
         found += [
@@ -212,15 +216,17 @@ class ExpressionCompiler:
         except CompileError as error:
             first = error.diagnostics[0]
             hint = f" ({first.hint})" if first.hint else ""
-            raise DebugError(restored(f"{first.text}{hint}", special)) from None
+            raise DebugError(restore_names(f"{first.text}{hint}", special)) from None
         except RecursionError:
             raise DebugError("the expression is nested too deeply") from None
         for warning in warnings.messages:
             if warning.text.startswith(_LOSES_POINTER):
-                raise DebugError(restored(f"{warning.text} (cast it if that is meant)", special))
+                raise DebugError(
+                    restore_names(f"{warning.text} (cast it if that is meant)", special)
+                )
         uses = tuple(use for _, use, _ in found)
-        outside = tuple(each for each in uses if isinstance(each, OutsideUse))
-        return PreparedExpression(compiled, uses, standing.sizes, outside)
+        external = tuple(each for each in uses if isinstance(each, ExternalUse))
+        return PreparedExpression(compiled, uses, standing.sizes, external)
 
     def rewritten(
         self, text: str, standing: ExpressionContext
@@ -239,13 +245,13 @@ class ExpressionCompiler:
             return is_known or bool(self._visible(standing, names, {name}, blocks))
 
         def is_robot(name: str) -> bool:
-            return self._outside.is_robot(name) and not self._scopes.functions(name)
+            return self._external.is_robot(name) and not self._scopes.functions(name)
 
-        return rewritten(with_world(text, self._outside.is_object, is_in_c), is_robot)
+        return rewritten(with_world(text, self._external.is_object, is_in_c), is_robot)
 
     def _special(
         self, name: SpecialName, names: FileNames, standing: ExpressionContext
-    ) -> tuple[Use | OutsideUse | bytes, CType]:
+    ) -> tuple[Use | ExternalUse | bytes, CType]:
         """Return the value and the type of a name that is not C."""
         match name:
             case QualifiedName():
@@ -255,10 +261,10 @@ class ExpressionCompiler:
                 value = self._value(name)
                 return value.content, value.type
         try:
-            outside = outside_use(self._outside, name)
+            external = external_use(self._external, name)
         except DebugError as wrong:
-            raise DebugError(f"{spelled(name)}: {wrong}") from None
-        return outside, outside.type
+            raise DebugError(f"{display_name(name)}: {wrong}") from None
+        return external, external.type
 
     def _type(self, names: FileNames, storage: Storage, standing: ExpressionContext) -> CType:
         """Return the type of the variable in a storage."""

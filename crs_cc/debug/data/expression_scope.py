@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from crs_cc.debug.data.evaluation import ExpressionScope
 from crs_cc.debug.data.expression_compiler import ExpressionContext, PreparedExpression, Use
-from crs_cc.debug.data.outside import OutsideUse
+from crs_cc.debug.data.external_values import ExternalUse
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.names import plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
@@ -31,7 +31,7 @@ def lasting_scope(
     Raises:
         DebugError: its meaning would change with time.
     """
-    if any(isinstance(each, bytes | OutsideUse) for each in prepared.uses):
+    if any(isinstance(each, bytes | ExternalUse) for each in prepared.uses):
         raise DebugError(f"'{text}' uses more than the memory of the program")
     uses = [each for each in prepared.uses if isinstance(each, Use)]
     is_local = any(each.storage.in_frame and not each.inside for each in uses)

@@ -63,7 +63,7 @@ class AddressSpace(Protocol):
     def mark(self, address: int, size: int, state: int) -> None:
         """Set the `ByteState`s of bytes."""
 
-    def known(self, name: str) -> int:
+    def symbol_address(self, name: str) -> int:
         """Return the address of an object or function."""
 
 
@@ -150,7 +150,7 @@ class InstructionSteps:
                 if base is ir.VARARGS:
                     return lambda frame: (frame.more + offset) & 0xFFFF_FFFF
                 return lambda frame: (frame.slots[base] + offset) & 0xFFFF_FFFF
-        return lambda _frame: (self._space.known(base) + offset) & 0xFFFF_FFFF
+        return lambda _frame: (self._space.symbol_address(base) + offset) & 0xFFFF_FFFF
 
     def _address_of(self, it: ir.Address) -> Step:
         place, result = self._place(it.base, it.offset), it.result

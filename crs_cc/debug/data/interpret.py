@@ -40,7 +40,7 @@ CALLED_ONLY: Final = 0xF000_0000
 """The first address of functions to which no pointer of the program can point."""
 Printed = tuple[int, bytes]
 """A stream, and what was written to it."""
-Lend = Callable[[str], Function | Data | None]
+FindDefinition = Callable[[str], Function | Data | None]
 """Returns the library's function or object of a name."""
 
 
@@ -93,7 +93,7 @@ class Interpreter:
         program: Program,
         addresses: Mapping[str, int],
         memory: InterpreterMemory,
-        lend: Lend = _nothing,
+        find_definition: FindDefinition = _nothing,
         unused: UnusedObjects | None = None,
     ) -> None:
         """Create an interpreter.
@@ -102,24 +102,24 @@ class Interpreter:
             program: a linked program.
             addresses: of its objects, and function pointers of its functions.
             memory: its memory.
-            lend: returns what the program lacks but an expression may use: functions of the
-                library, and their objects, fresh for each expression.
+            find_definition: returns what the program lacks but an expression may use: functions of
+                the library, and their objects, fresh for each expression.
             unused: the user's objects that the program does not use.
         """
         self._program = program
         self._addresses = dict(addresses)
         self._memory = memory
         self._unused = unused or UnusedObjects({})
-        self._unused.known = self.known
+        self._unused.known = self.symbol_address
         self._addresses.update(self._unused.addresses)
         functions = [*program.functions, *(program.unused or Program()).functions]
         called = [name for name in functions if name not in self._addresses]
         self._addresses.update({name: CALLED_ONLY + at for at, name in enumerate(called)})
         self._functions = {self._addresses[name]: name for name in functions}
         self._scratch = Scratch(SCRATCH, SCRATCH_BYTES)
-        self._lent = Scratch(SCRATCH + SCRATCH_BYTES, SCRATCH_BYTES)
-        self._lend = lend
-        self._loans: list[str] = []
+        self._borrowed = Scratch(SCRATCH + SCRATCH_BYTES, SCRATCH_BYTES)
+        self._find_definition = find_definition
+        self._borrowed_names: list[str] = []
         self._left = MAX_INSTRUCTIONS
         self._depth = 0
         self._steps = InstructionSteps(self)
@@ -142,11 +142,11 @@ class Interpreter:
         """
         self._left, self._memory.trusting = MAX_INSTRUCTIONS, False
         self._scratch.release(0)
-        self._lent.release(0)
+        self._borrowed.release(0)
         self.printed = []
-        for lent in self._loans:
+        for lent in self._borrowed_names:
             del self._addresses[lent]
-        self._loans.clear()
+        self._borrowed_names.clear()
         self._unused.begin()
         for data in expression.data.values():
             self._addresses[data.name] = self._scratch.allocate(data.size)
@@ -171,7 +171,7 @@ class Interpreter:
         """Return bytes of the scratch memory or of unused objects, fewer at their ends."""
         if address >= UNLINKED:
             return self._unused.peek(address, size)
-        return (self._lent if address in self._lent else self._scratch).peek(address, size)
+        return (self._borrowed if address in self._borrowed else self._scratch).peek(address, size)
 
     def name_of(self, address: int, target: CType) -> str:
         """Return the name of a function that is only called, or of an unused object; else ""."""
@@ -183,7 +183,7 @@ class Interpreter:
         """Return bytes as `scratch` does; raise EvaluationError if they are not there."""
         if address >= UNLINKED:
             return self._unused.read(address, size)
-        return (self._lent if address in self._lent else self._scratch).read(address, size)
+        return (self._borrowed if address in self._borrowed else self._scratch).read(address, size)
 
     def _kept(self, content: bytes) -> int:
         address = self._scratch.allocate(len(content))
@@ -194,16 +194,16 @@ class Interpreter:
         address = self._addresses[data.name]
         self.write(address, (data.content or b"").ljust(data.size, b"\0"))
         for relocation in data.relocations:
-            value = unsigned(self.known(relocation.symbol) + relocation.addend, 32)
+            value = unsigned(self.symbol_address(relocation.symbol) + relocation.addend, 32)
             self.write(address + relocation.offset, value.to_bytes(4, "little"))
 
-    def known(self, name: str) -> int:
+    def symbol_address(self, name: str) -> int:
         """Return the address of an object or function."""
         if name not in self._addresses and name not in self._program.functions:
-            found = self._lend(name)
+            found = self._find_definition(name)
             if isinstance(found, Data):
-                self._addresses[name] = self._lent.allocate(found.size)
-                self._loans.append(name)
+                self._addresses[name] = self._borrowed.allocate(found.size)
+                self._borrowed_names.append(name)
                 self._fill(found)
         if name not in self._addresses:
             raise EvaluationError(f"'{plain_name(name)}' has no address here: it is unused")
@@ -225,7 +225,7 @@ class Interpreter:
         elif address >= UNLINKED:
             self._unused.write(address, content)
         else:
-            (self._lent if address in self._lent else self._scratch).write(address, content)
+            (self._borrowed if address in self._borrowed else self._scratch).write(address, content)
 
     def states(self, address: int, size: int) -> bytes:
         """Return the `ByteState`s of bytes of the program."""
@@ -340,7 +340,7 @@ class Interpreter:
             if pointer not in self._functions:
                 raise EvaluationError(f"{unsigned(pointer, 32):#x} is not a function's address")
             name = self._functions[pointer]
-        function = self._program.functions.get(name) or self._lend(name)
+        function = self._program.functions.get(name) or self._find_definition(name)
         if not isinstance(function, Function) or self._is_missing(function):
             raise EvaluationError(f"the program has no function '{plain_name(name)}'")
         arguments = [

@@ -104,10 +104,10 @@ class RobotName:
     text: str
 
 
-OutsideName: TypeAlias = WorldName | WorldDistance | RobotName
+ExternalName: TypeAlias = WorldName | WorldDistance | RobotName
 """What does not belong to the program whose expression it is."""
 
-SpecialName: TypeAlias = QualifiedName | ConvenienceVariable | OutsideName
+SpecialName: TypeAlias = QualifiedName | ConvenienceVariable | ExternalName
 
 
 def slice_in(text: str) -> Slice | None:
@@ -228,17 +228,17 @@ def with_world(text: str, is_object: Callable[[str], bool], is_in_c: Callable[[s
     return _BARE.sub(replaced, text)
 
 
-def restored(message: str, found: tuple[SpecialName, ...]) -> str:
+def restore_names(message: str, found: tuple[SpecialName, ...]) -> str:
     """Restore the user's names in a message."""
     for number, each in enumerate(found):
-        message = message.replace(NAME.format(number), spelled(each))
+        message = message.replace(NAME.format(number), display_name(each))
     return message
 
 
-def spelled(name: SpecialName) -> str:
+def display_name(name: SpecialName) -> str:
     """Return a name as a user writes it.
 
-    >>> spelled(WorldName(("robot0", "x"))), spelled(QualifiedName("turn", "count"))
+    >>> display_name(WorldName(("robot0", "x"))), display_name(QualifiedName("turn", "count"))
     ('$world.robot0.x', 'turn::count')
     """
     match name:

@@ -194,7 +194,7 @@ class FrameAddresses:
         return cls(active.fp - info.frame.size, active.location, unset)
 
     @property
-    def has_no_room(self) -> bool:
+    def has_overflowed(self) -> bool:
         """Whether the stack was too small: then only passed arguments exist."""
         return 0 < self.sp < NULL_SIZE or self.sp < 0
 
@@ -202,13 +202,13 @@ class FrameAddresses:
         """Return the address of a variable."""
         if not storage.in_frame:
             return storage.at
-        if self.has_no_room and storage.passed is not None:
+        if self.has_overflowed and storage.passed is not None:
             return self.sp + storage.passed
         return self.sp + storage.at
 
     def saved(self, storage: Storage) -> SavedRegister | None:
         """Return a variable that lives where C cannot reach it; None for all others."""
-        if self.has_no_room and storage.passed is not None:
+        if self.has_overflowed and storage.passed is not None:
             return SavedRegister(
                 storage.variable.name, storage.variable.ctype, self.address(storage)
             )

@@ -123,10 +123,10 @@ class UnusedObjects:
         """Return the content of an object as it is now."""
         self.is_used = True
         if name not in self._contents:
-            self._contents[name] = self._made(name)
+            self._contents[name] = self._create(name)
         return self._contents[name]
 
-    def _made(self, name: str) -> bytearray:
+    def _create(self, name: str) -> bytearray:
         data, start = self._data[name], self.addresses[name]
         made = bytearray((data.content or b"").ljust(data.size, b"\0"))
         for each in data.relocations:

@@ -82,7 +82,7 @@ class Value:
 
     @property
     def exists(self) -> bool:
-        """Return whether C may look at any of its bytes."""
+        """Return whether C may access any of its bytes."""
         return not self.states or bool(self.states.strip(GONE))
 
     @property

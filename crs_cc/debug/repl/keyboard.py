@@ -40,7 +40,7 @@ class Keyboard:
 
     def command(self, prompt: str) -> str | None:
         """Prompt for a command; return None at the end of input. Ctrl-C discards the line."""
-        self._terminal.settle()
+        self._terminal.finish_lines()
         while True:
             try:
                 with self._asking():
@@ -54,7 +54,7 @@ class Keyboard:
 
         Ctrl-C ends the input, and the program stops after that.
         """
-        self._terminal.settle()
+        self._terminal.finish_lines()
         if sys.stdin is None or sys.stdin.closed:
             return b""
         try:
@@ -71,13 +71,13 @@ class Keyboard:
         if threading.current_thread() is not threading.main_thread():
             yield
             return
-        before = signal.signal(signal.SIGINT, self._hear)
+        before = signal.signal(signal.SIGINT, self._handle_signal)
         try:
             yield
         finally:
             signal.signal(signal.SIGINT, before)
 
-    def _hear(self, _signal: int, _frame: FrameType | None) -> None:
+    def _handle_signal(self, _signal: int, _frame: FrameType | None) -> None:
         if self._is_asking:
             raise KeyboardInterrupt
         self.on_interrupt()

@@ -52,7 +52,7 @@ class Repl:
         self._keyboard = keyboard
         self._interrupted = False
         keyboard.on_interrupt = self._interrupt
-        debugger.stop_points.say = self._log
+        debugger.stop_points.print_log = self._log
 
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
         """Execute scripts, then the user's commands; return how many have failed."""
@@ -71,7 +71,7 @@ class Repl:
                     self._converse()
             elif not batch:
                 self._converse()
-        self._terminal.settle()
+        self._terminal.finish_lines()
         return self.shell.failures
 
     def _script(self, scripts: Scripts) -> None:
@@ -81,7 +81,7 @@ class Repl:
                     break
                 if text != "#":
                     self._terminal.echo(self.shell.prompt, text)
-                self._do(text)
+                self._execute(text)
         except DebugError as error:
             self._refuse(str(error))
         if self._interrupted:
@@ -96,7 +96,7 @@ class Repl:
             text = self._keyboard.command(self.shell.prompt)
             if text is None:
                 return
-            self._do(text)
+            self._execute(text)
 
     def _interrupt(self) -> None:
         """Interrupt the programs and the current script."""
@@ -106,7 +106,7 @@ class Repl:
     def _log(self, text: str) -> None:
         self._terminal.line(Line(text, "log"))
 
-    def _do(self, text: str) -> None:
+    def _execute(self, text: str) -> None:
         self.shell.debugger.forget_interrupt()  # one that arrived too late for the previous command
         for line in self.shell.execute(text):
             self._terminal.line(line)

@@ -85,7 +85,7 @@ class Terminal:
 
     def line(self, line: Line | SourceLine) -> None:
         """Write a line of an answer."""
-        self.settle()
+        self.finish_lines()
         lines: list[Line | SourceLine] = [line]
         if isinstance(line, Line) and line.indent and self._columns is not None:
             parts = folded(_clean(line.text), self._columns(), line.indent).split("\n")
@@ -94,7 +94,7 @@ class Terminal:
             text = self._coloured(each) if self._is_coloured else _clean(each.text)
             self._write(text.encode(errors="replace") + b"\n")
 
-    def settle(self) -> None:
+    def finish_lines(self) -> None:
         """Complete lines of programs, and flush."""
         for (robot, _), rest in sorted(self._begun.items()):
             if rest:
@@ -110,7 +110,7 @@ class Terminal:
 
     def echo(self, prompt: str, line: str) -> None:
         """Write a line of a script as if typed."""
-        self.settle()
+        self.finish_lines()
         self._write(f"{prompt}{_clean(line)}\n".encode(errors="replace"))
 
     def _write(self, content: bytes) -> None:

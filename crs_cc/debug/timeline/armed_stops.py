@@ -55,34 +55,34 @@ class ArmedStops:
             own = self._session.fleet.marks[robot]
             own[: sites[robot]] &= UNPASSED
             own[list(request.statements.get(robot, ()))] |= STOP
-        self.enter()
+        self.update_slots()
         self._world_watches.arm(request.world)
 
-    def enter(self) -> None:
+    def update_slots(self) -> None:
         """Set the stop conditions in the programs' slots that their marks do not contain."""
-        self.request.enter(self._session.fleet.slots)
+        self.request.write_to(self._session.fleet.slots)
 
-    def know(self, first: int, executables: Sequence[Executable]) -> None:
-        """Know the programs of the robots from a number on, and no others."""
+    def set_added_programs(self, first: int, executables: Sequence[Executable]) -> None:
+        """Set the programs of the added robots, which are numbered from `first` on."""
         for robot, executable in enumerate(executables, first):
             if robot == len(self._watches) or not self._watches[robot].is_of(executable):
                 self._watches[robot:] = [WatchSet(self._session.fleet, robot, self._watching)]
         del self._watches[first + len(executables) :]
 
     def begin_round(self) -> None:
-        """Note that a round begins."""
+        """Record the start of a round."""
         self._begun = self._session.fleet.slots["statements"].copy()
 
-    def forget(self) -> None:
+    def reset_watches(self) -> None:
         """Take the current watched values as a reference: the programs did not change them."""
         self.begin_round()
         for watches in self._watches:
-            watches.forget()
-        self._world_watches.forget()
+            watches.reset()
+        self._world_watches.reset()
 
-    def changes_of_world(self, position: Position) -> tuple[WatchHit, ...]:
+    def world_watch_hits(self, position: Position) -> tuple[WatchHit, ...]:
         """Return the changes of watched expressions that use the world."""
-        return self._world_watches.take(position)
+        return self._world_watches.drain(position)
 
     def with_accesses(self, event: RunEvent) -> RunEvent:
         """Add the accesses to watched objects to an event, as far as they are to be reported."""
@@ -93,7 +93,7 @@ class ArmedStops:
         halted = self._session.state.halted
         for robot in self.request.watched:
             if self.request.at_once or robot == halted or robot in event.ended:
-                for access in self._watches[robot].take():
+                for access in self._watches[robot].drain():
                     yield WatchHit(robot, access, self._last_before(event, robot))
 
     def _last_before(self, event: RunEvent, robot: int) -> Position:

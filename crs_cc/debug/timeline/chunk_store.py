@@ -6,12 +6,12 @@ Objects that snapshots share stay shared. The size of everything stored is count
 is the memory that dropping everything would free.
 
 >>> store = ChunkStore()
->>> first = store.take((np.zeros(5 * CHUNK, np.uint8), "a name"))
->>> second = store.take((np.arange(5 * CHUNK) // CHUNK == 4, "a name"))
->>> store.size < 3 * CHUNK, store.give(second)[0].sum()
+>>> first = store.add((np.zeros(5 * CHUNK, np.uint8), "a name"))
+>>> second = store.add((np.arange(5 * CHUNK) // CHUNK == 4, "a name"))
+>>> store.size < 3 * CHUNK, store.get(second)[0].sum()
 (True, np.int64(4096))
->>> store.drop(first)
->>> store.drop(second)
+>>> store.remove(first)
+>>> store.remove(second)
 >>> store.size
 0
 """
@@ -82,7 +82,7 @@ class ChunkStore:
         self._chunks: dict[bytes, _Held] = {}
         self._objects: dict[int, _Held] = {}
 
-    def take(self, value: Any) -> Any:
+    def add(self, value: Any) -> Any:
         """Store a snapshot; return its key."""
         held = self._objects.get(id(value))
         if held is not None:
@@ -99,12 +99,12 @@ class ChunkStore:
         if parts is None:
             self.size += _SMALL
             return value
-        taken = [self.take(part) for part in parts]
+        taken = [self.add(part) for part in parts]
         if any(one is not other for one, other in zip(taken, parts, strict=True)):
             value = _made_of(value, taken)
         return self._hold(value, is_whole=all(map(self._is_whole, taken)))
 
-    def give(self, taken: Any) -> Any:
+    def get(self, taken: Any) -> Any:
         """Return the snapshot of a key; it stays stored."""
         if self._is_whole(taken):
             return taken
@@ -113,9 +113,9 @@ class ChunkStore:
             if taken.dtype is None:
                 return content
             return np.frombuffer(content, taken.dtype).reshape(taken.shape)
-        return _made_of(taken, [self.give(part) for part in _parts(taken) or ()])
+        return _made_of(taken, [self.get(part) for part in _parts(taken) or ()])
 
-    def drop(self, taken: Any) -> None:
+    def remove(self, taken: Any) -> None:
         """Drop a snapshot, except for data that others share."""
         held = self._objects.get(id(taken))
         if held is None:
@@ -129,7 +129,7 @@ class ChunkStore:
         for chunk in taken.chunks if isinstance(taken, _Chunked) else ():
             self._drop_chunk(chunk)
         for part in () if isinstance(taken, _Chunked) else _parts(taken) or ():
-            self.drop(part)
+            self.remove(part)
 
     def _is_whole(self, taken: Any) -> bool:
         held = self._objects.get(id(taken))

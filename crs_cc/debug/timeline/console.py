@@ -73,7 +73,7 @@ class ReplayConsole:
         self._asked_at: dict[int, list[Position]] = {}  # of each piece of input
 
     @property
-    def at(self) -> int:
+    def piece_count(self) -> int:
         """Return how many pieces have been written up to here."""
         return self._at
 
@@ -122,8 +122,8 @@ class ReplayConsole:
         self._read_at[robot] = at + 1
         return known[at]
 
-    def typed(self) -> Iterator[tuple[Position, int, bytes]]:
-        """Return the pieces of input that the user has typed: where they were asked for, by whom.
+    def typed_input(self) -> Iterator[tuple[Position, int, bytes]]:
+        """Yield the pieces of typed input, each with the position and robot that requested it.
 
         Those that a run reads again after now are among them.
         """
@@ -131,7 +131,7 @@ class ReplayConsole:
             for place, piece in zip(self._asked_at[robot], known, strict=True):
                 yield place, robot, piece
 
-    def forget_typed(self, place: Position) -> None:
+    def discard_typed(self, place: Position) -> None:
         """Discard lines typed from a position on, so that programs wait for them again."""
         for robot, asked_at in self._asked_at.items() if self.is_typed else ():
             count = next((at for at, each in enumerate(asked_at) if each >= place), len(asked_at))
@@ -142,7 +142,7 @@ class ReplayConsole:
         known = self._reads.get(robot, [])[: self._read_at.get(robot, 0)]
         return self._waiting(robot, clock_s, sum(map(len, known)))
 
-    def given(self) -> dict[int, list[bytes]]:
+    def consumed_input(self) -> dict[int, list[bytes]]:
         """Return the pieces of input that each robot's program has read up to here."""
         return {robot: self._reads[robot][:at] for robot, at in self._read_at.items()}
 
@@ -179,14 +179,14 @@ class ReplayConsole:
 
         Args:
             robot: the robot; None for all.
-            since: the first piece, see `at`.
+            since: the first piece, see `piece_count`.
         """
         if robot is None:
             return bytes(self._content[self._ends[since] : self._ends[self._at]])
         return b"".join(piece for writer, _, piece in self.pieces(since) if writer == robot)
 
     def lines_before(self, piece: int) -> int:
-        """Return how many lines have ended before a piece of output, see `at`."""
+        """Return how many lines have ended before a piece of output, see `piece_count`."""
         return self._content.count(b"\n", 0, self._ends[piece])
 
     def pieces(self, since: int = 0) -> Iterator[tuple[int, int, bytes]]:

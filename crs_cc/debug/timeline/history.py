@@ -75,7 +75,7 @@ class History:
         self._reach = MAX_REPLAY_INTERVALS * self._interval
         self._store = ChunkStore(most_bytes)
         self._positions: list[Position] = []
-        self._kept: dict[Position, RunSnapshot] = {}
+        self._snapshots: dict[Position, RunSnapshot] = {}
         self._edits: list[Position] = []
         self.changes: tuple[Change, ...] = ()
         self.farthest = Position(0, 0)
@@ -91,7 +91,7 @@ class History:
     def __len__(self) -> int:
         return len(self._positions)
 
-    def wants(self, position: Position) -> bool:
+    def should_keep(self, position: Position) -> bool:
         """Return whether a snapshot of the start of a timestep is worth its cost."""
         number = bisect_right(self._positions, position)
         gap = position.timestep - self._positions[number - 1].timestep
@@ -101,31 +101,31 @@ class History:
             interval //= FINER if 0 <= ahead < NEAR * interval else 1
         return gap >= interval
 
-    def keep(self, position: Position, kept: RunSnapshot) -> None:
+    def keep(self, position: Position, snapshot: RunSnapshot) -> None:
         """Store a snapshot."""
-        if position in self._kept:
-            self._store.drop(self._kept[position])
+        if position in self._snapshots:
+            self._store.remove(self._snapshots[position])
         else:
             self._positions.insert(bisect_left(self._positions, position), position)
-        self._kept[position] = self._store.take(kept)
+        self._snapshots[position] = self._store.add(snapshot)
         self._here = position
         if self.size > self._store.most_bytes:
             self._thin()
 
-    def branch(self, change: Change, kept: RunSnapshot) -> None:
+    def branch(self, change: Change, snapshot: RunSnapshot) -> None:
         """Store a change and the snapshot after it; discard all later ones."""
         position = change.position
         self.changes = (*self.changes_until(position), change)
         if self._start is None and position == self._positions[0]:
-            self._start = self._store.take(self._kept[position])
+            self._start = self._store.add(self._snapshots[position])
         self._drop(position)
         self._edits.append(position)
         self.farthest = position
         self._user = None
-        self.keep(position, kept)
+        self.keep(position, snapshot)
 
-    def take_back(self, position: Position) -> None:
-        """Discard the changes at a position and later, and the snapshots."""
+    def revert(self, position: Position) -> None:
+        """Discard the changes and snapshots from a position on."""
         self.changes = tuple(each for each in self.changes if each.position < position)
         first = self._positions[0]
         if position > first or self._start is not None:
@@ -134,7 +134,7 @@ class History:
             self._drop_from(1)
         if self._start is not None and position == first:
             self._positions.append(first)
-            self._kept[first], self._start = self._start, None
+            self._snapshots[first], self._start = self._start, None
         self._edits[:] = [each for each in self._edits if each < position]
         self.farthest = position
         self._user = None
@@ -147,7 +147,7 @@ class History:
     def _drop_from(self, first: int) -> None:
         """Discard the snapshots from a number on."""
         for each in self._positions[first:]:
-            self._store.drop(self._kept.pop(each))
+            self._store.remove(self._snapshots.pop(each))
         del self._positions[first:]
 
     def fork(self, position: Position) -> History:
@@ -162,16 +162,18 @@ class History:
         other._edits = [each for each in self._edits if each <= position]
         other.changes = self.changes_until(position)
         other.farthest = position
-        other._kept = {each: self._store.take(self._kept[each]) for each in other._positions}
+        other._snapshots = {
+            each: self._store.add(self._snapshots[each]) for each in other._positions
+        }
         if self._start is not None:
-            other._start = self._store.take(self._start)
+            other._start = self._store.add(self._start)
         return other
 
     def release(self) -> None:
         """Discard all snapshots of a history that is not needed any more."""
         self._drop(self._positions[0])
         if self._start is not None:
-            self._store.drop(self._start)
+            self._store.remove(self._start)
         self._store.most_bytes -= self._more_bytes
 
     def changes_until(self, position: Position) -> tuple[Change, ...]:
@@ -186,15 +188,15 @@ class History:
 
     def at(self, position: Position) -> RunSnapshot:
         """Return the snapshot at a position that has one."""
-        kept = self._store.give(self._kept[position])
-        assert isinstance(kept, RunSnapshot)
-        return kept
+        snapshot = self._store.get(self._snapshots[position])
+        assert isinstance(snapshot, RunSnapshot)
+        return snapshot
 
     def latest(self) -> Position:
         """Return the latest position with a snapshot."""
         return self._positions[-1]
 
-    def places(self, before: Position) -> Sequence[Position]:
+    def snapshots_before(self, before: Position) -> Sequence[Position]:
         """Return all earlier positions with snapshots, ascending."""
         return self._positions[: bisect_left(self._positions, before)]
 
@@ -252,5 +254,5 @@ class History:
             gaps[1:-1] = (at[2:] - at[:-2]) / (1.0 + np.abs(at[1:-1] - here))
             gaps[~free] = np.inf
             gone = left.pop(int(gaps.argmin()))
-            self._store.drop(self._kept.pop(self._positions[gone]))
+            self._store.remove(self._snapshots.pop(self._positions[gone]))
         self._positions = [self._positions[number] for number in left]

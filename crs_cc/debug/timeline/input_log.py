@@ -50,7 +50,7 @@ class RoundInput:
 
     @classmethod
     def of(cls, pending: Int64Array, clock_s: FloatArray, fleet: Fleet) -> Self:
-        """Note the round that starts.
+        """Record the round that starts.
 
         Args:
             pending: by robot, its fuel; 0 for those that do not run.
@@ -80,7 +80,7 @@ class RoundInput:
         """Return the robots whose programs ran, rising."""
         return np.frombuffer(self.content, np.int64, self.count, 8)
 
-    def give(
+    def feed(
         self, fleet: Fleet, clock_s: FloatArray, pending: Int64Array, chosen: BoolArray | None
     ) -> IndexArray:
         """Feed it to programs again, and set their clocks [s] and fuel.
@@ -146,7 +146,9 @@ class InputLog:
         self._counts = array("i")  # by timestep
         self._ended: dict[int, tuple[int, ...]] = {}
 
-    def note(self, place: Position, pending: Int64Array, clock_s: FloatArray, fleet: Fleet) -> None:
+    def record_round(
+        self, place: Position, pending: Int64Array, clock_s: FloatArray, fleet: Fleet
+    ) -> None:
         """Record a round that starts.
 
         Args:
@@ -196,7 +198,7 @@ class InputLog:
         content = self._packed.get(key) if content is None else content
         return None if content is None else RoundInput.unpacked(content)
 
-    def knows(self, begin: Position, limit: Position) -> bool:
+    def covers(self, begin: Position, limit: Position) -> bool:
         """Return whether all rounds between two positions are logged."""
         if any(self.rounds_in(each) is None for each in range(begin.timestep, limit.timestep)):
             return False
@@ -218,11 +220,11 @@ class InputLog:
         known = self._counts[timestep] if timestep < len(self._counts) else _UNKNOWN
         return None if known == _UNKNOWN else known
 
-    def forget(self, place: Position) -> None:
+    def truncate(self, place: Position) -> None:
         """Discard the rounds from a position on."""
         here = _key(place.timestep, place.round + (place.robot >= 0))
-        self._fresh.forget(here)
-        self._packed.forget(here)
+        self._fresh.truncate(here)
+        self._packed.truncate(here)
         del self._counts[place.timestep :]
         for timestep in [each for each in self._ended if each >= place.timestep]:
             del self._ended[timestep]

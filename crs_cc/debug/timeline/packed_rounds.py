@@ -75,7 +75,7 @@ class RoundBlock:
         is_there = at < len(self._keys) and self._keys[at] == key
         return self._contents[at] if is_there else None
 
-    def forget(self, key: int) -> None:
+    def truncate(self, key: int) -> None:
         """Discard the contents from a key on."""
         at = bisect_left(self._keys, key)
         self._size -= sum(map(len, self._contents[at:]))
@@ -171,12 +171,12 @@ class PackedRounds:
             self._open = first, self._blocks[first].opened()
         return self._open[1].get(key)
 
-    def forget(self, key: int) -> None:
+    def truncate(self, key: int) -> None:
         """Discard the contents from a key on."""
         cut = self._first_of(key)
         if cut is not None:
             block = self._drop(cut).opened()
-            block.forget(key)
+            block.truncate(key)
             if not block.is_empty:
                 self.add(block)
         for first in self._firsts[bisect_left(self._firsts, key) :]:

@@ -78,20 +78,20 @@ class PassedSites:
         self._ended: set[int] = set()
         self._ends: tuple[int, ...] = ()
 
-    def lose(self) -> None:
-        """Note that the run is moved: the stretch that it is in will not be known."""
+    def invalidate(self) -> None:
+        """Discard the current stretch, as the run has moved."""
         self._number = None
 
     def end_programs(self, robots: Iterable[int]) -> None:
-        """Note that programs have ended."""
+        """Record that programs have ended."""
         self._ended.update(robots)
 
-    def halt(self, fleet: Fleet, robot: int) -> None:
+    def record_halt(self, fleet: Fleet, robot: int) -> None:
         """Record that a program has stopped before a site, possibly without a mark."""
         fleet.marks[robot][int(fleet.slots["stopped"][robot]) - 1] &= UNPASSED - 1
 
-    def at(self, timestep: int, fleet: Fleet, sites: Sequence[int]) -> None:
-        """Note that the run is at the start of a stretch.
+    def begin_stretch(self, timestep: int, fleet: Fleet, sites: Sequence[int]) -> None:
+        """Complete the previous stretch, and begin a new one.
 
         Args:
             timestep: the number of its first timestep.
@@ -124,9 +124,9 @@ class PassedSites:
     def _drop(self, number: int) -> None:
         self._bytes -= self._stretches.pop(number).size
 
-    def forget(self, timestep: int) -> None:
+    def truncate(self, timestep: int) -> None:
         """Discard the stretches that contain a timestep, or are later."""
-        self.lose()
+        self.invalidate()
         for number in [each for each in self._stretches if each >= timestep // STRETCH]:
             self._drop(number)
 

@@ -25,7 +25,7 @@ class ProgramReplay:
         self._session = session
         self._chosen: BoolArray | None = None  # by robot; None for all
 
-    def recall(self, snapshot: SessionSnapshot, robots: Iterable[int] | None) -> None:
+    def restore_programs(self, snapshot: SessionSnapshot, robots: Iterable[int] | None) -> None:
         """Restore programs from a snapshot.
 
         Args:
@@ -38,12 +38,12 @@ class ProgramReplay:
             chosen &= {*robots, -1 if snapshot.halted is None else snapshot.halted}
             self._chosen = np.zeros(len(self._session.fleet), np.bool_)
             self._chosen[list(chosen)] = True
-        self._session.state.recall(snapshot, sorted(chosen))
+        self._session.state.restore_programs(snapshot, sorted(chosen))
 
     def begin(self, round_: RoundInput) -> bool:
         """Repeat the programs' input of a round; return whether any program runs in it."""
         state = self._session.state
-        given = round_.give(self._session.fleet, state.clock_s, state.pending, self._chosen)
+        given = round_.feed(self._session.fleet, state.clock_s, state.pending, self._chosen)
         return bool(given.size)
 
     def end(self, round_: RoundInput) -> RunEvent:

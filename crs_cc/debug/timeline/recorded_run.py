@@ -109,8 +109,8 @@ class RecordedRun:
         )
         self._replay = ProgramReplay(self.session)
         self._stops = ArmedStops(self.session, len(programs))
-        self.history.keep(BEGINNING, self._kept())
-        self._look_at_marks()
+        self.history.keep(BEGINNING, self._snapshot())
+        self._scan_marks()
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
         self.console.write(robot, stream, content)  # of the branch that the run is in now
@@ -157,7 +157,7 @@ class RecordedRun:
         now_s = session.now_s(robot)
         return now_s if math.isfinite(now_s) else session.time_s
 
-    def statements_begun(self, robot: int) -> int:
+    def sites_passed(self, robot: int) -> int:
         """Return how many sites a robot's program has passed: statements and returns from calls."""
         return int(self.session.fleet.slots["statements"][robot])
 
@@ -172,16 +172,18 @@ class RecordedRun:
         self._stopped.clear()  # a program may move to another build
         self._stops.arm(marks, self._sites())
         if not self._stops.has_marks:
-            self.passed_sites.lose()
+            self.passed_sites.invalidate()
 
     def _sites(self) -> list[int]:
         """Return how many sites each program has."""
         return [len(each.executable.detail().compiled.statements) for each in self.programs]
 
-    def _look_at_marks(self) -> None:
-        """Look at the marks of all programs if a stretch ends here, at the start of a timestep."""
+    def _scan_marks(self) -> None:
+        """Scan the marks of all programs if a stretch ends at this timestep."""
         if self.session.timesteps % STRETCH == 0 and self._stops.has_marks:
-            self.passed_sites.at(self.session.timesteps, self.session.fleet, self._sites())
+            self.passed_sites.begin_stretch(
+                self.session.timesteps, self.session.fleet, self._sites()
+            )
 
     # -- going on ----------------------------------------------------------------------------
 
@@ -207,7 +209,9 @@ class RecordedRun:
         else:
             if before.robot < 0:
                 state = self.session.state
-                self.input_log.note(before, state.pending, state.clock_s, self.session.fleet)
+                self.input_log.record_round(
+                    before, state.pending, state.clock_s, self.session.fleet
+                )
                 self._stops.begin_round()
             self.session.run_programs()
             if edit is not None and self._has_passed(edit):
@@ -226,18 +230,18 @@ class RecordedRun:
         self._note_passed(position, event)
         if edit == position:
             self.restore(self.history.at(position))
-        elif position.round == 0 and position.robot < 0 and self.history.wants(position):
-            self.history.keep(position, self._kept())
+        elif position.round == 0 and position.robot < 0 and self.history.should_keep(position):
+            self.history.keep(position, self._snapshot())
         return event
 
     def _note_passed(self, position: Position, event: RunEvent) -> None:
-        """Note what programs have passed, up to a position."""
+        """Record the sites that programs have passed, up to a position."""
         if event.ended:
             self.passed_sites.end_programs(event.ended)
         if position.robot >= 0:
-            self.passed_sites.halt(self.session.fleet, position.robot)
+            self.passed_sites.record_halt(self.session.fleet, position.robot)
         elif position.round == 0:
-            self._look_at_marks()
+            self._scan_marks()
 
     def replay(
         self,
@@ -263,7 +267,7 @@ class RecordedRun:
         """
         edit = self.history.next_edit(begin)
         is_plain = edit is None or edit >= limit
-        if needs_world or not is_plain or not self.input_log.knows(begin, limit):
+        if needs_world or not is_plain or not self.input_log.covers(begin, limit):
             self.restore(self.history.at(begin))
             while self.position < limit:
                 ahead = self.advance(limit)
@@ -273,15 +277,15 @@ class RecordedRun:
             self.is_off_timeline = True
             return
         self.is_off_timeline = True
-        self._recall(begin, robots)
+        self._restore_programs(begin, robots)
         while self.position < limit:
             self._answer_interrupt()
-            event = self._again(limit)
+            event = self._replay_round(limit)
             if event is None:
                 return
             yield event
 
-    def approach(self, begin: Position, first: Position, limit: Position) -> Position:
+    def replay_start(self, begin: Position, first: Position, limit: Position) -> Position:
         """Return the position of a snapshot from which a part of the past is replayed.
 
         Where the world has to run, too, the way to what matters is gone once, and not again.
@@ -291,22 +295,22 @@ class RecordedRun:
             first: before this position nothing matters.
             limit: the end of the part.
         """
-        if first <= begin or self.input_log.knows(begin, limit):
+        if first <= begin or self.input_log.covers(begin, limit):
             return begin
         self.seek(first)
         if self.position != first:
             return begin
-        self.history.keep(first, self._kept())
+        self.history.keep(first, self._snapshot())
         return first
 
-    def _recall(self, begin: Position, robots: Iterable[int] | None) -> None:
+    def _restore_programs(self, begin: Position, robots: Iterable[int] | None) -> None:
         """Restore only programs from a snapshot."""
         self._stopped.clear()
-        self._replay.recall(self.history.at(begin).session, robots)
-        self._stops.enter()
-        self._look_anew()
+        self._replay.restore_programs(self.history.at(begin).session, robots)
+        self._stops.update_slots()
+        self._reset_watches()
 
-    def _again(self, limit: Position) -> RunEvent | None:
+    def _replay_round(self, limit: Position) -> RunEvent | None:
         """Replay one round of the programs, or a part of it; None at the limit."""
         session, place = self.session, self.position
         self._stopped.clear()
@@ -342,7 +346,7 @@ class RecordedRun:
         if place.robot < 0:
             return False
         halted = session.state.halted
-        return halted is None or (halted, self.statements_begun(halted)) >= (
+        return halted is None or (halted, self.sites_passed(halted)) >= (
             place.robot,
             place.statements,
         )
@@ -363,17 +367,17 @@ class RecordedRun:
         ended = tuple(np.flatnonzero(alive & ~state.alive).tolist())
         self.input_log.end(timestep, rounds, ended)
         assert self._step is not None
-        self.event_history.hear(self._step, session.environment)
-        changes = self._stops.changes_of_world(self.position)
+        self.event_history.record_step(self._step, session.environment)
+        changes = self._stops.world_watch_hits(self.position)
         return RunEvent("timestep", (), ended, self._step, not can_advance, changes)
 
     # -- going anywhere ----------------------------------------------------------------------
 
     def seek(self, target: Position) -> None:
         """Move to a recorded position; cannot be interrupted."""
-        position, kept = self.history.before(target)
+        position, snapshot = self.history.before(target)
         if self.is_off_timeline or not position <= self.position <= target:
-            self.restore(kept)
+            self.restore(snapshot)
         everywhere, since = frozenset[int](), {}
         if target.robot >= 0:
             everywhere, since = frozenset({target.robot}), {target.robot: target.statements}
@@ -381,17 +385,19 @@ class RecordedRun:
         while self.position < target and self.can_advance:
             self._advance(target)
 
-    def restore(self, kept: RunSnapshot) -> None:
+    def restore(self, snapshot: RunSnapshot) -> None:
         """Restore a snapshot."""
         self.is_off_timeline = False
         self._stopped.clear()
-        self.session.restore(kept.session)
-        self._know(kept.session.added)
-        self.console.restore(kept.console)
-        self._stops.enter()
-        self._look_anew()
+        self.session.restore(snapshot.session)
+        self._set_added_programs(snapshot.session.added)
+        self.console.restore(snapshot.console)
+        self._stops.update_slots()
+        self._reset_watches()
 
-    def enter(self, history: History, console: ReplayConsole, event_history: EventHistory) -> None:
+    def switch_history(
+        self, history: History, console: ReplayConsole, event_history: EventHistory
+    ) -> None:
         """Switch to another history; `seek` must follow."""
         console.is_live = self.console.is_live
         self.history, self.console, self.event_history = history, console, event_history
@@ -402,34 +408,34 @@ class RecordedRun:
         """Return the programs that robots can run, in their plain builds: first their own."""
         return [each.executable for each in (*self.programs, *self.uploads.programs.values())]
 
-    def _know(self, added: Sequence[Added]) -> None:
-        """Know the programs of the robots that have been added, and no others."""
+    def _set_added_programs(self, added: Sequence[Added]) -> None:
+        """Set the programs of the robots that have been added."""
         programs, count = (*self.programs, *self.uploads.programs.values()), self.world_robots
         known = {id(each.executable): each for each in programs}
         self.programs[count:] = [known[id(each.executable)] for each in added]
-        self._stops.know(count, [each.executable for each in added])
+        self._stops.set_added_programs(count, [each.executable for each in added])
 
-    def take_back(self, place: Position) -> None:
+    def revert(self, place: Position) -> None:
         """Go to a position as if nothing had been changed there or later; discard the future."""
-        self.history.take_back(place)
+        self.history.revert(place)
         self.is_off_timeline = True
         self.seek(place)
         self._discard_future()
 
     def _discard_future(self) -> None:
-        self._look_anew()
+        self._reset_watches()
         self.console.truncate()
-        self.event_history.forget(self.position.timestep)
-        self.input_log.forget(self.position)
-        self.passed_sites.forget(self.position.timestep)
+        self.event_history.truncate(self.position.timestep)
+        self.input_log.truncate(self.position)
+        self.passed_sites.truncate(self.position.timestep)
 
-    def changed(self, change: Change) -> None:
+    def record_change(self, change: Change) -> None:
         """Record a change that the user has made here: discard the future of the history."""
         self.console.insert(change.robot, change.printed)
-        kept = self._kept()
-        self._know(kept.session.added)
+        snapshot = self._snapshot()
+        self._set_added_programs(snapshot.session.added)
         self._discard_future()
-        self.history.branch(change, kept)
+        self.history.branch(change, snapshot)
 
     def patch(self, robot: int, patches: Sequence[MemoryPatch]) -> None:
         """Write bytes to a program's memory.
@@ -441,12 +447,12 @@ class RecordedRun:
             raise ValueError("a change to the memory of a robot that does not exist")
         write(patches, self.stopped(robot).memory, self.stopped(robot).shadow)
 
-    def _look_anew(self) -> None:
-        """Reset the watched values: they were not changed by the programs, which were moved."""
-        self.passed_sites.lose()
-        self._stops.forget()
+    def _reset_watches(self) -> None:
+        """Reset the watched values after the programs have been moved."""
+        self.passed_sites.invalidate()
+        self._stops.reset_watches()
 
-    def _kept(self) -> RunSnapshot:
+    def _snapshot(self) -> RunSnapshot:
         return RunSnapshot(self.session.snapshot(), self.console.snapshot())
 
     # -- where a program stands ---------------------------------------------------------------

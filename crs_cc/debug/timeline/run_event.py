@@ -37,7 +37,7 @@ class StopRequest:
     at_once: bool = False
     tests: Mapping[int, Mapping[int, tuple[str, ...]]] = field(default_factory=dict)
 
-    def enter(self, slots: Records) -> None:
+    def write_to(self, slots: Records) -> None:
         """Set the stop conditions in the programs' slots that their marks do not contain."""
         slots["stop_before_all"] = 0
         slots["stop_from"] = 0

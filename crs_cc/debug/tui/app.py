@@ -130,7 +130,7 @@ class DebugApp(App[int]):
             if each.label
         )
         self.main.query_one(CommandLine).focus()
-        self._backend.listen(self._hear)
+        self._backend.on_input_request(self._post_input_request)
         self._request(BackendRequest())
 
     @property
@@ -148,23 +148,23 @@ class DebugApp(App[int]):
     def _request(self, request: BackendRequest) -> None:
         """Queue a request."""
         self._requests.append(request)
-        self._go_on()
+        self._start_next()
 
-    def _go_on(self) -> None:
+    def _start_next(self) -> None:
         if self._current is not None or not self._requests:
             return
         request = self._current = self._requests.popleft()
         wanted = frozenset(self._unfolded), self._map_size, self._file
         request = BackendRequest(request.line, request.is_typed, *wanted)
         if request.line is not None:
-            self._slow = self.set_interval(_WAIT_S, self._say_running)
-        self.run_worker(lambda: self._do(request), thread=True, exit_on_error=False)
+            self._slow = self.set_interval(_WAIT_S, self._show_running)
+        self.run_worker(lambda: self._execute(request), thread=True, exit_on_error=False)
 
-    def _do(self, request: BackendRequest) -> None:
+    def _execute(self, request: BackendRequest) -> None:
         """Execute a request; in the debugger's thread."""
-        self.post_message(RequestFinished(request, self._backend.do(request)))
+        self.post_message(RequestFinished(request, self._backend.execute(request)))
 
-    def _hear(self, robot: str) -> None:
+    def _post_input_request(self, robot: str) -> None:
         """Post that a program waits for input; in the debugger's thread."""
         self.post_message(InputRequested(robot))
 
@@ -175,20 +175,20 @@ class DebugApp(App[int]):
         if self._slow is not None:
             self._slow.stop()
         self.main.query_one(StatusBar).running = ""
-        if self._leaving or done.leaves:
+        if self._leaving or done.quits:
             self.exit(0)
             return
-        self._tell(request, done)
+        self._show_answer(request, done)
         self._prompt(done.prompt)
         if done.listed is not None:
             self._file = done.snapshot.source.file
         self._show(done.snapshot, moved=done.moved)
         if done.listed is not None:
             self.main.query_one(SourcePane).go_to(sum(done.listed) // 2)
-        self._go_on()
-        self._pursue()
+        self._start_next()
+        self._start_goto()
 
-    def _tell(self, request: BackendRequest, done: BackendReply) -> None:
+    def _show_answer(self, request: BackendRequest, done: BackendReply) -> None:
         console = self.main.query_one("#console", ConsoleLog)
         if request.line is not None and (request.is_typed or done.answer.plain or done.errors):
             console.echo(request.line)
@@ -212,7 +212,7 @@ class DebugApp(App[int]):
         line.end_s, line.now_s, line.happened = snapshot.end_s, snapshot.now_s, snapshot.events
         line.timestep_s = snapshot.timestep_s
 
-    def _say_running(self) -> None:
+    def _show_running(self) -> None:
         """Show the running command, its progress and new output; most commands end before."""
         if self._current is not None and self._current.line is not None:
             line = self._current.line or "again"
@@ -230,7 +230,7 @@ class DebugApp(App[int]):
         """Interrupt the running command, or else copy the selection."""
         if self._current is not None:
             self._requests.clear()
-            self._ask_for("")
+            self._direct_input("")
             self._backend.interrupt()
         elif marked := self.screen.get_selected_text():
             self.copy_to_clipboard(marked)
@@ -264,7 +264,7 @@ class DebugApp(App[int]):
         if files:
             shown = files.index(self.main.query_one(SourcePane).file)
             self._file = files[(shown + 1) % len(files)]
-            self._look_again()
+            self._refresh()
 
     def action_help(self) -> None:
         """Show the help page."""
@@ -319,7 +319,7 @@ class DebugApp(App[int]):
     def on_command_line_typed(self, message: CommandLine.Typed) -> None:
         """Handle a command, or input for a program."""
         if self._asks:
-            self._give(message.line)
+            self._send_input(message.line)
         elif message.line.startswith("/"):
             self._search(message.line[1:])
         else:
@@ -329,19 +329,19 @@ class DebugApp(App[int]):
     async def on_command_line_finished(self) -> None:
         """Quit, or end the input of a waiting program."""
         if self._asks:
-            self._give(None)
+            self._send_input(None)
         else:
             await self.action_quit()
 
     def on_input_requested(self, message: InputRequested) -> None:
         """Prompt for a program's input."""
-        self._ask_for(message.robot)
+        self._direct_input(message.robot)
         self.main.query_one(CommandLine).focus()
 
-    def _ask_for(self, robot: str) -> None:
+    def _direct_input(self, robot: str) -> None:
         """Direct typed lines to a robot's program; to the debugger for an empty name."""
         self._asks = robot
-        self._prompt(_reads(robot) if robot else PROMPT)
+        self._prompt(_input_prompt(robot) if robot else PROMPT)
 
     def _prompt(self, text: str) -> None:
         """Show a prompt; only another one, as that lays out the whole screen."""
@@ -349,10 +349,10 @@ class DebugApp(App[int]):
             self._prompted = text
             self.main.query_one("#prompt Label", Label).update(text)
 
-    def _give(self, line: str | None) -> None:
-        self.main.query_one("#console", ConsoleLog).echo(line or "", _reads(self._asks))
-        self._ask_for("")
-        self._backend.give(line)
+    def _send_input(self, line: str | None) -> None:
+        self.main.query_one("#console", ConsoleLog).echo(line or "", _input_prompt(self._asks))
+        self._direct_input("")
+        self._backend.send_input(line)
 
     def on_source_pane_toggle(self, message: SourcePane.Toggle) -> None:
         """Toggle a breakpoint."""
@@ -371,14 +371,14 @@ class DebugApp(App[int]):
     def on_variables_pane_unfolded(self, message: VariablesPane.Unfolded) -> None:
         """Expand or collapse a value."""
         (self._unfolded.add if message.is_open else self._unfolded.discard)(message.key)
-        self._look_again()
+        self._refresh()
 
     def on_map_pane_resized(self, message: MapPane.Resized) -> None:
         """Redraw the map."""
         self._map_size = message.width, message.height
-        self._look_again()
+        self._refresh()
 
-    def _look_again(self) -> None:
+    def _refresh(self) -> None:
         if not any(each.line is None for each in self._requests):
             self._request(BackendRequest())
 
@@ -389,14 +389,14 @@ class DebugApp(App[int]):
     def on_time_line_move(self, message: TimeLine.Move) -> None:
         """Go to a time; while a command runs, only the last request counts."""
         self._goto_s = message.time_s
-        self._pursue()
+        self._start_goto()
 
-    def _pursue(self) -> None:
+    def _start_goto(self) -> None:
         if self._goto_s is not None and self.is_idle:
             self._request(BackendRequest(f"goto {self._goto_s:.6f}"))
             self._goto_s = None
 
 
-def _reads(robot: str) -> str:
+def _input_prompt(robot: str) -> str:
     """Return the prompt for a program's input."""
     return f"{robot} reads: "

@@ -40,7 +40,7 @@ class BackendReply:
         answer: the answer of the command.
         errors: its errors, a line each.
         moved: whether the run has moved.
-        leaves: whether the user has quit.
+        quits: whether the user has quit.
         prompt: the prompt for the next line.
         listed: the first and last line that the command has listed, of the file shown; None if it
             has listed nothing.
@@ -50,15 +50,15 @@ class BackendReply:
     answer: Text = field(default_factory=Text)
     errors: tuple[str, ...] = ()
     moved: bool = False
-    leaves: bool = False
+    quits: bool = False
     prompt: str = PROMPT
     listed: tuple[int, int] | None = None
 
 
 class Backend(Protocol):
-    """The debugger as seen by the screen; `do` is called in a worker thread."""
+    """The debugger as seen by the screen; `execute` is called in a worker thread."""
 
-    def do(self, request: BackendRequest) -> BackendReply:
+    def execute(self, request: BackendRequest) -> BackendReply:
         """Execute a request; raises nothing."""
 
     def interrupt(self) -> None:
@@ -68,10 +68,10 @@ class Backend(Protocol):
     def time_s(self) -> float:
         """The simulated time [s], also while the run advances; thread-safe."""
 
-    def listen(self, asked: Callable[[str], None]) -> None:
+    def on_input_request(self, asked: Callable[[str], None]) -> None:
         """Set the callback for programs that wait for input; it receives the robot's name."""
 
-    def give(self, line: str | None) -> None:
+    def send_input(self, line: str | None) -> None:
         """Pass a line to the waiting program; None for the end of its input."""
 
     def take_output(self) -> tuple[OutputLine, ...]:

@@ -66,17 +66,17 @@ class Controller:
         """The simulated time [s], also while the run advances; thread-safe."""
         return self.shell.debugger.session.time_s
 
-    def listen(self, asked: Callable[[str], None]) -> None:
+    def on_input_request(self, asked: Callable[[str], None]) -> None:
         """Set the callback for programs that wait for input; it receives the robot's name."""
-        self._streams.asks = lambda robot: asked(self.shell.debugger.names[robot])
+        self._streams.on_input_request = lambda robot: asked(self.shell.debugger.names[robot])
 
-    def give(self, line: str | None) -> None:
+    def send_input(self, line: str | None) -> None:
         """Pass a line to the waiting program; None for the end of its input."""
-        self._streams.give(b"" if line is None else f"{line}\n".encode())
+        self._streams.send_input(b"" if line is None else f"{line}\n".encode())
 
     def take_output(self) -> tuple[OutputLine, ...]:
         """Return the output since the last call."""
-        return tuple(written(self.shell.debugger.names, self._streams.take()))
+        return tuple(written(self.shell.debugger.names, self._streams.take_output()))
 
     def complete(self, line: str) -> Sequence[str]:
         """Return the completions of a line; while a command runs, only command names."""
@@ -85,10 +85,10 @@ class Controller:
         completion = complete(self.shell.context, line)
         return [line[: completion.start] + word for word in completion.words]
 
-    def do(self, request: BackendRequest) -> BackendReply:
+    def execute(self, request: BackendRequest) -> BackendReply:
         """Execute a request; errors become lines of the reply."""
         self._works = True
-        self._streams.take()  # the previous snapshot has shown it
+        self._streams.take_output()  # the previous snapshot has shown it
         debugger = self.shell.debugger
         # An interrupt that arrived too late for the previous request does not concern this one.
         self._is_interrupted = False

@@ -76,7 +76,7 @@ def help_rows() -> list[tuple[str, str, str]]:
     """Return keys, command and meaning of each shortcut."""
     rows = []
     for each in SHORTCUTS:
-        named = [_called(key) for key in each.keys.split(",") if key and key[-2:] not in _HIDDEN]
+        named = [_key_name(key) for key in each.keys.split(",") if key and key[-2:] not in _HIDDEN]
         letter = _LETTERS.get(each.letter, each.letter)
         rows.append((" ".join(filter(None, [*named, letter])), each.command, each.meaning))
     return rows
@@ -86,10 +86,10 @@ _HIDDEN: Final = ("17", "22", "23", "24")
 """Function keys that terminals send for Shift with another one."""
 
 
-def _called(key: str) -> str:
+def _key_name(key: str) -> str:
     """Return the display name of a key.
 
-    >>> _called("shift+f5"), _called("ctrl+c"), _called("escape")
+    >>> _key_name("shift+f5"), _key_name("ctrl+c"), _key_name("escape")
     ('Shift-F5', 'Ctrl-C', 'Escape')
     """
     return "-".join(part.capitalize() for part in key.split("+"))

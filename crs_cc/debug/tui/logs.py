@@ -148,5 +148,5 @@ class OutputLog(RichLog):
 
 def _written(line: OutputLine) -> Text:
     text = Text(no_wrap=True)
-    text.append(f"{line.who}: " if line.who else "", _WHO)
+    text.append(f"{line.writer}: " if line.writer else "", _WHO)
     return text.append(printable(line.text.expandtabs()), _ERROR if line.is_error else "")

@@ -21,11 +21,11 @@ class ProgramStreams:
     """The standard streams of the programs.
 
     Attributes:
-        asks: called when a program waits for a line, with the robot's number.
+        on_input_request: called when a program waits for a line, with the robot's number.
     """
 
     def __init__(self) -> None:
-        self.asks: Callable[[int], None] = lambda _robot: self.give(b"")
+        self.on_input_request: Callable[[int], None] = lambda _robot: self.send_input(b"")
         self._lines: SimpleQueue[bytes] = SimpleQueue()
         self._left: dict[int, bytes] = {}
         self._is_asking = False
@@ -35,7 +35,7 @@ class ProgramStreams:
         """Write output of a program."""
         self._written.append((robot, stream, content))
 
-    def take(self) -> list[Piece]:
+    def take_output(self) -> list[Piece]:
         """Return the output since the last call."""
         taken = []
         while self._written:
@@ -47,18 +47,18 @@ class ProgramStreams:
         left = self._left.pop(robot, b"")
         if not left:
             self._is_asking = True
-            self.asks(robot)
+            self.on_input_request(robot)
             left = self._lines.get()
             self._is_asking = False
         if len(left) > wanted:
             self._left[robot] = left[wanted:]
         return left[:wanted]
 
-    def give(self, content: bytes) -> None:
+    def send_input(self, content: bytes) -> None:
         """Pass on a typed line; None for the end of the input."""
         self._lines.put(content)
 
     def end(self) -> None:
         """End the input of a waiting program."""
         if self._is_asking:
-            self.give(b"")
+            self.send_input(b"")

@@ -82,13 +82,13 @@ class OutputLine:
     """A line of output.
 
     Attributes:
-        who: the robot, if there are several.
+        writer: the robot, if there are several.
         text: its text.
         is_error: whether it is from `stderr`.
         number: its number in the output of all robots, from 1; 0 while a command runs.
     """
 
-    who: str
+    writer: str
     text: str
     is_error: bool = False
     number: int = field(default=0, compare=False)

@@ -82,7 +82,7 @@ def _state(debugger: Debugger) -> str:
 
 
 def _statement(debugger: Debugger) -> str:
-    return f", before stmt {debugger.run.statements_begun(debugger.view.robot) + 1}"
+    return f", before stmt {debugger.run.sites_passed(debugger.view.robot) + 1}"
 
 
 def _timestep_s(debugger: Debugger) -> float:
@@ -116,7 +116,7 @@ def _source(debugger: Debugger, wanted: str) -> SourceData:
 def _breakpoints(debugger: Debugger, file: str) -> dict[int, BreakpointMark]:
     marks = {}
     for each in debugger.stop_points.breakpoints:
-        place = each.place.location if each.place else None
+        place = each.location.location if each.location else None
         if place is not None and place.file == file:
             marks[place.line] = BreakpointMark(each.number, each.enabled)
     return marks
@@ -156,7 +156,7 @@ def _pose(session: Session, robot: int) -> str:
 
 def _output(debugger: Debugger) -> Iterator[OutputLine]:
     console = debugger.run.console
-    since = max(0, console.at // _BLOCK - 1) * _BLOCK
+    since = max(0, console.piece_count // _BLOCK - 1) * _BLOCK
     return written(debugger.names, console.pieces(since), console.lines_before(since) + 1)
 
 
@@ -173,16 +173,16 @@ def written(
     writer, begun, number = (-1, -1), "", first
     for robot, stream, piece in pieces:
         if (robot, stream) != writer and begun:
-            yield OutputLine(_who(names, writer[0]), begun, writer[1] == _STDERR, number)
+            yield OutputLine(_writer_name(names, writer[0]), begun, writer[1] == _STDERR, number)
             begun = ""
         writer = robot, stream
         *lines, begun = (begun + piece.decode("utf-8", "replace")).split("\n")
         for line in lines:
-            yield OutputLine(_who(names, robot), line, stream == _STDERR, number)
+            yield OutputLine(_writer_name(names, robot), line, stream == _STDERR, number)
             number += bool(first)
     if begun:
-        yield OutputLine(_who(names, writer[0]), begun, writer[1] == _STDERR, number)
+        yield OutputLine(_writer_name(names, writer[0]), begun, writer[1] == _STDERR, number)
 
 
-def _who(names: tuple[str, ...], robot: int) -> str:
+def _writer_name(names: tuple[str, ...], robot: int) -> str:
     return names[robot] if len(names) > 1 else ""

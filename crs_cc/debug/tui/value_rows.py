@@ -85,7 +85,7 @@ class _Tree:
         for number, display in self._shell.context.displays.items():
             key = (*group, str(number))
             try:
-                value = self._debugger.view.look_up(display.expression)
+                value = self._debugger.view.evaluate_pure(display.expression)
             except DebugError:
                 yield ValueRow(key, display.expression, "-")
             else:

@@ -102,13 +102,13 @@ class VariablesPane(Tree[ValueRow]):
 
     def on_tree_node_expanded(self, event: Tree.NodeExpanded[ValueRow]) -> None:
         """Post that a value is expanded."""
-        self._tell(event.node, is_open=True)
+        self._post_unfolded(event.node, is_open=True)
 
     def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[ValueRow]) -> None:
         """Post that a value is collapsed."""
-        self._tell(event.node, is_open=False)
+        self._post_unfolded(event.node, is_open=False)
 
-    def _tell(self, node: TreeNode[ValueRow], *, is_open: bool) -> None:
+    def _post_unfolded(self, node: TreeNode[ValueRow], *, is_open: bool) -> None:
         if node.data is not None:
             self.post_message(self.Unfolded(node.data.key, is_open))
 

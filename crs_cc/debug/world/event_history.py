@@ -43,7 +43,7 @@ class EventHistory:
         self._poses: list[tuple[int, FloatArray]] = []  # at the end of every `stride`th timestep
         self._farthest_m: FloatArray = np.zeros(0)  # that each robot drives in a timestep
 
-    def hear(self, step: Step, environment: Environment) -> None:
+    def record_step(self, step: Step, environment: Environment) -> None:
         """Record the events of a timestep that has just ended, unless recorded before."""
         if step.cycle < self.timesteps:
             return
@@ -52,7 +52,7 @@ class EventHistory:
             for each in world_events(step, environment.world, _KINDS):
                 self._add(step.cycle, each)
         if step.cycle % self._stride == 0:
-            self._take_poses(step.cycle, environment)
+            self._record_poses(step.cycle, environment)
 
     def note(self, timestep: int, event: WorldEvent) -> None:
         """Record another event of a timestep, once."""
@@ -64,7 +64,7 @@ class EventHistory:
         if len(self._happened) > _MAX_EVENTS:
             del self._happened[: _MAX_EVENTS // 2]
 
-    def _take_poses(self, timestep: int, environment: Environment) -> None:
+    def _record_poses(self, timestep: int, environment: Environment) -> None:
         state, robots = environment.state, environment.world.robots
         if len(self._farthest_m) != len(robots):
             limits_mps = [robot.model.drive.wheels.speed_limit for robot in robots]
@@ -112,7 +112,7 @@ class EventHistory:
         jumps = np.flatnonzero(np.hypot(ways[:, 0], ways[:, 1]) > farthest_m)
         return np.insert(path[:, 1:], jumps + 1, np.nan, axis=0)
 
-    def forget(self, timestep: int) -> None:
+    def truncate(self, timestep: int) -> None:
         """Discard a timestep and all later ones."""
         self.timesteps = min(self.timesteps, timestep)
         self._happened = [each for each in self._happened if each[0] < timestep]
@@ -121,7 +121,7 @@ class EventHistory:
     def fork(self, timestep: int) -> EventHistory:
         """Return an independent copy of the timesteps before this one."""
         other = copy.copy(self)
-        other.forget(timestep)
+        other.truncate(timestep)
         return other
 
 

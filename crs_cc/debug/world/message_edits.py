@@ -22,29 +22,29 @@ _NUMBER: Final = re.compile(r"-?\d{1,10}")
 
 
 def _shut(environment: Environment, words: Words) -> str:
-    way, times = _way(words, "shut")
+    link, times = _link_and_times(words, "shut")
     environment.communication.shut(
-        **way, at_s=times.get("at", environment.time_s), duration_s=times.get("for")
+        **link, at_s=times.get("at", environment.time_s), duration_s=times.get("for")
     )
-    return _status(way, "blocked", times)
+    return _status(link, "blocked", times)
 
 
 def _open(environment: Environment, words: Words) -> str:
-    way, times = _way(words, "open")
-    environment.communication.open(**way, at_s=times.get("at"))
-    return _status(way, "unblocked", times)
+    link, times = _link_and_times(words, "open")
+    environment.communication.open(**link, at_s=times.get("at"))
+    return _status(link, "unblocked", times)
 
 
-def _way(words: Words, name: str) -> tuple[dict[str, str], dict[str, float]]:
+def _link_and_times(words: Words, name: str) -> tuple[dict[str, str], dict[str, float]]:
     """Return the link and the times that words describe: `radio from robot0 to robot1 at 5s`."""
-    left, way, times, wrong = list(words), {}, {}, []
+    left, link, times, wrong = list(words), {}, {}, []
     is_all = left[:1] == ["all"]
     if left and left[0] not in ("from", "to", "at", "for"):
         word = left.pop(0)
-        way = {} if is_all else {"channel": word}
+        link = {} if is_all else {"channel": word}
     for word, role in (("from", "sender"), ("to", "receiver")):
         if len(left) > 1 and left[0] == word:
-            way[role] = left[1]
+            link[role] = left[1]
             del left[:2]
     for word in ("at", "for") if name == "shut" else ("at",):
         if len(left) > 1 and left[0] == word:
@@ -55,9 +55,9 @@ def _way(words: Words, name: str) -> tuple[dict[str, str], dict[str, float]]:
             del left[:2]
     if wrong:
         raise ValueError("\n".join(wrong))
-    if left or not (way or is_all):
+    if left or not (link or is_all):
         raise _wrong_words(name)
-    return way, times
+    return link, times
 
 
 def _time_s(text: str) -> float:
@@ -67,18 +67,18 @@ def _time_s(text: str) -> float:
     return time_s
 
 
-def _way_text(way: dict[str, str]) -> str:
-    parts = [way.get("channel", "every channel" if way else "every link")]
-    parts += [f"from {way['sender']}"] if "sender" in way else []
-    parts += [f"to {way['receiver']}"] if "receiver" in way else []
+def _link_text(link: dict[str, str]) -> str:
+    parts = [link.get("channel", "every channel" if link else "every link")]
+    parts += [f"from {link['sender']}"] if "sender" in link else []
+    parts += [f"to {link['receiver']}"] if "receiver" in link else []
     return " ".join(parts)
 
 
-def _status(way: dict[str, str], status: str, times: dict[str, float]) -> str:
+def _status(link: dict[str, str], status: str, times: dict[str, float]) -> str:
     if "at" in times:
-        text = f"{_way_text(way)} is {status} from {TIME.show(times['at'])} on"
+        text = f"{_link_text(link)} is {status} from {TIME.show(times['at'])} on"
     else:
-        text = f"{_way_text(way)} is now {status}"
+        text = f"{_link_text(link)} is now {status}"
     return f"{text}, for {TIME.show(times['for'])}" if "for" in times else text
 
 

@@ -129,7 +129,7 @@ def _join(session: Session, programs: Sequence[Executable], words: Words) -> str
 
 
 def _admit(session: Session, names: Words) -> str:
-    """Let robots of the world join that are to join later."""
+    """Make robots that are to join later join now."""
     _require_between_timesteps(session)
     numbers = _numbers(session, names)
     session.state.admit_robots(numbers)

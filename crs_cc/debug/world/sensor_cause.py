@@ -99,7 +99,7 @@ def _number(field: StateField) -> int | None:
     return int(last) if last.isdigit() else None
 
 
-def object_met(environment: Environment, robot: int, number: int, echo_m: float) -> str:
+def echoing_object(environment: Environment, robot: int, number: int, echo_m: float) -> str:
     """Return the object at the distance of an echo in the beam of a sonar; "" for none.
 
     The beam is that of the robot's present pose.

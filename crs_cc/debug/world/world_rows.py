@@ -26,7 +26,7 @@ def world_rows(environment: Environment) -> list[Row]:
         Row("time", f"{instant(environment.time_s)}, timestep {state.cycle} of {timestep_ms:g} ms"),
         Row("area", f"{length(area.length_m)} by {length(area.width_m)} from {corner}"),
         _robots(environment),
-        *_things(environment),
+        *_movable_objects(environment),
         *_channels(environment),
         *_degradations(environment),
     ]
@@ -43,7 +43,7 @@ def _robots(environment: Environment) -> Row:
     return Row("robots", f"{sum(there)} of {len(there)} in the world", children)
 
 
-def _things(environment: Environment) -> Iterator[Row]:
+def _movable_objects(environment: Environment) -> Iterator[Row]:
     """Return the objects, and of movable ones the position and the distance from the start."""
     state, world = environment.state, environment.world_now
     solids = world.solids()

@@ -53,7 +53,7 @@ def deliver(network: Network, cycle: int, time_s: float) -> None:
     for key, socket in list(state.sockets.items()):
         if socket.condition == "connecting" and socket.until <= cycle:
             socket.condition, socket.error = "new", ETIMEDOUT
-            _tell(network, key, "reset")
+            _report_outside(network, key, "reset")
 
 
 def next_cycle(network: Network) -> int:
@@ -67,7 +67,7 @@ def next_cycle(network: Network) -> int:
 
 
 def _open(network: Network, segment: Segment, time_s: float) -> None:
-    """Let a connection wait at the socket that listens, or refuse it if there is no room."""
+    """Queue a connection at the listening socket, or refuse it if the backlog is full."""
     address, port = segment.to
     machine = network.machine_at(segment.to)
     if machine is not None:
@@ -103,7 +103,7 @@ def _open_outside(network: Network, segment: Segment, machine: str, time_s: floa
             AF_INET, STREAM, "connecting", segment.to, segment.origin, segment.source, until=until
         ),
     )
-    network.tell_outside(key[1], ("open", machine.encode()))
+    network.on_outside_event(key[1], ("open", machine.encode()))
 
 
 def _opened(network: Network, segment: Segment, time_s: float) -> None:
@@ -112,14 +112,14 @@ def _opened(network: Network, segment: Segment, time_s: float) -> None:
         network.post((OUTSIDE, -1), "reset", segment.source, time_s)
         return
     socket.condition, socket.peer = "connected", segment.source
-    _tell(network, segment.target, "opened")
+    _report_outside(network, segment.target, "opened")
 
 
 def _refused(network: Network, segment: Segment, _time_s: float) -> None:
     socket = _target(network, segment)
     if socket is not None and socket.condition == "connecting":
         socket.condition, socket.error = "new", ECONNREFUSED
-        _tell(network, segment.target, "refused")
+        _report_outside(network, segment.target, "refused")
 
 
 def _data(network: Network, segment: Segment, time_s: float) -> None:
@@ -127,7 +127,7 @@ def _data(network: Network, segment: Segment, time_s: float) -> None:
     if socket is None or socket.condition != "connected":
         network.post((OUTSIDE, -1), "reset", segment.source, time_s)
     elif segment.target is not None and segment.target[0] == OUTSIDE:
-        _tell(network, segment.target, "data", segment.content)
+        _report_outside(network, segment.target, "data", segment.content)
         _free(network, segment.source, len(segment.content))
     elif socket.cannot_receive:
         _free(network, segment.source, len(segment.content))
@@ -139,14 +139,14 @@ def _end(network: Network, segment: Segment, _time_s: float) -> None:
     socket = _target(network, segment)
     if socket is not None:
         socket.at_end = True
-        _tell(network, segment.target, "end")
+        _report_outside(network, segment.target, "end")
 
 
 def _reset(network: Network, segment: Segment, _time_s: float) -> None:
     socket = _target(network, segment)
     if socket is not None and socket.condition == "connected":
         socket.condition, socket.error = "ended", EPIPE if socket.at_end else ECONNRESET
-        _tell(network, segment.target, "reset")
+        _report_outside(network, segment.target, "reset")
 
 
 def _datagram(network: Network, segment: Segment, time_s: float) -> None:
@@ -208,11 +208,13 @@ def _free(network: Network, source: Key, count: int) -> None:
         socket.unread -= count
 
 
-def _tell(network: Network, key: Key | None, event: OutsideKind, content: bytes = b"") -> None:
-    """Tell the real network what has happened to a connection of it; forget one that is over."""
+def _report_outside(
+    network: Network, key: Key | None, event: OutsideKind, content: bytes = b""
+) -> None:
+    """Report an event of a connection to the real network; remove one that is over."""
     if key is None or key[0] != OUTSIDE:
         return
-    network.tell_outside(key[1], (event, content))
+    network.on_outside_event(key[1], (event, content))
     socket = network.state.sockets[key]
     is_over = event in ("refused", "reset") or (event == "end" and socket.cannot_send)
     if is_over:

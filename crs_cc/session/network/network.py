@@ -54,13 +54,14 @@ class Network:
     Attributes:
         state: all that changes.
         addresses: who is on it.
-        tell_outside: is told of what happens to a connection of the real network, by its number.
+        on_outside_event: called with each event of a connection of the real network and its
+            number.
     """
 
     def __init__(self, environment: Environment) -> None:
         """Make a network without sockets of the robots of an environment."""
         self.state = NetworkState()
-        self.tell_outside: Callable[[int, OutsideEvent], None] = lambda _number, _event: None
+        self.on_outside_event: Callable[[int, OutsideEvent], None] = lambda _number, _event: None
         self._environment = environment
         self.addresses = Addresses(
             lambda: [robot.id for robot in environment.world.robots], lambda: self.machine_names

@@ -77,7 +77,7 @@ def open_pair(network: Network, robot: int, kind: int) -> tuple[Key, Key]:
 
 
 def listen(network: Network, key: Key, backlog: int) -> None:
-    """Let connections arrive at a socket."""
+    """Make a socket listen for connections."""
     socket = network.socket(key)
     if socket.kind != STREAM:
         raise SocketError(EOPNOTSUPP)
@@ -234,8 +234,8 @@ def _check_is_at_end(socket: Socket) -> None:
         raise SocketError(EAGAIN if is_open else ENOTCONN)
 
 
-def shut(network: Network, key: Key, how: int, at_s: float) -> None:
-    """End one direction of a connection, or both."""
+def shut_down(network: Network, key: Key, how: int, at_s: float) -> None:
+    """Shut down one direction of a connection, or both."""
     socket = network.socket(key)
     if how not in (_RECEIVE, _SEND, _BOTH):
         raise SocketError(EINVAL)
@@ -250,6 +250,6 @@ def shut(network: Network, key: Key, how: int, at_s: float) -> None:
 
 
 def take_error(socket: Socket) -> int:
-    """Return what has gone wrong with a socket, and forget it."""
+    """Return the pending error of a socket, and clear it."""
     error, socket.error = socket.error, 0
     return error

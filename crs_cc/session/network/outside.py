@@ -72,7 +72,7 @@ def open_connection(network: Network, robot: int, port: int, at_s: float) -> int
 
 
 def answer(network: Network, number: int, at_s: float, *, accepted: bool) -> None:
-    """Say whether a connection to the real network has been made; ValueError if none is wanted."""
+    """Accept or refuse a connection to the real network; ValueError if none is pending."""
     key, socket = _connection(network, number)
     if socket.condition != "connecting" or socket.peer is None:
         raise ValueError(f"connection {number} does not wait for an answer")
@@ -95,7 +95,7 @@ def send(network: Network, number: int, content: bytes, at_s: float) -> None:
     network.post(key, "data", socket.peer, at_s, content=content)
 
 
-def room(network: Network, number: int) -> int:
+def send_space(network: Network, number: int) -> int:
     """Return how many bytes can be sent on a connection now; 0 if it is not open."""
     socket = network.state.sockets.get((OUTSIDE, number))
     if socket is None or socket.condition != "connected" or socket.cannot_send:

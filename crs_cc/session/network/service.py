@@ -80,7 +80,7 @@ class NetworkService:
         return next_cycle(self.network) if self.is_used else NEVER
 
     def begin_cycle(self, clock_s: FloatArray, alive: BoolArray) -> None:
-        """Deliver what arrives at the start of the current cycle, and wake who waits for it.
+        """Deliver what arrives at the start of the current cycle, and wake waiting programs.
 
         Args:
             clock_s: the programs' clocks, changed in place.
@@ -237,7 +237,7 @@ def _receive(network: Network, request: HostRequest) -> int:
 
 
 def _shut(network: Network, request: HostRequest) -> int:
-    operations.shut(network, _key(request), int(request.message["i"][1]), request.clock_s)
+    operations.shut_down(network, _key(request), int(request.message["i"][1]), request.clock_s)
     return 0
 
 

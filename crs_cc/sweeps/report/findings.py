@@ -10,7 +10,7 @@ from typing import Final
 
 from crs_cc.sweeps.plan import shown
 from crs_cc.sweeps.report.results import Group, Results
-from crs_cc.sweeps.report.statistics import any_difference, comparison, corrected, summary
+from crs_cc.sweeps.report.statistics import adjusted_p_values, comparison, kruskal_wallis_p, summary
 from crs_cc.sweeps.rows import Row, failures
 
 MOST_COMPARED: Final = 10
@@ -113,7 +113,7 @@ def comparisons(results: Results) -> Table:
     named = zip(results.labels, results.groups, strict=True)
     pairs = list(itertools.combinations(named, 2))
     found = [comparison(first.values, second.values) for (_, first), (_, second) in pairs]
-    p = corrected([each.p for each in found])
+    p = adjusted_p_values([each.p for each in found])
     rows = tuple(
         (
             first_label,
@@ -124,7 +124,7 @@ def comparisons(results: Results) -> Table:
         )
         for number, ((first_label, first), (second_label, second)) in enumerate(pairs)
     )
-    overall = _p(any_difference([group.values for group in results.groups]))
+    overall = _p(kruskal_wallis_p([group.values for group in results.groups]))
     note = (
         f"All together: p = {overall} (Kruskal-Wallis). Pairs: Mann-Whitney U, two-sided, p "
         "corrected for their number (Benjamini-Hochberg). The effect is Cliff's delta: how much "

@@ -21,7 +21,7 @@ figcaption, .note { color: #555; font-size: .9rem }
 """
 
 
-def drawn(results: Results) -> dict[str, str]:
+def draw_figures(results: Results) -> dict[str, str]:
     """Return the figures that suit the results, as SVG by their names."""
     found = {"values": figures.box_and_strip(results)}
     levels = [len({repr(g.parameters[name]) for g in results.groups}) for name in results.varied]

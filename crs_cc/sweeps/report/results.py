@@ -52,7 +52,7 @@ class Results:
     def labels(self) -> list[str]:
         """The combinations as text, by the parameters that distinguish them."""
         combinations = [group.parameters for group in self.groups]
-        names = _telling(combinations, self.varied)
+        names = _distinguishing_parameters(combinations, self.varied)
         return [shown({name: each[name] for name in names}) or "all runs" for each in combinations]
 
     @property
@@ -122,11 +122,13 @@ def results(rows: Sequence[Row], measure: str = "") -> Results:
     return Results(wanted, varied, tuple(group for group in groups if group.values), failed)
 
 
-def _telling(combinations: Sequence[Mapping[str, Value]], varied: Sequence[str]) -> list[str]:
+def _distinguishing_parameters(
+    combinations: Sequence[Mapping[str, Value]], varied: Sequence[str]
+) -> list[str]:
     """Return the first parameters that distinguish combinations; others vary with these.
 
-    >>> _telling([{"setup": "", "fault": ""}, {"setup": "noisy", "fault": "dead=yes"}],
-    ...          ["setup", "fault"])
+    >>> rows = [{"setup": "", "fault": ""}, {"setup": "noisy", "fault": "dead=yes"}]
+    >>> _distinguishing_parameters(rows, ["setup", "fault"])
     ['setup']
     """
     telling: list[str] = []

@@ -79,7 +79,7 @@ class Comparison:
         effect: Cliff's delta: how much more often a value of the first group is larger than one of
             the second than smaller, -1 to 1.
         needed: how many values each group needs to show such an effect in four of five cases, see
-            `needed`.
+            `required_sample_size`.
     """
 
     p: float
@@ -93,16 +93,16 @@ def comparison(first: Sequence[float], second: Sequence[float]) -> Comparison:
 
     found = mannwhitneyu(first, second)
     effect = 2.0 * float(found.statistic) / (len(first) * len(second)) - 1.0
-    return Comparison(float(found.pvalue), effect, needed(effect))
+    return Comparison(float(found.pvalue), effect, required_sample_size(effect))
 
 
-def needed(effect: float) -> int | None:
+def required_sample_size(effect: float) -> int | None:
     """Return how many values in each of two groups show an effect with a power of 80 %.
 
     The formula is Noether's for the Mann-Whitney test (Sample size determination for some common
     nonparametric tests, 1987, JASA 82, 645-647), with half of the values in each group.
 
-    >>> needed(0.5), needed(0.0)
+    >>> required_sample_size(0.5), required_sample_size(0.0)
     (21, None)
     """
     from scipy.stats import norm
@@ -114,10 +114,10 @@ def needed(effect: float) -> int | None:
     return math.ceil(z * z / (6.0 * shift * shift))
 
 
-def corrected(p: Sequence[float]) -> list[float]:
+def adjusted_p_values(p: Sequence[float]) -> list[float]:
     """Return the probabilities of several tests, corrected for their number (Benjamini-Hochberg).
 
-    >>> corrected([0.01, 0.04])
+    >>> adjusted_p_values([0.01, 0.04])
     [0.02, 0.04]
     """
     from scipy.stats import false_discovery_control
@@ -125,7 +125,7 @@ def corrected(p: Sequence[float]) -> list[float]:
     return [float(each) for each in false_discovery_control(p)] if p else []
 
 
-def any_difference(groups: Sequence[Sequence[float]]) -> float:
+def kruskal_wallis_p(groups: Sequence[Sequence[float]]) -> float:
     """Return the p-value of the Kruskal-Wallis test for differences between groups."""
     from scipy.stats import kruskal
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.cli.grading.grades import Case, alike
+from crs_cc.cli.grading.grades import Case, identical_programs
 from crs_cc.cli.grading.grading import file_names
 from crs_cc.cli.grading.job import GradedRun
 from crs_cc.cli.grading.submissions import Submission
@@ -295,7 +295,7 @@ def test_grades_are_shown_where_a_file_cannot_be_written(
 
 def test_a_copy_is_found_where_its_first_run_was_stopped_from_outside() -> None:
     stopped, done = GradedRun("limit", "took too long"), GradedRun("ended", "", fingerprint="f")
-    assert alike([[stopped, done], [done, done]], ["a", "b"]) == [("b",), ("a",)]
+    assert identical_programs([[stopped, done], [done, done]], ["a", "b"]) == [("b",), ("a",)]
 
 
 @pytest.mark.parametrize(

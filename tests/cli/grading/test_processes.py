@@ -67,7 +67,7 @@ def started(monkeypatch: pytest.MonkeyPatch, users_workers: None) -> list[int]:
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs processes that are copied")
-def test_a_run_without_an_end_ends_with_whoever_waits_for_it() -> None:
+def test_an_endless_run_ends_with_its_parent_process() -> None:
     """It went on to its limits when `crs grade` was killed."""
     program = (
         "import time; from crs_cc.jobs.worker import serve;"

@@ -140,7 +140,7 @@ def test_the_world_can_be_changed_inside_a_timestep(shell: Shell) -> None:
     assert changed != after
 
 
-def test_invalid_changes_change_nothing(shell: Shell) -> None:
+def test_invalid_changes_have_no_effect(shell: Shell) -> None:
     said(shell, "tick 5")
     before = here(shell)
     assert said(shell, "move robot0 to 99 99") == [

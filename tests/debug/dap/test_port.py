@@ -122,7 +122,7 @@ def test_a_client_without_the_token_is_refused_and_disconnected(
             assert client.recv(1) == b""
 
 
-def test_large_messages_are_for_those_who_know_the_token(server: Address) -> None:
+def test_large_messages_require_the_token(server: Address) -> None:
     with connected(server.port) as client:
         heard = answers(client, b"Content-Length: 70000\r\n\r\n", b"")
         assert not heard[0][1]
@@ -132,7 +132,7 @@ def test_large_messages_are_for_those_who_know_the_token(server: Address) -> Non
         assert len(answers(client, INITIALIZE, launch(server.token), filled)) == 3
 
 
-def test_clients_that_say_nothing_block_nobody(server: Address) -> None:
+def test_silent_clients_do_not_block_others(server: Address) -> None:
     with contextlib.ExitStack() as opened:
         for _ in range(port.MAX_CLIENTS // 2):
             opened.enter_context(connected(server.port)).sendall(INITIALIZE[:20])
@@ -200,7 +200,7 @@ def test_a_message_that_drips_ends_the_session(
         assert message["message"] == "a message took too long"
 
 
-def test_a_second_editor_is_told_that_there_is_a_first(clients: int) -> None:
+def test_a_second_editor_is_refused_while_the_first_is_connected(clients: int) -> None:
     with connected(clients) as first, connected(clients) as second:
         assert answers(first, request("initialize", token=TOKEN))[0][1]
         ((_, success, why),) = answers(second, request("initialize", token=TOKEN))
@@ -210,7 +210,7 @@ def test_a_second_editor_is_told_that_there_is_a_first(clients: int) -> None:
         assert answers(third, request("initialize", token=TOKEN))[0][1]
 
 
-def test_a_client_of_another_user_hears_nothing(
+def test_a_client_of_another_user_gets_no_response(
     clients: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(os, "geteuid", lambda: os.getuid() + 1)

@@ -369,7 +369,7 @@ def test_without_debugging_a_run_just_runs(client: Client, loop: Path) -> None:
     assert client.printed() == "0\n2\n6\n"
 
 
-def test_a_run_that_moves_unasked_is_said_to_continue(client: Client, loop: Path) -> None:
+def test_an_unrequested_move_is_reported_as_continued(client: Client, loop: Path) -> None:
     client.launch(loop, world=str(WORLDS / "pair.xml"))
     client.break_at(loop, 15)
     client.begin()

@@ -166,7 +166,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("text", REFUSED, ids=lambda text: text[:20])
-def test_an_error_is_one_line_and_changes_nothing(
+def test_an_error_is_one_line_and_has_no_effect(
     evaluator: Evaluator, stopping: Stopping, text: str
 ) -> None:
     before = stopping.state()

@@ -25,7 +25,7 @@ class Screen:
 
     def at_log_points(self, do: Callable[[], None]) -> None:
         """Let something be done whenever a log point is passed."""
-        self.repl.shell.debugger.stop_points.say = lambda _: do()
+        self.repl.shell.debugger.stop_points.print_log = lambda _: do()
 
     def run(self, *commands: str, file: Path | None = None) -> list[str]:
         """Return the lines that are shown."""

@@ -34,7 +34,7 @@ def test_stdout_and_stderr_do_not_mix_in_a_line() -> None:
     screen.program(0, 2, b"err\n")
     screen.program(0, 1, b"put\n")
     screen.program(1, 1, b"x" * 5000)
-    screen.settle()
+    screen.finish_lines()
     lines = shown(screen).splitlines()
     assert lines[:2] == ["[a] err", "[a] output"]
     assert [len(line) for line in lines[2:]] == [4 + 4096, 4 + 904]

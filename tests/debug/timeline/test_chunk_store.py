@@ -22,7 +22,7 @@ def test_snapshots_round_trip() -> None:
     content = np.arange(3 * CHUNK + 5, dtype=np.uint8).reshape(-1, 1)
     files = {b"log": b"x" * 10_000, b"short": b"y"}
     part = Part(np.array([1, 2], np.uint8), "two")
-    given = store.give(store.take((Part(content, "all"), part, files, None, 7)))
+    given = store.get(store.add((Part(content, "all"), part, files, None, 7)))
     assert given[0].name == "all"
     assert given[0].content.dtype == np.uint8
     assert np.array_equal(given[0].content, content)
@@ -33,29 +33,29 @@ def test_snapshots_round_trip() -> None:
 def test_another_snapshot_costs_only_changed_chunks() -> None:
     store = ChunkStore()
     memory = np.random.default_rng(1).integers(0, 256, 50 * CHUNK, np.uint8)
-    store.take(Part(memory.copy(), "a"))
+    store.add(Part(memory.copy(), "a"))
     before = store.size
     assert before > 50 * CHUNK
     memory[17 * CHUNK] += 1
-    store.take(Part(memory.copy(), "b"))
+    store.add(Part(memory.copy(), "b"))
     assert CHUNK < store.size - before < CHUNK + 2000
 
 
 def test_equal_chunks_of_robots_are_stored_once() -> None:
     store = ChunkStore()
     memory = np.random.default_rng(1).integers(0, 256, 10 * CHUNK, np.uint8)
-    store.take(tuple(Part(memory.copy(), str(robot)) for robot in range(100)))
+    store.add(tuple(Part(memory.copy(), str(robot)) for robot in range(100)))
     assert store.size < 11 * CHUNK + 100 * 1500
 
 
 def test_shared_objects_stay_shared_and_are_counted_once() -> None:
     store = ChunkStore()
     part = Part(np.zeros(1000, np.uint8), "shared")
-    first = store.take((part,))
+    first = store.add((part,))
     before = store.size
-    second = store.take((part, 1))
+    second = store.add((part, 1))
     assert store.size - before < 1000
-    assert store.give(second)[0] is store.give(first)[0] is part
+    assert store.get(second)[0] is store.get(first)[0] is part
 
 
 def test_dropping_snapshots_in_any_order_frees_everything() -> None:
@@ -65,9 +65,9 @@ def test_dropping_snapshots_in_any_order_frees_everything() -> None:
         memory = np.zeros(4 * CHUNK, np.uint8)
         memory[number % 4 * CHUNK] = number
         pieces = {b"a": bytes([number]) * 5000, b"b": b""}
-        taken.append(store.take((Part(memory, "x"), shared, pieces, number, ())))
+        taken.append(store.add((Part(memory, "x"), shared, pieces, number, ())))
     for number in random.permutation(20).tolist():
         assert store.size > 0
-        assert store.give(taken[number])[2][b"a"] == bytes([number]) * 5000
-        store.drop(taken[number])
+        assert store.get(taken[number])[2][b"a"] == bytes([number]) * 5000
+        store.remove(taken[number])
     assert store.size == 0

@@ -27,7 +27,7 @@ def at(timestep: int) -> Position:
 def forward(history: History, first: int, last: int, size: int = 100) -> None:
     """Run over some timesteps as the engine does."""
     for timestep in range(first, last):
-        if history.wants(at(timestep)):
+        if history.should_keep(at(timestep)):
             history.keep(at(timestep), moment(timestep, size))
 
 
@@ -152,7 +152,7 @@ def test_a_branch_shares_common_snapshots() -> None:
     assert timesteps(other, 100)[-1] == 50
     other.branch(Change(at(20), ""), moment(1, CHUNK))
     assert np.array_equal(history.at(at(50)).session, moment(50, 10 * CHUNK).session)
-    assert history.places(at(20)) == [at(0), at(10)]
+    assert history.snapshots_before(at(20)) == [at(0), at(10)]
 
 
 def test_a_branch_has_memory_for_its_own_snapshots() -> None:
@@ -161,4 +161,4 @@ def test_a_branch_has_memory_for_its_own_snapshots() -> None:
     other = history.fork(at(500))
     other.branch(Change(at(500), ""), moment(1, CHUNK))
     forward(other, 501, 1000, CHUNK)
-    assert sum(place > at(500) for place in other.places(at(1000))) > 5
+    assert sum(place > at(500) for place in other.snapshots_before(at(1000))) > 5

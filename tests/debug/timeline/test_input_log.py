@@ -41,18 +41,18 @@ def noted(input_log: InputLog, timesteps: range) -> None:
     fleet = Fleet([counting_program()] * 2)
     for timestep in timesteps:
         clock_s = np.array([0.1 * timestep, 0.0])
-        input_log.note(Position(timestep, 0), np.array([10 + timestep, 0]), clock_s, fleet)
+        input_log.record_round(Position(timestep, 0), np.array([10 + timestep, 0]), clock_s, fleet)
         input_log.end(timestep, 1)
 
 
 def test_the_oldest_rounds_are_dropped_at_the_memory_limit() -> None:
     input_log = InputLog(most_bytes=8000)
     noted(input_log, range(3000))
-    assert not input_log.knows(Position(0, 0), Position(3000, 0))
-    assert input_log.knows(Position(2500, 0), Position(3000, 0))
-    input_log.forget(Position(2600, 0))
-    assert input_log.knows(Position(2500, 0), Position(2600, 0))
-    assert not input_log.knows(Position(2500, 0), Position(2601, 0))
+    assert not input_log.covers(Position(0, 0), Position(3000, 0))
+    assert input_log.covers(Position(2500, 0), Position(3000, 0))
+    input_log.truncate(Position(2600, 0))
+    assert input_log.covers(Position(2500, 0), Position(2600, 0))
+    assert not input_log.covers(Position(2500, 0), Position(2601, 0))
 
 
 def test_rounds_are_given_as_they_were_noted_wherever_they_are() -> None:
@@ -60,15 +60,15 @@ def test_rounds_are_given_as_they_were_noted_wherever_they_are() -> None:
     noted(input_log, range(1000, 2000))
     noted(input_log, range(500))
     noted(input_log, range(400, 700))  # in part known, and then up to where it is not
-    assert input_log.knows(Position(0, 0), Position(700, 0))
-    assert not input_log.knows(Position(0, 0), Position(701, 0))
-    assert input_log.knows(Position(1000, 0), Position(2000, 0))
+    assert input_log.covers(Position(0, 0), Position(700, 0))
+    assert not input_log.covers(Position(0, 0), Position(701, 0))
+    assert input_log.covers(Position(1000, 0), Position(2000, 0))
     fleet = Fleet([counting_program()] * 2)
     for timestep in (0, 450, 699, 1000, 1999):
         found = input_log.round_at(Position(timestep, 0))
         assert found is not None
         clock_s, pending = np.array([0.0, 5.0]), np.array([0, 7])
-        found.give(fleet, clock_s, pending, None)
+        found.feed(fleet, clock_s, pending, None)
         assert found.robots.tolist() == [0]
         assert clock_s.tolist() == [0.1 * timestep, 5.0]
         assert pending.tolist() == [10 + timestep, 0]
@@ -86,7 +86,7 @@ def test_a_part_of_the_programs_is_given_what_it_had(chosen: list[int]) -> None:
     round_ = RoundInput.of(pending, clock_s, fleet)
     which, again_s, fuel = np.isin(np.arange(20), chosen), np.zeros(20), np.full(20, 7)
     other = Fleet([counting_program()] * 20)
-    ran = round_.give(other, again_s, fuel, which)
+    ran = round_.feed(other, again_s, fuel, which)
     assert ran.tolist() == [each for each in robots.tolist() if each in chosen]
     assert other.messages(ran).tobytes() == fleet.messages(ran).tobytes()
     assert fuel.tolist() == np.where(which, pending, 0).tolist()

@@ -48,7 +48,7 @@ class FakeWork:
     def lines(self) -> list[str]:
         return [each.line for each in self.orders if each.line is not None]
 
-    def do(self, request: BackendRequest) -> BackendReply:
+    def execute(self, request: BackendRequest) -> BackendReply:
         self.orders.append(request)
         line = request.line
         if line == "step":
@@ -68,7 +68,7 @@ class FakeWork:
         if line == "delete 1":
             del self.breakpoints[9]
         if line == "quit":
-            return BackendReply(self.snapshot(request), leaves=True)
+            return BackendReply(self.snapshot(request), quits=True)
         if line == "foo":
             return BackendReply(
                 self.snapshot(request), errors=('Undefined command: "foo".  Try "help".',)
@@ -82,10 +82,10 @@ class FakeWork:
     def time_s(self) -> float:
         return 4.5
 
-    def listen(self, asked: Callable[[str], None]) -> None:
+    def on_input_request(self, asked: Callable[[str], None]) -> None:
         self.asked = asked
 
-    def give(self, line: str | None) -> None:
+    def send_input(self, line: str | None) -> None:
         self.given.append(line)
         self.go_on.set()
 

@@ -49,12 +49,12 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> DebugProgram:
 def controller(program: DebugProgram) -> Controller:
     reads = ProgramStreams()
     controller = Controller(Debugger(empty_world(), [program], read=reads.read), reads)
-    controller.do(BackendRequest())
+    controller.execute(BackendRequest())
     return controller
 
 
 def press(controller: Controller, line: str, *unfolded: tuple[str, ...]) -> BackendReply:
-    return controller.do(BackendRequest(line, unfolded=OPEN | set(unfolded)))
+    return controller.execute(BackendRequest(line, unfolded=OPEN | set(unfolded)))
 
 
 def group(done: BackendReply, name: str) -> ValueRow:
@@ -66,7 +66,7 @@ def texts(row: ValueRow) -> dict[str, str]:
 
 
 def test_it_starts_before_the_first_statement(controller: Controller) -> None:
-    done = controller.do(BackendRequest(unfolded=OPEN))
+    done = controller.execute(BackendRequest(unfolded=OPEN))
     assert done.snapshot.source.file.endswith("point.c")
     assert done.snapshot.source.line == 11
     assert not done.moved
@@ -116,13 +116,13 @@ def test_input_is_prompted_for_and_output_cannot_move_the_cursor(
     controller: Controller,
 ) -> None:
     asked = threading.Event()
-    controller.listen(lambda robot: asked.set())
+    controller.on_input_request(lambda robot: asked.set())
     results: list[BackendReply] = []
     worker = threading.Thread(target=lambda: results.append(press(controller, "advance 16")))
     worker.start()
     assert asked.wait(10.0)
     assert controller.complete("reverse-f") == ["reverse-finish"]  # while it waits
-    controller.give("17")
+    controller.send_input("17")
     worker.join(10.0)
     (done,) = results
     assert done.snapshot.source.line == 16
@@ -138,16 +138,16 @@ def test_input_is_prompted_for_and_output_cannot_move_the_cursor(
 def test_scripts_are_executed_first_and_breakpoints_have_commands(program: DebugProgram) -> None:
     script = ["break square", "commands", "print n", "end", "", "continue", "quit", "next"]
     controller = Controller(Debugger(empty_world(), [program]), ProgramStreams(), script[:2])
-    assert controller.do(BackendRequest()).prompt == ">"
+    assert controller.execute(BackendRequest()).prompt == ">"
     assert press(controller, "end").prompt == "(crs) "
     controller = Controller(Debugger(empty_world(), [program]), ProgramStreams(), script)
-    done = controller.do(BackendRequest())
-    assert done.leaves
+    done = controller.execute(BackendRequest())
+    assert done.quits
     assert done.snapshot.source.line == 7
     assert "$1 = 3" in done.answer.plain
 
 
-def test_a_late_interrupt_stops_nothing(controller: Controller) -> None:
+def test_a_late_interrupt_has_no_effect(controller: Controller) -> None:
     press(controller, "print 1")
     controller.interrupt()
     done = press(controller, "next")
@@ -171,7 +171,7 @@ def test_an_internal_error_is_a_line_too(
         raise ZeroDivisionError("oh")
 
     monkeypatch.setattr(controller.shell.debugger.view, "frames", fail)
-    done = controller.do(BackendRequest())
+    done = controller.execute(BackendRequest())
     assert done.errors == ("internal error: ZeroDivisionError: oh; please report it",)
     assert done.snapshot.source.line == 11
 
@@ -179,15 +179,17 @@ def test_an_internal_error_is_a_line_too(
 def test_several_robots_have_their_own_output_and_places(program: DebugProgram) -> None:
     world = load_world(ROOT / "worlds" / "pair.xml")
     controller = Controller(Debugger(world, [program] * 2), ProgramStreams())
-    done = controller.do(BackendRequest(map_size=(40, 10)))
+    done = controller.execute(BackendRequest(map_size=(40, 10)))
     names = [robot.id for robot in world.robots]
     assert [each.text.split()[0] for each in done.snapshot.robots] == names
     assert len(done.snapshot.world_map.plain.split("\n")) == 10
     done = press(controller, "continue")
-    assert {each.who for each in done.snapshot.output} == set(names)
+    assert {each.writer for each in done.snapshot.output} == set(names)
     printed = [each for each in done.snapshot.output if "[2J" in each.text]
     press(controller, f"goto output {printed[1].number}")
-    assert controller.shell.debugger.names[controller.shell.debugger.view.robot] == printed[1].who
+    assert (
+        controller.shell.debugger.names[controller.shell.debugger.view.robot] == printed[1].writer
+    )
     press(controller, "continue")
     done = press(controller, "robot 1")
     assert [each.is_current for each in done.snapshot.robots] == [False, True]
@@ -198,15 +200,15 @@ def test_another_file_is_shown_until_the_run_moves(tmp_path: Path) -> None:
     main.write_text("int f(int);\nint main(void)\n{\n    f(1);\n    return f(2);\n}\n")
     other.write_text("int f(int x)\n{\n    return x - 2;\n}\n")
     controller = Controller(Debugger(empty_world(), [debug_program(main, other)]), ProgramStreams())
-    controller.do(BackendRequest())
-    snapshot = controller.do(BackendRequest(file=str(other))).snapshot
+    controller.execute(BackendRequest())
+    snapshot = controller.execute(BackendRequest(file=str(other))).snapshot
     assert (snapshot.source.file, snapshot.source.line) == (str(other), 0)
     assert snapshot.source.files == (str(main), str(other))
-    snapshot = controller.do(BackendRequest("break other.c:3", file=str(other))).snapshot
+    snapshot = controller.execute(BackendRequest("break other.c:3", file=str(other))).snapshot
     assert (snapshot.source.file, list(snapshot.source.breakpoints)) == (str(other), [3])
-    snapshot = controller.do(BackendRequest("next", file=str(other))).snapshot
+    snapshot = controller.execute(BackendRequest("next", file=str(other))).snapshot
     assert (snapshot.source.file, snapshot.source.line) == (str(other), 3)
-    snapshot = controller.do(BackendRequest("finish", file=str(other))).snapshot
+    snapshot = controller.execute(BackendRequest("finish", file=str(other))).snapshot
     assert (snapshot.source.file, snapshot.source.line) == (str(main), 4)
 
 
@@ -215,7 +217,7 @@ def test_edited_files_are_shown_as_compiled(tmp_path: Path) -> None:
     path.write_text("int main(void)\n{\n    int x = 5;\n    return x;\n}\n")
     controller = Controller(Debugger(empty_world(), [debug_program(path)]), ProgramStreams())
     path.write_text("int main( { what")
-    controller.do(BackendRequest())
+    controller.execute(BackendRequest())
     done = press(controller, "next")
     assert (done.errors, done.snapshot.source.line) == ((), 4)
     assert done.snapshot.source.lines[2] == "    int x = 5;"

@@ -131,7 +131,7 @@ def test_charge_heat_and_links_are_changed() -> None:
         ("move a to " + "1 " * 99, "a change has at most 40 words"),
     ],
 )
-def test_invalid_changes_are_refused_and_change_nothing(driver, text, message) -> None:
+def test_invalid_changes_are_rejected_without_effect(driver, text, message) -> None:
     before = driver.environment.hash()
     with pytest.raises(DebugError) as caught:
         edit(driver.environment, text)

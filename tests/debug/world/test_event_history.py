@@ -90,7 +90,7 @@ def test_a_change_discards_later_events_but_not_those_of_branches(
     assert crashed.run.event_history.timesteps == 3
     crashed.branches.switch("main")
     assert crashed.run.event_history.world_events() == known
-    crashed.run.changed(Change(crashed.position, ""))
+    crashed.run.record_change(Change(crashed.position, ""))
     assert kinds(crashed) == []
 
 
@@ -98,14 +98,14 @@ def test_memory_is_bounded() -> None:
     event_history, environment = EventHistory(), Environment(empty_world(), seed=1)
     step = environment.step()
     for timestep in range(9_000):
-        event_history._take_poses(
+        event_history._record_poses(
             timestep, environment
         ) if timestep % event_history._stride == 0 else None
     assert len(event_history.paths(9_000)[0]) <= 2_000
     for number in range(25_000):
         event_history._add(number, WorldEvent(float(number), "collision", 0, "it touched a wall"))
     assert len(event_history.world_events()) <= 20_000
-    event_history.hear(step, environment)
+    event_history.record_step(step, environment)
     assert event_history.timesteps == 1
 
 

@@ -61,7 +61,7 @@ def test_changes_are_taken_back_with_all_that_followed(debugger: Debugger) -> No
     debugger.edit_world("degrade robot0 sonar dead")
     later = state(debugger, 40)
     assert len({plain, moved, later}) == 3
-    debugger.take_back(2)
+    debugger.revert(2)
     assert debugger.position == Position(10, 0)
     assert [each.text for each in debugger.run.history.changes] == [
         "drive robot0 0.2",
@@ -69,14 +69,14 @@ def test_changes_are_taken_back_with_all_that_followed(debugger: Debugger) -> No
     ]
     debugger.edit_world("degrade robot0 sonar dead")
     assert state(debugger, 40) == later
-    debugger.take_back(1)
+    debugger.revert(1)
     assert state(debugger, 10) == moved
-    debugger.take_back(0)
+    debugger.revert(0)
     assert debugger.position == BEGINNING
     assert debugger.run.history.changes == ()
     assert state(debugger, 40) == plain
     with pytest.raises(DebugError):
-        debugger.take_back(0)
+        debugger.revert(0)
 
 
 def test_a_robot_that_joins_is_gone_before_and_back_after(debugger: Debugger) -> None:
@@ -91,8 +91,8 @@ def test_a_robot_that_joins_is_gone_before_and_back_after(debugger: Debugger) ->
     debugger.goto_timestep(8)
     debugger.view.select_robot("more")
     debugger.step()
-    assert debugger.view.look_up("i").text == debugger.view.look_up("i", robot=1).text
-    debugger.take_back(0)
+    assert debugger.view.evaluate_pure("i").text == debugger.view.evaluate_pure("i", robot=1).text
+    debugger.revert(0)
     assert debugger.names == ("robot0",)
     for wrong in ("join robot0 like robot0 to 1 1", "join x like nobody to 1 1",
                   "join x like robot0 to 1 1 running other.c", "join x like robot0",
@@ -127,7 +127,7 @@ def test_a_program_sleeps_and_wakes(debugger: Debugger) -> None:
     assert state(debugger, 20)[1] == before
     debugger.edit_world("wake robot0")
     assert len(state(debugger, 24)[1]) > len(before)
-    debugger.take_back(1)
+    debugger.revert(1)
     assert len(state(debugger, 40)[1]) > len(before)
     with pytest.raises(DebugError):
         debugger.edit_world("sleep robot0 0s")

@@ -104,7 +104,7 @@ def assert_bounded(network: Network) -> None:
         assert sum(len(content) for _, content in socket.datagrams) <= BUFFER
 
 
-def test_a_sender_that_nobody_reads_fills_one_buffer_only() -> None:
+def test_an_unread_sender_fills_only_one_buffer() -> None:
     service = NetworkService(Environment(empty_world(), seed=0))
     message = np.zeros(1, MESSAGE)[0]
     message["i"][0] = 1  # SOCK_STREAM

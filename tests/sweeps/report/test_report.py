@@ -14,7 +14,7 @@ from crs_cc.recording.field_sketches import FieldSketch
 from crs_cc.sim.model.world import Area
 from crs_cc.sweeps.report import figures
 from crs_cc.sweeps.report.findings import comparisons, failed, medians, scaling
-from crs_cc.sweeps.report.page import drawn, page
+from crs_cc.sweeps.report.page import draw_figures, page
 from crs_cc.sweeps.report.results import Results, measures_of, results
 from tests.sweeps.trials import inline, swept, write
 
@@ -81,7 +81,7 @@ def test_time_of_a_goal_that_was_never_met_is_no_measure() -> None:
 
 
 def test_figures_name_the_time_of_a_goal_in_words() -> None:
-    found = drawn(timed())
+    found = draw_figures(timed())
     assert all("time to goal cool [s]" in svg for svg in found.values())
     assert "median of points" in figures.curve(results(made(), "points"))
 
@@ -127,10 +127,10 @@ def test_the_map_of_a_field_has_the_amounts_that_are_left() -> None:
 def test_convergence_shows_the_medians_of_the_first_seeds() -> None:
     rows = [row(number, {}, at_s, number) for number, at_s in enumerate((9.0, 5.0, 1.0), 1)]
     assert {1.0, 2.0, 3.0, 5.0, 7.0, 9.0} <= ticks_in(figures.convergence(results(rows)))
-    assert "convergence" not in drawn(results(rows[:1]))
+    assert "convergence" not in draw_figures(results(rows[:1]))
 
 
-def test_combinations_are_named_by_what_tells_them_apart_and_long_names_have_room() -> None:
+def test_combinations_are_named_by_distinguishing_parameters_and_long_names_fit() -> None:
     rows = [
         row(number, {"setup": setup, "fault": fault, "world.source.items": items}, 1.0 + seed, seed)
         for number, (setup, fault, items, seed) in enumerate(
@@ -192,9 +192,9 @@ def test_equal_results_show_no_effect() -> None:
 
 
 def test_figures_are_those_that_suit_the_results_and_the_same_each_time() -> None:
-    found = drawn(timed())
+    found = draw_figures(timed())
     assert set(found) == {"values", "curve", "survival", "convergence"}
-    assert found == drawn(timed())
+    assert found == draw_figures(timed())
     rows = made()
     for each in rows:
         each["parameters"] = {"robots": each["parameters"]["robots"], "seeded": each["seed"] % 2}

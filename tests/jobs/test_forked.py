@@ -34,7 +34,7 @@ def has_ended(pid: int) -> bool:
     return False
 
 
-def test_nothing_stays_of_what_is_computed_apart_but_the_result() -> None:
+def test_a_forked_computation_leaves_only_its_result() -> None:
     first, second = (each.result or {} for each in done({}, {"size": 300_000}))
     assert first["process"] == second["process"]
     assert len({first["process"], first["copy"], second["copy"]}) == 3

@@ -12,12 +12,12 @@ if TYPE_CHECKING:
     from crs_cc.session.session import Session
 
 
-def open_ways(
+def open_real_network(
     session: Session, options: RunOptions, noted: Callable[[Change], None]
 ) -> RealNetwork | None:
-    """Open the ways to the real network that a run is to have, if any, see `RealNetwork`."""
-    if not (options.ways or options.forwards):
+    """Open the connections of a run to the real network, if it has any, see `RealNetwork`."""
+    if not (options.machines or options.forwards):
         return None
     from crs_cc.cli.real_network import RealNetwork
 
-    return RealNetwork(session, options.ways, options.forwards, noted)
+    return RealNetwork(session, options.machines, options.forwards, noted)

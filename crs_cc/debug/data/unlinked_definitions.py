@@ -17,14 +17,14 @@ _PURE: Final = tuple(f"{LIBRARY}{part}/" for part in ("math", "stdlib", "string"
 """The parts of the library that programs need not have linked for expressions to use them."""
 
 
-class SpareDefinitions:
+class UnlinkedDefinitions:
     """The definitions that one program lacks."""
 
     def __init__(self, program: Program) -> None:
         """Set the program."""
         self._unused = program.unused or Program()
 
-    def lend(self, name: str) -> Function | Data | None:
+    def get(self, name: str) -> Function | Data | None:
         """Return a definition by the linker's name; None if there is none."""
         own = self._unused.functions.get(name)
         if own is not None:

@@ -12,18 +12,18 @@ from typing import Final, TypeVar
 
 _T = TypeVar("_T")
 
-IS_APART: Final = hasattr(os, "fork")
+CAN_FORK: Final = hasattr(os, "fork")
 """Whether processes can be copied here."""
 
 
-def apart(compute: Callable[[], _T]) -> _T:
+def run_forked(compute: Callable[[], _T]) -> _T:
     """Return the result of a function, plain data, computed in a fork of this process.
 
     Whatever else the function changes, in any module, ends with the copy. If the copy ends without
     a result, so does this process, in the same way; if this process is killed, the copy ends, too.
     Where processes cannot be copied (Windows), the function is just called.
     """
-    if not IS_APART:
+    if not CAN_FORK:
         return compute()
     results, our_results = os.pipe()
     life, our_life = os.pipe()

@@ -10,7 +10,7 @@ from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import Final, Protocol
 
-from crs_cc.debug.data.notation import OutsideName
+from crs_cc.debug.data.notation import ExternalName
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.types import (
@@ -27,7 +27,7 @@ _ADDRESS: Final = PointerType(qualify(VOID, const=True, volatile=False))
 
 
 @dataclass(frozen=True, slots=True)
-class OutsideUse:
+class ExternalUse:
     """A value from outside that an expression uses.
 
     Attributes:
@@ -35,12 +35,12 @@ class OutsideUse:
         state: what this type depends on; compiled again when it is different.
     """
 
-    name: OutsideName
+    name: ExternalName
     type: CType
     state: Hashable
 
 
-class Outside(Protocol):
+class ExternalValues(Protocol):
     """The world and the robots around a program."""
 
     def is_robot(self, name: str) -> bool:
@@ -49,14 +49,14 @@ class Outside(Protocol):
     def is_object(self, name: str) -> bool:
         """Return whether the world has a robot or an object of that name."""
 
-    def state(self, name: OutsideName) -> Hashable:
+    def state(self, name: ExternalName) -> Hashable:
         """Return what the type of a value depends on."""
 
-    def value(self, name: OutsideName) -> Value:
+    def value(self, name: ExternalName) -> Value:
         """Return a value; raise DebugError if it does not exist or cannot be read."""
 
 
-class Nothing:
+class NoExternalValues:
     """No world: a program on its own."""
 
     def is_robot(self, _name: str) -> bool:
@@ -67,26 +67,26 @@ class Nothing:
         """Return False."""
         return False
 
-    def state(self, _name: OutsideName) -> Hashable:
+    def state(self, _name: ExternalName) -> Hashable:
         """Return nothing."""
         return None
 
-    def value(self, _name: OutsideName) -> Value:
+    def value(self, _name: ExternalName) -> Value:
         """Raise DebugError."""
         raise DebugError("there is no world")
 
 
-def outside_use(outside: Outside, name: OutsideName) -> OutsideUse:
+def external_use(external: ExternalValues, name: ExternalName) -> ExternalUse:
     """Return the use of a value in an expression.
 
     Raises:
         DebugError: it does not exist, or holds pointers of another program.
     """
-    value = outside.value(name)
+    value = external.value(name)
     ctype = _ADDRESS if isinstance(value.type, PointerType) else value.type
     if isinstance(ctype, FunctionType) or (ctype is not _ADDRESS and _has_pointers(ctype)):
         raise DebugError("it holds pointers of another program: use its members")
-    return OutsideUse(name, qualify(ctype, const=True, volatile=False), outside.state(name))
+    return ExternalUse(name, qualify(ctype, const=True, volatile=False), external.state(name))
 
 
 def _has_pointers(ctype: CType) -> bool:

@@ -40,7 +40,7 @@ def debugger(tmp_path: Path) -> Debugger:
 
 
 def number(debugger: Debugger, text: str) -> float:
-    found = debugger.view.look_up(text).number
+    found = debugger.view.evaluate_pure(text).number
     assert found is not None
     return found
 
@@ -69,10 +69,10 @@ def test_operands_of_another_program_are_evaluated_there(debugger: Debugger) -> 
     other = debugger.names[1]
     assert number(debugger, f"{other}::list->v") == 3
     assert number(debugger, f"{other}::(i + list->v) - {other}::i + 1") == 4
-    assert debugger.view.look_up(f"{other}::first").text.startswith("{v = 3")
+    assert debugger.view.evaluate_pure(f"{other}::first").text.startswith("{v = 3")
 
 
-def test_what_would_mean_something_else_here_is_refused(debugger: Debugger) -> None:
+def test_ambiguous_names_are_rejected(debugger: Debugger) -> None:
     other = debugger.names[1]
     assert debugger.evaluate(f"*{other}::list").text == "void"
     for text in (f"({other}::first).next->v", f"{other}::x = 2"):
@@ -97,7 +97,7 @@ def test_a_value_of_the_selected_robot_is_found_at_another_depth(tmp_path: Path)
     source = "int x = 4;\n" + deep + "int main(void)\n{\n    return down(5);\n}\n"
     debugger = debugger_of(source, folder=tmp_path, world="pair.xml")
     said: list[str] = []
-    debugger.stop_points.say = said.append
+    debugger.stop_points.print_log = said.append
     debugger.stop_points.add_breakpoint("4", robot=0, log="{robot0::x}")
     debugger.start()
     debugger.view.frame = 3
@@ -150,7 +150,7 @@ def test_of_two_objects_the_unknown_one_is_named(debugger: Debugger) -> None:
         number(debugger, f"distance({debugger.names[0]}, nowhere)")
 
 
-def test_a_stop_after_the_end_of_the_selected_program_says_when(tmp_path: Path) -> None:
+def test_a_stop_after_the_end_of_the_selected_program_shows_the_time(tmp_path: Path) -> None:
     """It said only that the condition is true, and that it is for the ended program only."""
     ends = '#include "Nclient.h"\nint main(void) { return 0; }\n'
     debugger = debugger_of(ends, DRIVES, folder=tmp_path, world="pair.xml")

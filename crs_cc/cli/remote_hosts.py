@@ -33,13 +33,13 @@ NOBODY: Final[Mapping[str, float]] = MappingProxyType({})
 _SHOWN: Final = 5
 
 
-class Elsewhere:
+class RemoteHosts:
     """The hosts of a run.
 
     Attributes:
         fleet: the programs.
         front: where pages connect; None for nowhere.
-        tell_waiting: is told, again and again, of the robots whose hosts the run waits for, as
+        on_waiting: is told, again and again, of the robots whose hosts the run waits for, as
             text, and of none as it goes on.
     """
 
@@ -76,7 +76,7 @@ class Elsewhere:
         self._resumption, self._hosts, self._own = resumption, hosts, own
         self._input: OwnInput | None = OwnInput() if hosts else None
         self._is_interrupted: Callable[[], bool] = lambda: False
-        self.tell_waiting: Callable[[str], None] = lambda _names: None
+        self.on_waiting: Callable[[str], None] = lambda _names: None
         self._seats = {seat.names: seat for seat in seats}
         self._stopped: list[str] = []  # robots whose programs have just stopped with their host
         self._numbers = {name: number for number, name in enumerate(robots)}
@@ -94,7 +94,7 @@ class Elsewhere:
         return HostLink(seat.names, numbers, channel, self._replace)
 
     def begin(self, session: Session, is_interrupted: Callable[[], bool]) -> None:
-        """Note the session that uses the fleet, and how it is interrupted."""
+        """Store the session that uses the fleet, and the interrupt check."""
         self._session, self._is_interrupted = session, is_interrupted
 
     @property
@@ -108,7 +108,7 @@ class Elsewhere:
         return self._hosts is None or self._session.time_s < self.repeats_until_s
 
     def read(self, robot: int, wanted: int) -> bytes:
-        """Return standard input of the host of a robot, or ours."""
+        """Return standard input of a robot's host, or of this process."""
         if self._resumption is not None and self._session.time_s < self._resumption.end_s:
             return self._resumption.given.read(robot, wanted)
         if self._input is not None:
@@ -125,11 +125,11 @@ class Elsewhere:
         return int(size), float("inf") if wait_s is None else float(wait_s)
 
     def timesteps_left(self) -> int | None:
-        """Return how many timesteps may be run before `look`; None for any number."""
+        """Return how many timesteps may be run before `check_resumption`; None for any number."""
         return None if self._resumption is None else self._resumption.timesteps_left(self._session)
 
-    def look(self) -> None:
-        """Look at the run between two timesteps.
+    def check_resumption(self) -> None:
+        """Compare a resumed run with its recording, between two timesteps.
 
         Raises:
             ReplayMismatch: it is resumed, and takes another course.
@@ -151,15 +151,15 @@ class Elsewhere:
         if self._resumption is not None:
             self._resumption.change(self._session, made)
         while self._stopped:
-            self._make(f"hold {self._stopped.pop(0)}", made)
+            self._apply_change(f"hold {self._stopped.pop(0)}", made)
         if self._late:
-            self._let_in(made)
+            self._admit_robots(made)
 
-    def _let_in(self, made: Callable[[Change], None]) -> None:
-        """Keep robots out of the world whose hosts have not come, and let others in."""
+    def _admit_robots(self, made: Callable[[Change], None]) -> None:
+        """Admit robots whose hosts are connected, and delay the others."""
         now_s = self._session.time_s
         if self._resumption is None and not self._session.timesteps:
-            self._make(f"delay {' '.join(self._late)}", made)
+            self._apply_change(f"delay {' '.join(self._late)}", made)
         if now_s < self.repeats_until_s:
             return
         for seat in self._roster.newcomers():
@@ -173,11 +173,11 @@ class Elsewhere:
             if self._late.get(name, math.inf) <= now_s + ROUNDING_S
         ]
         if ready:
-            self._make(f"join {' '.join(ready)}", made)
+            self._apply_change(f"join {' '.join(ready)}", made)
         for name in ready:
             del self._late[name]
 
-    def _make(self, text: str, made: Callable[[Change], None]) -> None:
+    def _apply_change(self, text: str, made: Callable[[Change], None]) -> None:
         edit_run(self._session, text)
         made(Change(Position(self._session.timesteps, 0), text))
 
@@ -204,19 +204,19 @@ class Elsewhere:
         say(f"{lost}; the run waits for another one")
 
         def is_ended() -> bool:
-            self.tell_waiting(names)
+            self.on_waiting(names)
             return self._is_interrupted()
 
         source = self._hosts or self._roster
         channel = source.take(seat, is_ended)
-        self.tell_waiting("")
+        self.on_waiting("")
         if channel is None:
             raise HostGoneError("the run was interrupted while its host was lost")
         say(f"crs: {names}: taken over")
         return channel
 
     def _restarted(self, own: OwnHosts, link: HostLink) -> Channel:
-        """Return a connection to a host of our own in place of a lost one."""
+        """Return a connection to a local host in place of a lost one."""
         seat = self._seats[link.names]
         assert seat.program is not None
         try:

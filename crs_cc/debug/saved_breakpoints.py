@@ -25,7 +25,7 @@ MAX_KEPT: Final = 200
 _LONGEST: Final = 400
 
 
-def kept_stops(points: StopPoints) -> Iterator[dict[str, Any]]:
+def saved_breakpoints(points: StopPoints) -> Iterator[dict[str, Any]]:
     """Yield the user's breakpoints as plain data."""
     for each in points.breakpoints:
         if each.number > 0 and not each.temporary:
@@ -46,12 +46,12 @@ def kept_stops(points: StopPoints) -> Iterator[dict[str, Any]]:
 
 def _place(each: Breakpoint) -> str:
     """Return its location: a line by the file name only, since the folder may change."""
-    location = each.place.location if each.place else None
+    location = each.location.location if each.location else None
     is_line = location is not None and (each.text.isdecimal() or ":" in each.text)
     return f"{PurePath(location.file).name}:{location.line}" if location and is_line else each.text
 
 
-def restore_stops(points: StopPoints, kept: Iterable[Mapping[str, Any]], robots: int) -> None:
+def restore_breakpoints(points: StopPoints, kept: Iterable[Mapping[str, Any]], robots: int) -> None:
     """Set breakpoints from plain data; those that are not valid in this run are left out."""
     for data in list(kept)[:MAX_KEPT]:
         with contextlib.suppress(DebugError, TypeError, ValueError):

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class EvaluationPlace:
+class EvaluationPoint:
     """Where operands have their values: a position, and a frame at a location."""
 
     position: Position

@@ -1,6 +1,6 @@
 """The programs' output, kept for the results in JSON.
 
->>> kept = KeptOutput(robots=1)
+>>> kept = CapturedOutput(robots=1)
 >>> kept.add(0, 1, b"hello")
 >>> kept.fields(0)
 {'stdout': 'hello', 'stderr': '', 'output_truncated': False}
@@ -14,7 +14,7 @@ MAX_BYTES: Final = 16 * 2**20
 """Of all programs together; the rest is not kept."""
 
 
-class KeptOutput:
+class CapturedOutput:
     """The output of all programs, by robot and stream."""
 
     def __init__(self, robots: int) -> None:

@@ -12,13 +12,13 @@ from crs_cc.debug.timeline.position import Position
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
 
-_PLACE: Final = re.compile(r"(\d{1,12})\.(\d{1,12})\.(-1|\d{1,6})\.(\d{1,15})")
+_POSITION: Final = re.compile(r"(\d{1,12})\.(\d{1,12})\.(-1|\d{1,6})\.(\d{1,15})")
 
 
-def place_text(at: Position) -> str:
+def position_text(at: Position) -> str:
     """Return a position as text.
 
-    >>> place_text(Position(3, 0, 1, 40))
+    >>> position_text(Position(3, 0, 1, 40))
     '3.0.1.40'
     """
     return f"{at.timestep}.{at.round}.{at.robot}.{at.statements}"
@@ -30,7 +30,7 @@ def position_of(debugger: Debugger, text: str) -> Position:
     Raises:
         DebugError: there is none, or the run has not been there.
     """
-    found = _PLACE.fullmatch(text)
+    found = _POSITION.fullmatch(text)
     if found is None:
         raise DebugError(f"'{text[:40]}' is not a position in the run")
     position = Position(*map(int, found.groups()))

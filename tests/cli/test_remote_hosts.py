@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from crs_cc.cli.elsewhere import Elsewhere
+from crs_cc.cli.remote_hosts import RemoteHosts
 from crs_cc.net.roster import Roster
 
 
@@ -21,7 +21,7 @@ def test_a_resumed_run_on_a_cluster_prints_nothing_twice(
     """What hosts of users print they show themselves; what those of a cluster print, we do."""
     recorded: Any = SimpleNamespace(end_s=2.0)
     hosts: Any = object() if on_cluster else None
-    run = Elsewhere(
+    run = RemoteHosts(
         Roster([]), [], [], [], waits=True, front=None, resumption=recorded, hosts=hosts
     )
     session: Any = SimpleNamespace(time_s=time_s)

@@ -8,7 +8,7 @@ from typing import Final, Protocol
 
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.data.evaluate import Evaluator
-from crs_cc.debug.data.notation import OutsideName, RobotName, WorldDistance, WorldName
+from crs_cc.debug.data.notation import ExternalName, RobotName, WorldDistance, WorldName
 from crs_cc.debug.data.values import Value, ValueReader
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.world_values import (
@@ -45,11 +45,11 @@ class StoppedRun(Protocol):
     def evaluator(self, robot: int) -> Evaluator:
         """Return the evaluator of a robot's program."""
 
-    def look_up(self, text: str, *, robot: int, frame: int) -> Value:
+    def evaluate_pure(self, text: str, *, robot: int, frame: int) -> Value:
         """Evaluate a C expression without side effects; raise DebugError if it is invalid."""
 
 
-class Surroundings:
+class RunValues:
     """The world and the other robots, for the expressions of one robot's program."""
 
     def __init__(self, run: StoppedRun, robot: int) -> None:
@@ -64,7 +64,7 @@ class Surroundings:
         """Return whether the world has a robot or an object of that name."""
         return name in self._run.session.environment.names
 
-    def state(self, name: OutsideName) -> Hashable:
+    def state(self, name: ExternalName) -> Hashable:
         """Return the state on which the type of a value depends."""
         if not isinstance(name, RobotName):
             return self._run.session.environment.names
@@ -73,7 +73,7 @@ class Surroundings:
         frame = self._run.active_frame(robot, number) if robot >= 0 else None
         return robot, None if frame is None else (frame.function, frame.location)
 
-    def value(self, name: OutsideName) -> Value:
+    def value(self, name: ExternalName) -> Value:
         """Return a value.
 
         Raises:
@@ -93,7 +93,7 @@ class Surroundings:
         robot = self._run.names.index(name.robot)
         try:
             frame = self._run.first_own_frame(robot)
-            return self._run.look_up(name.text, robot=robot, frame=frame)
+            return self._run.evaluate_pure(name.text, robot=robot, frame=frame)
         except DebugError as wrong:
             raise DebugError(f"{name.robot}: {wrong}") from None
 
