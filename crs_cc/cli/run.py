@@ -103,8 +103,8 @@ Examples:
     flag_value=0,
     type=click.IntRange(0, 65535),
     metavar="[PORT]",
-    help="Also show the run in the browser, as crs view does: print a local URL, on PORT or any "
-    "free port. The page can pause the run and set its speed.",
+    help="Also show the run in the browser, as crs view does: serve it on PORT, or on any free "
+    "port, and print the local URL. The page can pause the run and set its speed.",
 )
 @record_options
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")

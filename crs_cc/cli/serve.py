@@ -127,8 +127,8 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
 @click.option(
     "--only-tcp",
     is_flag=True,
-    help="Also use TCP for hosts on this machine: by default, those of the same user switch to a "
-    "local socket once connected, which is faster.",
+    help="Use TCP even for hosts on this machine. By default, hosts run by the same user switch to "
+    "a local socket, which is faster, once connected.",
 )
 @click.option(
     "--start",
@@ -153,14 +153,15 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE.mcap",
     help="Continue a run that was killed, from its recording: repeat it up to the end of the "
-    "recording, compare the hashes, and continue. The other options and programs must be the same.",
+    "recording, compare its hashes with the recorded ones, and continue. The other options and "
+    "programs must be the same.",
 )
 @click.option(
     "--view/--no-view",
     "shows",
     default=True,
-    help="Serve pages that show the run, on the same port (default); crs view HOST:PORT opens "
-    "one. With --no-view, timesteps in which nothing happens are skipped.",
+    help="Serve web pages that show the run, on the same port; this is the default. crs view "
+    "HOST:PORT opens one. With --no-view, timesteps in which nothing happens are skipped.",
 )
 @cluster_options
 @vendor_options

@@ -361,7 +361,7 @@ def _mismatched(case: Case) -> Explanation:
         if stopped and stopped.compiled.addresses.get(each.name) == pointer and each.ctype:
             name = plain_name(each.name)
             subject = f"'{case.called}' points to '{name}', which" if case.called else f"'{name}'"
-            note = f"it is {spell(each.ctype, name)}, defined at {each.location}"
+            note = f"'{name}' is {spell(each.ctype, name)}, defined at {each.location}"
             return Explanation(f"{subject} has a different type", (note,), shows_values=False)
     return Explanation("the pointer's type is not that of the function called")
 

@@ -1,4 +1,4 @@
-/* A computed goto to an address that is not that of a label. */
+/* A computed goto whose target is not the address of a label. */
 int main(int argc, char **argv)
 {
     void *table[] = {&&end, 0};

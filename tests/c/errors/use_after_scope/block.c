@@ -1,4 +1,4 @@
-/* A pointer outlives the block of its variable. */
+/* A pointer outlives the block of the variable that it points to. */
 int main(void)
 {
     int *p;
