@@ -1,6 +1,6 @@
 """Objects between the ends of lines, among shapes sorted by grid cell in the memory of kernels.
 
->>> wall = np.array([[-1.0, 5.0, 2.0, 0.0, 2.0, 4.0, 4.0]])
+>>> wall = np.array([[-1.0, 5.0, 2.0, 4.0, 2.0, 0.0, 4.0]])  # a face that lines to the right enter
 >>> field = SightField(wall, np.zeros((0, 5)))
 >>> lines = np.array([[0.0, 1.0], [0.0, 1.0]]), np.array([[3.0, 1.0], [1.0, 1.0]])
 >>> field.count(lines, np.full(2, MANY)).tolist()
