@@ -124,7 +124,7 @@ def faults_and_plot(page: Any) -> None:
 
 
 def messages(page: Any) -> None:
-    """Shut the link to one robot of a platoon, and see what becomes of messages."""
+    """Block the link to one robot of a platoon, and see what becomes of messages."""
     go_to(page, 6.2)
     change(page, "shut radio to fourth")
     go_to(page, 16.0)

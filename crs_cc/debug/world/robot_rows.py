@@ -123,17 +123,17 @@ def _waits(environment: Environment, robot: int) -> str:
     code = int(waits.code[robot])
     if not code:
         return ""
-    name, what = _function(code), "the axes stand"
+    name, what = _function(code), "the axes to stop"
     if code == CODES["RECEIVE"]:
-        what = "a message comes"
+        what = "a message"
     else:
         axes = environment.world.robots[robot].model.drive.axis_names
         chosen = [axis for axis, on in zip(axes, waits.axes[robot], strict=False) if on]
         if chosen:
-            what = f"{' and '.join(chosen)} stand{'s' * (len(chosen) == 1)}"
+            what = f"{' and '.join(chosen)} to stop"
     until_s = float(waits.until_s[robot])
-    most = f", {instant(until_s)} at the latest" if math.isfinite(until_s) else ""
-    return f"{name} waits until {what}{most}"
+    most = f", at most until {instant(until_s)}" if math.isfinite(until_s) else ""
+    return f"{name} waits for {what}{most}"
 
 
 def _function(code: int) -> str:

@@ -20,7 +20,7 @@ const ECHO_S = 0.8; // how long contacts are marked [s]
 /** @type {Part[]} */
 export const PARTS = [
   { name: "trails", title: "Trails", on: true, draw: trails },
-  { name: "paths", title: "Full paths, true and according to odometry", on: true, only: (run) => run.paths, draw: paths },
+  { name: "paths", title: "Full paths: true and odometry", on: true, only: (run) => run.paths, draw: paths },
   { name: "marks", title: "Drawings by programs", on: true, only: (run) => run.marks, draw: marks },
   { name: "fields", title: "Pheromone fields", on: true, only: (run) => run.world.fields?.length, draw: fieldScale },
   { name: "movable", title: "Movable objects", on: true, only: (run) => run.world.shapes.some((shape) => shape.movable), draw: movable },
@@ -31,7 +31,7 @@ export const PARTS = [
   { name: "heat", title: "Range of the heat sensor", on: false, device: "heat", draw: heatRange },
   { name: "degraded", title: "Degraded devices", on: true, draw: degraded },
   { name: "bumpers", title: "Bumpers", on: true, draw: bumpers },
-  { name: "believed", title: "Poses according to odometry", on: false, draw: believed },
+  { name: "believed", title: "Odometry poses", on: false, draw: believed },
   { name: "contacts", title: "Collisions", on: true, draw: contacts },
   { name: "messages", title: "Messages", on: true, draw: messages },
   { name: "ranges", title: "Radio range", on: false, draw: ranges },
