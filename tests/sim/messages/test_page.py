@@ -32,8 +32,8 @@ def test_predefined_channels_are_lossless() -> None:
 def test_numbers_on_the_page_match_the_code() -> None:
     assert f"An inbox holds {INBOX} messages" in PAGE
     assert f"At most {COMING_MOST} messages can be in transit" in PAGE
-    assert f"At most {MOST} messages of a robot can be waiting" in PAGE
-    assert f"{HEAD_BYTES} bytes are the header" in PAGE
+    assert f"at most {MOST} messages waiting" in PAGE
+    assert f"{HEAD_BYTES} is the size of the header" in PAGE
     assert MOST == LONGEST_QUEUE
 
 
