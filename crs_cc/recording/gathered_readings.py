@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Final
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -82,7 +82,8 @@ class GatheredReadings:
         if not len(self.passed):
             return _begin_ns(rows), rows
         passed = _readings(np.frombuffer(self.passed.content()[0], ANSWER))
-        rows = Readings(*(np.concatenate(columns) for columns in zip(rows, passed, strict=True)))
+        columns: Iterator[Any] = zip(rows, passed, strict=True)
+        rows = Readings(*(np.concatenate(each) for each in columns))
         return _begin_ns(rows), rows.of(np.argsort(rows.clock_s, kind="stable"))
 
     def _singles(self) -> Readings:
