@@ -168,7 +168,7 @@ class _Rerun:
                 robot = self._recording.roster_at(time_ns).robots[event["robot"]]
                 return (
                     f"{robot} lost its host at {time_ns / 1e9:.2f} s, and was stopped: such a loss"
-                    " is not an input of the run, which cannot be repeated"
+                    " is not an input to the run, which cannot be repeated"
                 )
         return ""
 

@@ -2,7 +2,7 @@
 
 The last write of an object is found as `last_write` does. Its statement says what it was computed
 from; each of these operands is an object with a last write of its own, before that statement. So
-the tree goes back through assignments, arguments, returned values, messages of other robots and
+the tree goes back through assignments, arguments, return values, messages from other robots and
 `State[]` to readings of sensors, to what was typed, to the user's changes and to initial values. A
 value of the world comes from the motion command of its robot, contacts and changes by hand.
 
