@@ -133,7 +133,7 @@ def east_m(debugger: Debugger) -> float:
 def test_an_edit_of_the_world_is_part_of_the_run(tmp_path: Path) -> None:
     debugger = debugger_of(DRIVE, folder=tmp_path)
     debugger.goto_time(1.0)
-    assert "robot0 is at 1.000, 2.000 m" in debugger.edit_world("move robot0 to 1 2")
+    assert "robot0 is now at 1.000, 2.000 m" in debugger.edit_world("move robot0 to 1 2")
     debugger.tick(5)
     x_m = east_m(debugger)
     assert 1.0 < x_m < 2.0

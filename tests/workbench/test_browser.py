@@ -194,7 +194,7 @@ def a_robot_is_selected_in_the_view_and_commands_change_the_run(page: Any) -> No
     page.click("#tab-console")
     page.fill(".prompt input", "move bob to 3 3 90")
     page.press(".prompt input", "Enter")
-    page.wait_for_selector(".log >> text=bob is at 3.000, 3.000 m")
+    page.wait_for_selector(".log >> text=bob is now at 3.000, 3.000 m")
     wait(page, "Math.abs(crs.model.scene.body(1).x - 3) < 1e-3")
     page.evaluate("""crs.console('note "moved here"')""")
     wait(
