@@ -164,7 +164,7 @@ class ReadingEncoder:
 
 
 class _Changes:
-    """What differs in vectors from those before of the same robots."""
+    """Differences between each vector and the previous one of the same robot."""
 
     def __init__(self, states: Int32Array, first: IndexArray, last: Int32Array) -> None:
         """Compare vectors.

@@ -80,7 +80,7 @@ class Partner:
 
 
 class Turns:
-    """What runs rounds of all programs of a fleet in turn with a partner."""
+    """Runs rounds of all programs of a fleet in alternation with a partner."""
 
     def __init__(self, call: PreparedCall, end: Callable[[Exception], int]) -> None:
         """Store a call of the partner's function, and what is done when a program traps in it."""

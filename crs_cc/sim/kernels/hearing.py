@@ -27,8 +27,8 @@ from crs_cc.sim.kernels.tables import HEAR
 
 _NUMBER: Final = 8  # bytes
 _BITS: Final = 64  # of a number
-_MOST: Final = 1024  # messages that are told at once
-_LEAST_CELL_M: Final = 0.1
+_MAX_MESSAGES: Final = 1024  # for one call of the kernel
+_MIN_CELL_M: Final = 0.1
 _PAIR: Final = np.dtype([("message", "<i4"), ("hearer", "<i4"), ("distance_m", "<f8")])
 _NONE: Final = np.zeros((0, 7)), np.zeros((0, 14))
 
@@ -69,7 +69,7 @@ class Hearing:
         here, self._robots = np.flatnonzero(present), len(places_m)
         circles = np.zeros((len(here), 5))
         circles[:, 1], circles[:, 2:4] = here, places_m[here]
-        grid = grid_of(circles[:, 2:4], _LEAST_CELL_M, max(len(here), 1))
+        grid = grid_of(circles[:, 2:4], _MIN_CELL_M, max(len(here), 1))
         place, size = 3 * self._robots, 0
         if place < self._kernels.room:
             self._kernels.lay(places_m.tobytes())
@@ -96,8 +96,8 @@ class Hearing:
             groups: the groups of robots as bits, (robots,).
         """
         self._kernels.lay(np.column_stack([is_full, groups]).tobytes(), 2 * self._robots)
-        found = [self._few_pairs(messages[first : first + _MOST], first)
-                 for first in range(0, len(messages), _MOST)]  # fmt: skip
+        found = [self._few_pairs(messages[first : first + _MAX_MESSAGES], first)
+                 for first in range(0, len(messages), _MAX_MESSAGES)]  # fmt: skip
         pairs = _joined([part for parts, _ in found for part in parts], _PAIR)
         message, hearer = (pairs[name].astype(np.intp) for name in ("message", "hearer"))
         is_missed = _joined([each for _, each in found], np.dtype(np.bool_))

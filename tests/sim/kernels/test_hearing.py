@@ -50,9 +50,9 @@ def same(found, expected) -> bool:
     )
 
 
-@pytest.mark.parametrize("most", [hearing._MOST, 7])
+@pytest.mark.parametrize("most", [hearing._MAX_MESSAGES, 7])
 def test_hearers_are_those_of_all_pairs(monkeypatch, most: int) -> None:
-    monkeypatch.setattr(hearing, "_MOST", most)
+    monkeypatch.setattr(hearing, "_MAX_MESSAGES", most)
     ours = Hearing()
     for seed in range(6):
         places_m, present, *rest = crowd(seed)
