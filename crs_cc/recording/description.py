@@ -7,6 +7,7 @@ import platform
 import shlex
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
+from importlib.metadata import version
 from typing import Any, Final, Self
 
 from crs_cc import __version__
@@ -14,7 +15,6 @@ from crs_cc.recording.source_tree import is_safe
 from crs_cc.recording.topics import FORMAT_VERSION
 from crs_cc.toolchain import cache
 from crs_cc.toolchain.fingerprint import WORLDS
-from crs_cc.toolchain.package_versions import package_version
 
 PACKAGES: Final = ("numpy", "pymunk", "pycparser", "wasmtime")
 """The packages that take part in a run."""
@@ -161,7 +161,7 @@ def versions() -> dict[str, str]:
         "python": platform.python_version(),
         "machine": platform.machine(),
         "sources": cache.version(WORLDS)[:12],
-        **{name: package_version(name) for name in PACKAGES},
+        **{name: version(name) for name in PACKAGES},
     }
 
 

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Final
 
 from crs_cc.core.host_system import machine
-from crs_cc.toolchain.package_versions import package_version
 
 PACKAGE: Final = Path(__file__).parent.parent
 
@@ -34,9 +33,11 @@ def sources(folders: Sequence[str] = COMPILER) -> list[Path]:
 
 def fingerprint(folders: Sequence[str]) -> str:
     """Return a hash of the contents of our sources, and of the packages that they use."""
+    import importlib.metadata  # slow to import
+
     digest = hashlib.sha256(_platform())
     for package in _PACKAGES:
-        digest.update(package_version(package).encode())
+        digest.update(importlib.metadata.version(package).encode())
     for file in sources(folders):
         digest.update(f"{file.relative_to(PACKAGE)}\0".encode() + file.read_bytes())
     return digest.hexdigest()
