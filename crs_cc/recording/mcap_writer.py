@@ -140,7 +140,6 @@ class McapWriter:
 
     def add(self, channel: Channel, time_ns: int, data: bytes) -> None:
         """Add a message to the next chunk."""
-        self._number(channel)  # now, so that it does not depend on when data is saved
         self._pending.append((time_ns, len(self._pending), channel, data))
         self.pending += len(data)
 
