@@ -109,7 +109,7 @@ _OPTIONS = (
     click.option(
         "--root", metavar="DIR", type=click.Path(path_type=Path, exists=True, file_okay=False),
         help="Project root: C files may include any file below it, for example '../include/x.h'. "
-        "For programs in or below the current directory, defaults to that directory.",
+        "Default: the current directory, for programs in or below it; none for others.",
     ),
     click.option(
         "-D", "--define", "defines", metavar="NAME[=VALUE]", multiple=True,
@@ -134,9 +134,9 @@ _OPTIONS = (
     ),
     click.option(
         "--dialect", type=click.Choice(DIALECTS),
-        help="The API that the program uses: nomad (Nomadic's) or report (the CRS "
-        "report's, which allows a program to consist of just the statements of a function body; "
-        "see docs/glossary.md). Default: report if the program defines runcode, has no main and "
+        help="The API that the program uses: nomad (Nomadic's) or report (that of the CRS report, "
+        "see docs/glossary.md). With report, a program may consist of just the statements of a "
+        "function body. Default: report if the program defines runcode, has no main and "
         "includes no Nomadic header; otherwise nomad.",
     ),
 )  # fmt: skip

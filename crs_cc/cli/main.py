@@ -35,7 +35,7 @@ Examples:
   crs replay run.mcap                            summarise a recorded run
   crs check wander.c room.xml                    report errors without running anything
   crs grade submissions/ course.xml              grade many programs against a world's goals
-  crs sweep trial.toml --out runs                run all combinations of parameters and seeds
+  crs sweep trial.toml --out runs                run all combinations of parameter values and seeds
   crs serve room.xml                             serve a world to programs on other machines
   crs join robot0 127.0.0.1:8000 wander.c        run a robot's program in a served world
   crs new world room                             write a commented template
@@ -56,7 +56,7 @@ Exit status:
   121       invalid C source
   122       invalid world file
   123       one robot: its program was stopped by a runtime error
-  125       a recorded run differs when it is repeated
+  125       a recorded run, when repeated, differs from its recording
   130       interrupted by Ctrl-C
   141       broken pipe: the reader closed the output
 """

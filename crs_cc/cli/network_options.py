@@ -88,7 +88,7 @@ _OPTIONS: Final = (
     ),
     click.option(
         "--forward", "forwards", multiple=True, metavar="PORT[:ROBOT]", callback=_forwards,
-        help="Accept connections on PORT of this machine and forward them to the same port of "
+        help="Accept connections on port PORT on this machine and forward them to the same port on "
         "ROBOT (default: the first robot); may be repeated. With this option or --connect, "
         "--speed defaults to 1.",
     ),

@@ -42,8 +42,8 @@ Examples:
     "--input",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Send each line of FILE to each robot's standard input at the simulated time given in "
-    "the line: '2.5s: forward\\n' sends 'forward' and a newline at 2.5 s.",
+    help="Send each line of FILE to the standard input of each robot's program at the simulated "
+    "time with which the line begins: '2.5s: forward\\n' sends 'forward' and a newline at 2.5 s.",
 )
 @click.option(
     "--inputs",
@@ -79,8 +79,8 @@ Examples:
     "--threads",
     type=click.IntRange(1, 64),
     metavar="N",
-    help="Run programs and sensors in up to N threads where this saves time; the number of threads "
-    "does not affect the results. Default: the number of processors.",
+    help="Use up to N threads to run programs and to simulate sensors, where this saves time; the "
+    "number of threads does not affect the results. Default: the number of processors.",
 )
 @click.option(
     "--summary/--no-summary",

@@ -41,11 +41,11 @@ class _RunByDefault(click.Group):
 @click.group(
     cls=_RunByDefault,
     epilog=_EXAMPLES,
-    short_help="Run an experiment for all combinations of parameters and seeds.",
+    short_help="Run an experiment for all combinations of parameter values and seeds.",
     no_args_is_help=True,
 )
 def sweep() -> None:
-    """Run an experiment for all combinations of parameters and seeds, and report its results.
+    """Run an experiment for all combinations of parameter values and seeds, and report the results.
 
     `crs sweep EXPERIMENT.toml` is short for `crs sweep run EXPERIMENT.toml`.
     """

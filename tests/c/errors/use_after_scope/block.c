@@ -1,4 +1,4 @@
-/* A pointer outlives the block of the variable that it points to. */
+/* A pointer outlives the block that declares the variable it points to. */
 int main(void)
 {
     int *p;
