@@ -91,7 +91,7 @@ def other_python() -> str:
     own = f"{sys.version_info.major}.{sys.version_info.minor}"
     for name in filter(None, names):
         path = shutil.which(name)
-        if path is None or name == f"python{own}":
+        if path is None or name == f"python{own}":  # likely the one that runs this
             continue
         done = subprocess.run([path, "-c", NEEDED], capture_output=True, check=False, timeout=60)
         if done.returncode == 0:

@@ -47,12 +47,12 @@ _NUMBERED: Final = r"[0-7]{1,3}|x[0-9a-fA-F]+|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}"
 _IN_CHARACTER: Final = rf"[^'\\\udc80-\udcff]|\\(?:{_NUMBERED}|{_ESCAPED})"
 
 _PLAIN: Final = re.compile(
-    r"(?:[ \t\v\f]++"
+    r"(?>(?:[ \t\v\f]++"
     r"|[A-Za-z_$][\w$]*+(?![\"'])"
     rf"|(?:{_FLOATING}|{_INTEGER})(?![\w.]|(?<=[eEpP])[+-])"
-    rf"|\"(?:{_IN_STRING})*+\""
+    rf"|\"(?:{_IN_STRING})*\""
     rf"|'(?:{_IN_CHARACTER})'"
-    r"|[-+*/&|^~!>=?;,.(){}\[\]]|<(?![:%])|:(?!>)|%(?![:>]))*+",
+    r"|[-+*/&|^~!>=?;,.(){}\[\]]|<(?![:%])|:(?!>)|%(?![:>]))*)",
     re.ASCII,
 )
 _DIGRAPHS: Final = {"<:": "[", ":>": "]", "<%": "{", "%>": "}"}

@@ -31,12 +31,12 @@ HASH: Final = frozenset({"#", "%:"})
 PASTE: Final = frozenset({"##", "%:%:"})
 
 _UNIVERSAL: Final = r"\\u[0-9a-fA-F]{4}|\\U[0-9a-fA-F]{8}"
-IDENTIFIER: Final = rf"(?:[^\W0-9]|\$|{_UNIVERSAL})(?:[\w$]|{_UNIVERSAL})*+"
-PP_NUMBER: Final = r"\.?[0-9](?:[eEpP][+-]|[\w.]|'(?=\w))*+"
+IDENTIFIER: Final = rf"(?:[^\W0-9]|\$|{_UNIVERSAL})[\w$]*+(?:(?:{_UNIVERSAL})[\w$]*+)*"
+PP_NUMBER: Final = r"\.?[0-9][\w.]*+(?:(?:(?<=[eEpP])[+-]|'(?=\w))[\w.]*+)*"
 """A number, perhaps with C23's separators of digits."""
 
-STRING_LITERAL: Final = r'(?:u8|[uUL])?"(?:[^"\\]|\\.)*+"'
-CHARACTER_CONSTANT: Final = r"(?:u8|[uUL])?'(?:[^'\\]|\\.)*+'"
+STRING_LITERAL: Final = r'(?:u8|[uUL])?"[^"\\]*+(?:\\.[^"\\]*+)*"'
+CHARACTER_CONSTANT: Final = r"(?:u8|[uUL])?'[^'\\]*+(?:\\.[^'\\]*+)*'"
 _PUNCTUATORS: Final = (
     r"\.\.\.|<<=|>>=|%:%:|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|\#\#"
     r"|<:|:>|<%|%>|%:|[-+*/%&|^~!<>=?:;,.(){}\[\]\#]"
