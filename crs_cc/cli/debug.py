@@ -26,7 +26,7 @@ Examples:
   crs debug --batch -x crash.dbg wander.c room.xml
   crs debug -ex "break turn if speed > 100" -ex continue wander.c room.xml
   crs debug run.mcap --at 12.5s                  a recorded run
-  crs debug --dap stdio                          serve an editor (see crs docs editors)
+  crs debug --dap stdio                          act as a debug adapter (see crs docs editors)
 """
 
 _PORTS: Final = 65536
@@ -57,8 +57,8 @@ _OPTIONS: Final = (
     click.option(
         "--input", metavar="FILE",
         type=click.Path(exists=True, dir_okay=False, path_type=Path),
-        help="Send each line of FILE to the programs at the simulated time with which the line "
-        "begins, as in crs run.",
+        help="Send each line of FILE to the programs at the simulated time given at the "
+        "start of the line, as in crs run.",
     ),
     click.option(
         "--stdin", metavar="FILE",
@@ -72,8 +72,8 @@ _OPTIONS: Final = (
     ),
     click.option(
         "--dap", metavar="stdio|PORT", callback=_dap,
-        help="Serve an editor over the Debug Adapter Protocol, on stdin and stdout or on a local "
-        "port; 0 picks a free one.",
+        help="Act as a debug adapter for an editor (Debug Adapter Protocol), on stdin and stdout or on a "
+        "local port; 0 picks a free one.",
     ),
     click.option(
         "--at", "at_s", metavar="TIME", callback=parse_time,

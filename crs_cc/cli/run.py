@@ -43,7 +43,8 @@ Examples:
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
     help="Send each line of FILE to the standard input of each robot's program at the simulated "
-    "time with which the line begins: '2.5s: forward\\n' sends 'forward' and a newline at 2.5 s.",
+    "time given at the start of the line: '2.5s: forward\\n' sends 'forward' and a newline at "
+    "2.5 s.",
 )
 @click.option(
     "--inputs",
@@ -113,9 +114,9 @@ def run(**options: Any) -> int:
     """Compile a C control program and run it in a simulated world.
 
     Several C files are compiled as one program. In a world with several robots, each robot runs the
-    program named for it in the world file or, if there is none, the one given on the command line.
-    Without a world file, there is one robot in an empty world. Arguments after -- are passed to
-    the program's main.
+    program specified for it in the world file or, if there is none, the one given on the command
+    line. Without a world file, there is one robot in an empty world. Arguments after -- are passed
+    to the program's main.
 
     The programs share the stdin, stdout and stderr of crs; with several robots, each line of output
     starts with the robot's name. With one robot, the exit status is that of its program; with

@@ -58,8 +58,8 @@ class _View(WithProgramArguments):
     "--input",
     metavar="FILE",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    help="Send each line of FILE to the programs at the simulated time with which the line "
-    "begins, as in crs run.",
+    help="Send each line of FILE to the programs at the simulated time given at the start "
+    "of the line, as in crs run.",
 )
 @click.option(
     "--stdin",

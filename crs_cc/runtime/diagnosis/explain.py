@@ -388,7 +388,7 @@ def _stack(case: Case) -> Explanation:
         name = plain_name(innermost)
         text = f"the variables of '{name}' take {size:,} bytes of a stack of {STACK_SIZE:,}"
         return Explanation(text, ("hint: make large arrays static",), shows_values=False)
-    text = f"{len(stopped.stack):,} nested calls fill the stack of {STACK_SIZE:,} bytes"
+    text = f"{len(stopped.stack):,} nested calls fill the {STACK_SIZE:,}-byte stack"
     return Explanation(text, ("hint: does the recursion end?",), shows_values=False)
 
 

@@ -73,7 +73,7 @@ GRADES = {
     "reads.c": ("0", "limit", "computed more than 20,000,000 instructions"),
     "recursion.c": (
         "0", "run-time error",
-        "recursion.c:1: stack overflow: 21,846 nested calls fill the stack of 2,097,152 bytes",
+        "recursion.c:1: stack overflow: 21,846 nested calls fill the 2,097,152-byte stack",
     ),
     "semicolon.c": ("0", "compile error", "semicolon.c:3: expected ';' after '1'"),
     "slow.c": ("1", "ended", ""),
