@@ -72,8 +72,8 @@ _OPTIONS: Final = (
     ),
     click.option(
         "--dap", metavar="stdio|PORT", callback=_dap,
-        help="Act as a debug adapter for an editor (Debug Adapter Protocol), on stdin and stdout or on a "
-        "local port; 0 picks a free one.",
+        help="Act as a debug adapter for an editor (Debug Adapter Protocol), on stdin and "
+        "stdout or on a local port; 0 picks a free one.",
     ),
     click.option(
         "--at", "at_s", metavar="TIME", callback=parse_time,
