@@ -37,10 +37,10 @@ from crs_cc.core.source import Diagnostics
 from crs_cc.net.access import Access
 from crs_cc.net.channel import Channel, Kind
 from crs_cc.net.cluster_fleet import ClusterFleet
-from crs_cc.net.distant_fleet import DistantFleet
-from crs_cc.net.gate import Gate, bound
 from crs_cc.net.host_link import HostLink
-from crs_cc.net.roster import Roster
+from crs_cc.net.host_registry import HostRegistry
+from crs_cc.net.listener import Listener, bound_socket
+from crs_cc.net.remote_fleet import RemoteFleet
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_driver, build_executable
@@ -157,26 +157,26 @@ def hosts(
             yield placed
         return
     with ExitStack() as stack:
-        roster, access = Roster(world.robots), Access.made()
-        gate = Gate(bound("127.0.0.1", 0), access, roster, only_tcp=only_tcp)
-        stack.callback(gate.close)
+        registry, access = HostRegistry(world.robots), Access.made()
+        listener = Listener(bound_socket("127.0.0.1", 0), access, registry, only_tcp=only_tcp)
+        stack.callback(listener.close)
         names = [robot.id for robot in world.robots]
         for part in range(count):
             own = ",".join(names[part::count])
-            words = ["join", own, f"127.0.0.1:{gate.port}", str(source), "--threads", "1", "-q"]
+            words = ["join", own, f"127.0.0.1:{listener.port}", str(source), "--threads", "1", "-q"]
             line = [sys.executable, "-m", "crs_cc", *words, "--token", access.token("robot")]
             process = subprocess.Popen(line, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             stack.callback(process.wait)
-        stack.callback(gate.close)  # first, or hosts that are left would come again
-        while roster.missing():
-            roster.wait()
+        stack.callback(listener.close)  # first, or hosts that are left would come again
+        while registry.missing():
+            registry.wait()
         links = []
-        for seat in roster.begin():
-            channel = roster.take(seat, lambda: False)
+        for assignment in registry.begin():
+            channel = registry.wait_for_channel(assignment, lambda: False)
             assert channel
-            robots = np.array([names.index(name) for name in seat.names], np.intp)
-            links.append(HostLink(seat.names, robots, channel, _no_other))
-        fleet = DistantFleet(executables, links)
+            robots = np.array([names.index(name) for name in assignment.names], np.intp)
+            links.append(HostLink(assignment.names, robots, channel, _no_other))
+        fleet = RemoteFleet(executables, links)
         try:
             yield fleet
         except BaseException:
@@ -310,8 +310,8 @@ def noting(sizes: dict[Kind, list[int]]) -> Iterator[None]:
         sizes.get(kind, []).append(len(frame))
         send(channel, kind, frame)
 
-    def counted_receive(channel: Channel, kind: Kind, room: memoryview) -> int:
-        if size := receive(channel, kind, room):
+    def counted_receive(channel: Channel, kind: Kind, buffer: memoryview) -> int:
+        if size := receive(channel, kind, buffer):
             sizes.get(kind, []).append(size)
         return size
 

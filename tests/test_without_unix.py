@@ -19,7 +19,7 @@ ALLOWED = {
     "crs_cc/jobs/worker.py": {"fork", "select"},
     "crs_cc/sweeps/rows.py": {"fcntl"},
     "crs_cc/cli/real_network.py": {"select"},  # of sockets, which all systems have
-    "crs_cc/net/local_way.py": {"geteuid"},
+    "crs_cc/net/local_socket.py": {"geteuid"},
     "crs_cc/debug/repl/keyboard.py": {"readline"},
     "crs_cc/runtime/resident_pages.py": {"pread"},  # where host_system has opened a page map
 }

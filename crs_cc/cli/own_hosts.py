@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from crs_cc.cli.program_output import ProgramOutput, ProgressLine
 from crs_cc.core.source import Diagnostics
-from crs_cc.net.channel import Channel, ConnectionLostError, Pulse
+from crs_cc.net.channel import Channel, ConnectionLostError, KeepAlive
 from crs_cc.net.program_host import ProgramHost, Streams
 from crs_cc.recording.source_tree import write_tree
 from crs_cc.session.build import build_driver, build_executable
@@ -42,7 +42,7 @@ class OwnHosts:
         self._output = ProgramOutput(robots, out, sys.stderr.buffer, ProgressLine(None))
         self._writing = threading.Lock()
         self._threads = threads
-        self._pulse: Pulse | None = None
+        self._keep_alive: KeepAlive | None = None
 
     def start(self, program: Program, robots: IndexArray) -> Channel:
         """Return a connection to a new host that runs a program for some robots.
@@ -53,12 +53,12 @@ class OwnHosts:
             OSError: its files cannot be written, or there is no memory for it.
         """
         executable = _built(program)
-        if self._pulse is None:
-            self._pulse = Pulse()
-            self._pulse.__enter__()
+        if self._keep_alive is None:
+            self._keep_alive = KeepAlive()
+            self._keep_alive.__enter__()
         here, there = map(Channel, socket.socketpair())
         for channel in (here, there):
-            self._pulse.add(channel)
+            self._keep_alive.add(channel)
 
         def write(robot: int, stream: int, content: bytes) -> None:
             with self._writing:
@@ -75,8 +75,8 @@ class OwnHosts:
     def close(self) -> None:
         """Print incomplete lines, and end the hosts."""
         self._output.close()
-        if self._pulse is not None:
-            self._pulse.__exit__()
+        if self._keep_alive is not None:
+            self._keep_alive.__exit__()
 
 
 def _serve(host: ProgramHost, channel: Channel) -> None:

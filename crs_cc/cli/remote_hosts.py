@@ -15,8 +15,8 @@ from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.world.run_edits import edit_run
-from crs_cc.net.distant_fleet import DistantFleet
 from crs_cc.net.host_link import HOST_LOST, HostGoneError, HostLink
+from crs_cc.net.remote_fleet import RemoteFleet
 from crs_cc.requests import FAILED
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from crs_cc.cli.resumption import Resumption
     from crs_cc.net.channel import Channel
     from crs_cc.net.cluster_hosts import ClusterHosts
-    from crs_cc.net.roster import Roster, Seat
+    from crs_cc.net.host_registry import Assignment, HostRegistry
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.session import Session
     from crs_cc.workbench.server import Front
@@ -39,14 +39,14 @@ class RemoteHosts:
     Attributes:
         fleet: the programs.
         front: where pages connect; None for nowhere.
-        on_waiting: is told, again and again, of the robots whose hosts the run waits for, as
-            text, and of none as it goes on.
+        on_waiting: is called repeatedly with the names of the robots whose hosts the run waits for,
+            as text, and with an empty text when it continues.
     """
 
     def __init__(
         self,
-        roster: Roster,
-        seats: Sequence[Seat],
+        registry: HostRegistry,
+        assignments: Sequence[Assignment],
         robots: Sequence[str],
         executables: Sequence[Executable],
         *,
@@ -60,8 +60,8 @@ class RemoteHosts:
         """Take the hosts that are ready.
 
         Args:
-            roster: where hosts come.
-            seats: the hosts that are ready.
+            registry: the assignment of robots to hosts.
+            assignments: the hosts that are ready.
             robots: the robots' names.
             executables: the names of their programs.
             waits: whether the run waits for another host in place of one that is lost.
@@ -72,26 +72,28 @@ class RemoteHosts:
                 are ours; None for hosts that users start.
             late: robots that have no host, with their times to join at the earliest [s].
         """
-        self._roster, self._waits, self.front = roster, waits, front
+        self._registry, self._waits, self.front = registry, waits, front
         self._resumption, self._hosts, self._own = resumption, hosts, own
         self._input: OwnInput | None = OwnInput() if hosts else None
         self._is_interrupted: Callable[[], bool] = lambda: False
         self.on_waiting: Callable[[str], None] = lambda _names: None
-        self._seats = {seat.names: seat for seat in seats}
+        self._assignments = {assignment.names: assignment for assignment in assignments}
         self._stopped: list[str] = []  # robots whose programs have just stopped with their host
         self._numbers = {name: number for number, name in enumerate(robots)}
         self._late = dict(late)
-        self.fleet = DistantFleet(executables, [self._link(seat) for seat in seats])
+        self.fleet = RemoteFleet(
+            executables, [self._link(assignment) for assignment in assignments]
+        )
         self.fleet.outcome = self._outcome
 
-    def _link(self, seat: Seat) -> HostLink:
+    def _link(self, assignment: Assignment) -> HostLink:
         """Return the connection to a host that is ready."""
         import numpy as np
 
-        numbers = np.array([self._numbers[name] for name in seat.names], np.intp)
-        channel = self._roster.take(seat, lambda: False)
+        numbers = np.array([self._numbers[name] for name in assignment.names], np.intp)
+        channel = self._registry.wait_for_channel(assignment, lambda: False)
         assert channel is not None
-        return HostLink(seat.names, numbers, channel, self._replace)
+        return HostLink(assignment.names, numbers, channel, self._replace)
 
     def begin(self, session: Session, is_interrupted: Callable[[], bool]) -> None:
         """Store the session that uses the fleet, and the interrupt check."""
@@ -143,7 +145,7 @@ class RemoteHosts:
         These are those whose programs have stopped with their host.
 
         Args:
-            made: is told of each change of the run.
+            made: is called with each change of the run.
 
         Raises:
             ReplayMismatch: a recorded change is not possible now.
@@ -162,13 +164,13 @@ class RemoteHosts:
             self._apply_change(f"delay {' '.join(self._late)}", made)
         if now_s < self.repeats_until_s:
             return
-        for seat in self._roster.newcomers():
-            self._seats[seat.names] = seat
-            self.fleet.add_link(self._link(seat))
-            say(f"crs: {shown_names(seat.names)}: connected")
+        for assignment in self._registry.new_assignments():
+            self._assignments[assignment.names] = assignment
+            self.fleet.add_link(self._link(assignment))
+            say(f"crs: {shown_names(assignment.names)}: connected")
         ready = [
             name
-            for names in self._seats
+            for names in self._assignments
             for name in names
             if self._late.get(name, math.inf) <= now_s + ROUNDING_S
         ]
@@ -183,7 +185,7 @@ class RemoteHosts:
 
     def close(self) -> None:
         """Dismiss all hosts: the run has ended."""
-        self._roster.end()
+        self._registry.end()
         self.fleet.dismiss(everyone=True)
         self.fleet.close()
         if self._own is not None:
@@ -191,10 +193,10 @@ class RemoteHosts:
 
     def _replace(self, link: HostLink, reason: str) -> Channel:
         """Return a connection to another host in place of a lost one, see `host_link`."""
-        names, seat = shown_names(link.names), self._seats[link.names]
-        self._roster.lose(seat)
+        names, assignment = shown_names(link.names), self._assignments[link.names]
+        self._registry.mark_lost(assignment)
         lost = f"crs: {names}: {HOST_LOST} ({reason})"
-        if self._own is not None and seat.host is not None:
+        if self._own is not None and assignment.host is not None:
             say(f"{lost}; its programs continue here")
             return self._restarted(self._own, link)
         if not self._waits:
@@ -207,8 +209,8 @@ class RemoteHosts:
             self.on_waiting(names)
             return self._is_interrupted()
 
-        source = self._hosts or self._roster
-        channel = source.take(seat, is_ended)
+        source = self._hosts or self._registry
+        channel = source.wait_for_channel(assignment, is_ended)
         self.on_waiting("")
         if channel is None:
             raise HostGoneError("the run was interrupted while its host was lost")
@@ -217,15 +219,15 @@ class RemoteHosts:
 
     def _restarted(self, own: OwnHosts, link: HostLink) -> Channel:
         """Return a connection to a local host in place of a lost one."""
-        seat = self._seats[link.names]
-        assert seat.program is not None
+        assignment = self._assignments[link.names]
+        assert assignment.program is not None
         try:
-            channel = own.start(seat.program, link.robots)
+            channel = own.start(assignment.program, link.robots)
         except (CrsError, ValueError, OSError) as error:
             say(f"crs: {shown_names(link.names)}: its programs cannot run here: {error}")
             self._stopped += link.names
             raise HostGoneError(f"a host was lost, and no other can be started: {error}") from None
-        self._roster.occupy(seat, channel)
+        self._registry.assign_locally(assignment, channel)
         return channel
 
     def _outcome(self, robot: int) -> object:

@@ -23,11 +23,11 @@ from crs_cc.cli.typed_input import OwnInput
 from crs_cc.core.errors import ProgramError
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.regular_file import read_regular_file
-from crs_cc.net.channel import ConnectionLostError, Pulse
+from crs_cc.net.channel import ConnectionLostError, KeepAlive
+from crs_cc.net.environment_connection import EnvironmentConnection, connect
 from crs_cc.net.handshake import Hello, Program, RefusedError, as_text, devices_digest
 from crs_cc.net.program_host import ProgramHost, Streams
 from crs_cc.net.tls import Client, Connection
-from crs_cc.net.visit import Visit, visit
 from crs_cc.session.build import build_driver
 
 if TYPE_CHECKING:
@@ -125,9 +125,9 @@ class _Host:
             RefusedError: the environment does not take this host.
             ConnectionLostError: it cannot be reached.
         """
-        with Pulse() as pulse:
+        with KeepAlive() as keep_alive:
             while True:
-                found = self._visit(pulse)
+                found = self._connect(keep_alive)
                 try:
                     return self._serve(found)
                 except ConnectionLostError as error:
@@ -136,27 +136,27 @@ class _Host:
                 finally:
                     found.channel.close()
 
-    def _visit(self, pulse: Pulse) -> Visit:
+    def _connect(self, keep_alive: KeepAlive) -> EnvironmentConnection:
         """Connect to the environment, as often as it takes for some time."""
         end_s, pause_s = time.monotonic() + self._options.retry_s, _FIRST_PAUSE_S
-        is_told = self._options.quiet
+        is_reported = self._options.quiet
         while True:
             address = self._options.address
             token = token_for(self._options.token, address[1])
             hello = replace(self._hello, token=token)
             try:
-                return visit(address, hello, self._program, pulse, self._secure)
+                return connect(address, hello, self._program, keep_alive, self._secure)
             except ConnectionLostError as error:
                 if time.monotonic() + pause_s > end_s:
                     raise
-                if not is_told:
+                if not is_reported:
                     shown, retry_s = shown_address(address), self._options.retry_s
                     say(f"crs: {shown}: {error}; trying again for {retry_s:g} s")
-                    is_told = True
+                    is_reported = True
             time.sleep(pause_s)
             pause_s = min(2.0 * pause_s, _LONGEST_PAUSE_S)
 
-    def _serve(self, found: Visit) -> int:
+    def _serve(self, found: EnvironmentConnection) -> int:
         robots = found.robots
         if self._output is None:
             if not self._options.quiet:

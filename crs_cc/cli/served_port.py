@@ -17,13 +17,13 @@ from crs_cc.cli.view_address import announced
 from crs_cc.core.loopback import LOOPBACK
 from crs_cc.net import tls
 from crs_cc.net.access import Access, parsed
-from crs_cc.net.gate import Gate, bound, led_to
+from crs_cc.net.listener import Listener, bound_socket, forwarder_to
 from crs_cc.workbench.clients import Role as PageRole
 from crs_cc.workbench.server import Front
 
 if TYPE_CHECKING:
     from crs_cc.cli.serve_options import ServeOptions
-    from crs_cc.net.roster import Roster
+    from crs_cc.net.host_registry import HostRegistry
 
 _OWN_NAMES = ("127.0.0.1", "::1", "localhost")
 ANY_NAME = ("0.0.0.0", "::")  # noqa: S104 - to listen at, not to connect to
@@ -47,12 +47,12 @@ class ServedPort:
 
 
 @contextlib.contextmanager
-def served_port(options: ServeOptions, roster: Roster) -> Iterator[ServedPort]:
+def served_port(options: ServeOptions, registry: HostRegistry) -> Iterator[ServedPort]:
     """Open the port of an environment inside a `with` block.
 
     Args:
         options: how.
-        roster: where hosts come.
+        registry: the assignment of robots to hosts.
 
     Raises:
         click.UsageError: the options do not go together.
@@ -60,11 +60,11 @@ def served_port(options: ServeOptions, roster: Roster) -> Iterator[ServedPort]:
     """
     access, secure = _access(options.tokens), _tls(options)
     with (
-        _gate(options, access, roster, secure) as gate,
-        _front(options, access, gate, is_secure=secure is not None) as front,
+        _listening(options, access, registry, secure) as listener,
+        _front(options, access, listener, is_secure=secure is not None) as front,
     ):
         fingerprint = "" if secure is None else secure.fingerprint
-        yield ServedPort(gate.port, access, front, fingerprint)
+        yield ServedPort(listener.port, access, front, fingerprint)
 
 
 def greet(options: ServeOptions, port: ServedPort) -> None:
@@ -92,27 +92,27 @@ def _access(file: Path | None) -> Access:
 
 
 @contextlib.contextmanager
-def _gate(
-    options: ServeOptions, access: Access, roster: Roster, secure: tls.Server | None
-) -> Iterator[Gate]:
+def _listening(
+    options: ServeOptions, access: Access, registry: HostRegistry, secure: tls.Server | None
+) -> Iterator[Listener]:
     host, port = options.listen
     if not (is_own_name(host) or secure or options.insecure):
         text = f"--listen {host} is open to other machines, which could read tokens and programs"
         raise click.UsageError(f"{text}: --tls, or --insecure if the network is yours alone.")
     try:
-        listener = bound(host, port)
+        server_socket = bound_socket(host, port)
     except OSError as error:
         reason = error.strerror or str(error)
         if error.errno == errno.EADDRINUSE:
             reason += " (name another port by --listen HOST:PORT)"
         raise OSError(error.errno, reason, shown_address((host, port))) from None
-    with publish_token(listener.getsockname()[1], access.token("robot")):
+    with publish_token(server_socket.getsockname()[1], access.token("robot")):
         encrypt = secure.secure if secure else lambda plain: plain
-        gate = Gate(listener, access, roster, encrypt, only_tcp=options.only_tcp)
+        listener = Listener(server_socket, access, registry, encrypt, only_tcp=options.only_tcp)
         try:
-            yield gate
+            yield listener
         finally:
-            gate.close()
+            listener.close()
 
 
 def _tls(options: ServeOptions) -> tls.Server | None:
@@ -129,7 +129,7 @@ def _tls(options: ServeOptions) -> tls.Server | None:
 
 @contextlib.contextmanager
 def _front(
-    options: ServeOptions, access: Access, gate: Gate, *, is_secure: bool
+    options: ServeOptions, access: Access, listener: Listener, *, is_secure: bool
 ) -> Iterator[Front | None]:
     """Yield where pages connect, if they may; `crs view` finds it on this machine."""
     if options.view is None:
@@ -141,10 +141,10 @@ def _front(
     }
 
     def open_to_pages(port: int) -> None:
-        gate.visitor = led_to(port)
+        listener.page_handler = forwarder_to(port)
 
     host = options.listen[0]
-    address = shown_address((LOOPBACK if host in ANY_NAME else host, gate.port))
+    address = shown_address((LOOPBACK if host in ANY_NAME else host, listener.port))
     place = f"{'https' if is_secure else 'http'}://{address}"
-    with announced(gate.port, f"{place}/#token={access.token('control')}"):
-        yield Front(place, gate.port, tokens, open_to_pages)
+    with announced(listener.port, f"{place}/#token={access.token('control')}"):
+        yield Front(place, listener.port, tokens, open_to_pages)

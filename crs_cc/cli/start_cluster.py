@@ -14,12 +14,12 @@ from crs_cc.cli.served_port import ANY_NAME, ServedPort, greet, is_own_name, ser
 from crs_cc.cli.simulate import run_loaded
 from crs_cc.core.source import Diagnostics
 from crs_cc.jobs.cluster import Cluster
-from crs_cc.net.cluster_hosts import MODULE, ClusterHosts, Entrance
-from crs_cc.net.roster import Roster
+from crs_cc.net.cluster_hosts import MODULE, ClusterHosts, Endpoint
+from crs_cc.net.host_registry import HostRegistry
 
 if TYPE_CHECKING:
     from crs_cc.cli.serve_options import ServeOptions
-    from crs_cc.net.roster import Seat
+    from crs_cc.net.host_registry import Assignment
 
 
 def start_cluster(options: ServeOptions) -> int:
@@ -35,19 +35,19 @@ def start_cluster(options: ServeOptions) -> int:
     if not options.quiet:
         show_before_run(diagnostics.messages)
     resumption = None if options.resume is None else Resumption(options.resume)
-    roster = Roster(loaded.world.robots)
+    registry = HostRegistry(loaded.world.robots)
     with Cluster(MODULE, options.hosts) as cluster:
         options = _reachable(options, cluster)
-        with served_port(options, roster) as port:
+        with served_port(options, registry) as port:
             greet(options, port)
-            hosts = _placed(options, cluster, port, roster, loaded)
+            hosts = _placed(options, cluster, port, registry, loaded)
             try:
-                seats = _wait_for_hosts(hosts, cluster, options)
-                if seats is None:
+                assignments = _wait_for_hosts(hosts, cluster, options)
+                if assignments is None:
                     return 130
                 remote_hosts = RemoteHosts(
-                    roster,
-                    seats,
+                    registry,
+                    assignments,
                     _names(loaded),
                     loaded.executables,
                     waits=options.on_loss != "stop",  # the cluster restarts hosts itself
@@ -74,28 +74,32 @@ def _reachable(options: ServeOptions, cluster: Cluster) -> ServeOptions:
 
 
 def _placed(
-    options: ServeOptions, cluster: Cluster, port: ServedPort, roster: Roster, loaded: Loaded
+    options: ServeOptions,
+    cluster: Cluster,
+    port: ServedPort,
+    registry: HostRegistry,
+    loaded: Loaded,
 ) -> ClusterHosts:
     host = cluster.own_host if options.listen[0] in ANY_NAME else options.listen[0]
     token = port.access.token("robot")
-    entrance = Entrance(host, port.number, token, port.fingerprint)
+    endpoint = Endpoint(host, port.number, token, port.fingerprint)
     programs = list(zip(_names(loaded), loaded.executables, strict=True))
-    return ClusterHosts(cluster, roster, programs, entrance, options.per_host)
+    return ClusterHosts(cluster, registry, programs, endpoint, options.per_host)
 
 
 def _wait_for_hosts(
     hosts: ClusterHosts, cluster: Cluster, options: ServeOptions
-) -> list[Seat] | None:
+) -> list[Assignment] | None:
     """Wait until all hosts are connected; return None if the user interrupts."""
     count = len(hosts)
     shown = f"{count} host{'' if count == 1 else 's'} on the cluster at {cluster.address}"
     if not options.quiet:
         say(f"crs: waiting for {shown}")
     try:
-        seats = hosts.seats()
+        assignments = hosts.assignments()
     except KeyboardInterrupt:
         say("crs: interrupted before the run started")
         return None
     if not options.quiet:
         say("crs: every robot has a program: the run starts")
-    return seats
+    return assignments

@@ -21,13 +21,13 @@ from crs_cc.cli.served_port import ServedPort, greet, is_own_name, served_port
 from crs_cc.cli.simulate import run_loaded
 from crs_cc.core.input_files import logged
 from crs_cc.core.source import Diagnostics
-from crs_cc.net.roster import Roster
+from crs_cc.net.host_registry import HostRegistry
 from crs_cc.runtime.executable import Executable
 
 if TYPE_CHECKING:
     from crs_cc.cli.serve_options import ServeOptions
     from crs_cc.net.handshake import Program
-    from crs_cc.net.roster import Seat
+    from crs_cc.net.host_registry import Assignment
     from crs_cc.sim.model.world import Robot, WorldModel
 
 
@@ -42,15 +42,15 @@ def start_serve(options: ServeOptions) -> int:
     with logged() as files_read:
         world = load_world_of(options)
     resumption = None if options.resume is None else Resumption(options.resume)
-    roster = Roster(world.robots, _required_robots(world, options, resumption))
-    with served_port(options, roster) as port:
+    registry = HostRegistry(world.robots, _required_robots(world, options, resumption))
+    with served_port(options, registry) as port:
         _greet(options, port)
         try:
-            seats = _wait_for_hosts(roster, options, resumption)
+            assignments = _wait_for_hosts(registry, options, resumption)
         except KeyboardInterrupt:
             say("crs: interrupted before the run started")
             return 130
-        programs = _programs(world, seats)
+        programs = _programs(world, assignments)
         loaded = _loaded(options, world, programs, user_files(files_read))
         run = _as_run(options, world, programs)
         names = [robot.id for robot in world.robots]
@@ -58,15 +58,15 @@ def start_serve(options: ServeOptions) -> int:
         if options.on_loss == "restart":
             own = OwnHosts(names, to_stderr=options.as_json, threads=options.threads)
         remote_hosts = RemoteHosts(
-            roster,
-            seats,
+            registry,
+            assignments,
             names,
             loaded.executables,
             waits=options.on_loss == "wait",
             own=own,
             front=port.front,
             resumption=resumption,
-            late=_late_joins(world, seats, resumption),
+            late=_late_joins(world, assignments, resumption),
         )
         return run_loaded(loaded, run, Diagnostics(), remote_hosts)
 
@@ -83,31 +83,31 @@ def _greet(options: ServeOptions, port: ServedPort) -> None:
 
 
 def _wait_for_hosts(
-    roster: Roster, options: ServeOptions, resumption: Resumption | None
-) -> list[Seat]:
+    registry: HostRegistry, options: ServeOptions, resumption: Resumption | None
+) -> list[Assignment]:
     """Wait until the run can start; return the connected hosts.
 
     Args:
-        roster: where they come.
+        registry: the assignment of robots to hosts.
         options: whether to begin with the first.
-        resumption: what a run that goes on needs; None for a new run.
+        resumption: the state of a run that is resumed; None for a new run.
     """
     absent = frozenset() if resumption is None else resumption.absent
-    told: list[str] = []
-    every = len(roster.missing())
-    while missing := [name for name in roster.missing() if name not in absent]:
+    reported: list[str] = []
+    every = len(registry.missing())
+    while missing := [name for name in registry.missing() if name not in absent]:
         if options.start == "now" and resumption is None and len(missing) < every:
             break
-        if missing != told and not options.quiet:
+        if missing != reported and not options.quiet:
             say(f"crs: waiting for {shown_names(missing)}")
-        told = missing
-        roster.wait()
-    seats = roster.begin()
+        reported = missing
+        registry.wait()
+    assignments = registry.begin()
     if not options.quiet:
-        late = roster.without(seats)
-        without = f"crs: the run begins without {shown_names(late)}"
-        say(without if late else "crs: every robot has a program: the run starts")
-    return seats
+        late = registry.unassigned(assignments)
+        notice = f"crs: the run begins without {shown_names(late)}"
+        say(notice if late else "crs: every robot has a program: the run starts")
+    return assignments
 
 
 def _required_robots(
@@ -120,22 +120,22 @@ def _required_robots(
 
 
 def _late_joins(
-    world: WorldModel, seats: Sequence[Seat], resumption: Resumption | None
+    world: WorldModel, assignments: Sequence[Assignment], resumption: Resumption | None
 ) -> dict[str, float]:
-    """Return the robots that join when their hosts have come, and not before a time [s]."""
-    here = {name for seat in seats for name in seat.names}
+    """Return the robots that join once their hosts have connected, with the earliest time [s]."""
+    here = {name for assignment in assignments for name in assignment.names}
     if resumption is not None:
         here -= resumption.absent
     return {robot.id: robot.join_s for robot in world.robots if robot.id not in here}
 
 
-def _programs(world: WorldModel, seats: Sequence[Seat]) -> list[Program]:
+def _programs(world: WorldModel, assignments: Sequence[Assignment]) -> list[Program]:
     """Return the program of each robot; those without a host will have that of the first."""
     found: dict[str, Program] = {}
-    for seat in seats:
-        assert seat.program is not None
-        found |= dict.fromkeys(seat.names, seat.program)
-    first = seats[0].program
+    for assignment in assignments:
+        assert assignment.program is not None
+        found |= dict.fromkeys(assignment.names, assignment.program)
+    first = assignments[0].program
     assert first is not None
     return [found.get(robot.id, first) for robot in world.robots]
 

@@ -82,21 +82,21 @@ class VendorClients:
         self._check([*options.terminals, *(name for name, _ in self._ports)])
 
     def begin(
-        self, session: Session, pointing: Pointing | None, is_in_a_hurry: Callable[[], bool]
+        self, session: Session, pointing: Pointing | None, must_not_wait: Callable[[], bool]
     ) -> None:
         """Open the ports, and say which.
 
         Args:
             session: the run.
             pointing: where programs ask the user for a pose; None if nobody looks.
-            is_in_a_hurry: returns whether the timestep is to end, and nobody is waited for.
+            must_not_wait: returns whether the timestep must end without waiting for clients.
 
         Raises:
             OSError: a port is in use.
         """
         self._session = session
         state = session.state  # its arrays are new when robots are added
-        self._board.begin(lambda robot: float(state.clock_s[robot]), is_in_a_hurry)
+        self._board.begin(lambda robot: float(state.clock_s[robot]), must_not_wait)
         session.state.host.reply = self._board.reply
         if pointing is not None:
             self._board.pointing = _Window(pointing, self._names)

@@ -14,21 +14,21 @@ from crs_cc.core.loopback import LOOPBACK
 from crs_cc.jobs.cluster import Cluster
 from crs_cc.net import tls
 from crs_cc.net.access import Access
-from crs_cc.net.cluster_hosts import MODULE, ClusterHosts, Entrance
-from crs_cc.net.distant_fleet import DistantFleet
-from crs_cc.net.gate import Gate, bound
+from crs_cc.net.cluster_hosts import MODULE, ClusterHosts, Endpoint
 from crs_cc.net.host_link import HostLink
-from crs_cc.net.roster import Roster
+from crs_cc.net.host_registry import HostRegistry
+from crs_cc.net.listener import Listener, bound_socket
+from crs_cc.net.remote_fleet import RemoteFleet
 
 if TYPE_CHECKING:
     from crs_cc.jobs.cluster import Where
     from crs_cc.net.channel import Channel
-    from crs_cc.net.roster import Seat
+    from crs_cc.net.host_registry import Assignment
     from crs_cc.runtime.executable import Executable
     from crs_cc.sim.model.world import Robot
 
 
-class ClusterFleet(DistantFleet):
+class ClusterFleet(RemoteFleet):
     """The programs of a session, on hosts that are replaced when they are lost."""
 
     def __init__(
@@ -52,38 +52,44 @@ class ClusterFleet(DistantFleet):
         """
         self._is_closed = False
         self._cluster = Cluster(MODULE, where)
-        self._roster = Roster(robots)
+        self._registry = HostRegistry(robots)
         access, host = Access.made(), self._cluster.own_host
         secure = None if host == LOOPBACK else tls.self_made()
-        self._gate = Gate(
-            bound(host, 0), access, self._roster, secure.secure if secure else lambda plain: plain
+        self._listener = Listener(
+            bound_socket(host, 0),
+            access,
+            self._registry,
+            secure.secure if secure else lambda plain: plain,
         )
         fingerprint = secure.fingerprint if secure else ""
-        entrance = Entrance(host, self._gate.port, access.token("robot"), fingerprint)
+        endpoint = Endpoint(host, self._listener.port, access.token("robot"), fingerprint)
         names = [robot.id for robot in robots]
         programs = list(zip(names, executables, strict=True))
-        self._hosts = ClusterHosts(self._cluster, self._roster, programs, entrance, per_host)
+        self._hosts = ClusterHosts(self._cluster, self._registry, programs, endpoint, per_host)
         try:
-            self._seats = {seat.names: seat for seat in self._hosts.seats()}
+            self._assignments = {
+                assignment.names: assignment for assignment in self._hosts.assignments()
+            }
             super().__init__(
-                executables, [self._link(seat, names) for seat in self._seats.values()]
+                executables,
+                [self._link(assignment, names) for assignment in self._assignments.values()],
             )
         except BaseException:
             self._close_hosts()
             raise
 
-    def _link(self, seat: Seat, names: Sequence[str]) -> HostLink:
-        robots = np.array([names.index(name) for name in seat.names], np.intp)
-        return HostLink(seat.names, robots, self._taken(seat), self._replace)
+    def _link(self, assignment: Assignment, names: Sequence[str]) -> HostLink:
+        robots = np.array([names.index(name) for name in assignment.names], np.intp)
+        return HostLink(assignment.names, robots, self._taken(assignment), self._replace)
 
     def _replace(self, link: HostLink, _reason: str) -> Channel:
         """Return a connection to a host that replaces a lost one."""
-        seat = self._seats[link.names]
-        self._roster.lose(seat)
-        return self._taken(seat)
+        assignment = self._assignments[link.names]
+        self._registry.mark_lost(assignment)
+        return self._taken(assignment)
 
-    def _taken(self, seat: Seat) -> Channel:
-        channel = self._hosts.take(seat, lambda: False)
+    def _taken(self, assignment: Assignment) -> Channel:
+        channel = self._hosts.wait_for_channel(assignment, lambda: False)
         assert channel is not None
         return channel
 
@@ -97,7 +103,7 @@ class ClusterFleet(DistantFleet):
 
     def _close_hosts(self) -> None:
         self._is_closed = True
-        self._roster.end()
+        self._registry.end()
         self._hosts.close()
-        self._gate.close()
+        self._listener.close()
         self._cluster.close()

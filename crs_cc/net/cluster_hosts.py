@@ -14,15 +14,15 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.jobs.cluster import ClusterError
 from crs_cc.jobs.pool import Outcome, Task
-from crs_cc.net.placed_host import Placement, packed
+from crs_cc.net.host_job import HostJob, packed
 
 if TYPE_CHECKING:
     from crs_cc.jobs.cluster import Cluster, Started
     from crs_cc.net.channel import Channel
-    from crs_cc.net.roster import Roster, Seat
+    from crs_cc.net.host_registry import Assignment, HostRegistry
     from crs_cc.runtime.executable import Executable
 
-MODULE: Final = "crs_cc.net.placed_host"
+MODULE: Final = "crs_cc.net.host_job"
 """What the processes of a cluster run."""
 
 MAX_FAILURES: Final = 5
@@ -30,12 +30,12 @@ MAX_FAILURES: Final = 5
 us."""
 
 _PREPARE_S: Final = 600.0
-_YEARS_S: Final = 1e9
+_NO_LIMIT_S: Final = 1e9
 """In effect no time limit: a host runs as long as the run."""
 
 
 @dataclass(frozen=True, slots=True)
-class Entrance:
+class Endpoint:
     """The address and the token by which hosts reach the environment.
 
     Attributes:
@@ -52,7 +52,7 @@ class Entrance:
 
 
 @dataclass(slots=True)
-class _Placed:
+class _HostTask:
     """A host.
 
     Attributes:
@@ -72,89 +72,91 @@ class ClusterHosts:
     def __init__(
         self,
         cluster: Cluster,
-        roster: Roster,
+        registry: HostRegistry,
         executables: Sequence[tuple[str, Executable]],
-        entrance: Entrance,
+        endpoint: Endpoint,
         per_host: int | None = None,
     ) -> None:
         """Start the hosts.
 
         Args:
             cluster: the cluster.
-            roster: the assignment of robots to hosts.
+            registry: the assignment of robots to hosts.
             executables: each robot's name and program.
-            entrance: how hosts reach the environment.
+            endpoint: how hosts reach the environment.
             per_host: how many robots a host has at most; by default, each thread of the cluster's
                 workers has a host.
 
         Raises:
             ClusterError: the cluster is lost.
         """
-        self._roster = roster
+        self._registry = registry
         per_host = per_host or -(-len(executables) // cluster.threads)
-        tasks = _tasks(executables, entrance, per_host)
+        tasks = _tasks(executables, endpoint, per_host)
         self._cluster = cluster
-        self._placed = [_Placed(task, cluster.start(task)) for task in tasks]
+        self._hosts = [_HostTask(task, cluster.start(task)) for task in tasks]
 
     def __len__(self) -> int:
-        return len(self._placed)
+        return len(self._hosts)
 
-    def seats(self) -> list[Seat]:
+    def assignments(self) -> list[Assignment]:
         """Wait until all hosts are ready; begin the run and return their seats.
 
         Raises:
             ClusterError: hosts cannot run on the cluster.
         """
-        while self._roster.missing():
-            self.tend()
-            self._roster.wait()
-        return self._roster.begin()
+        while self._registry.missing():
+            self.restart_ended()
+            self._registry.wait()
+        return self._registry.begin()
 
-    def take(self, seat: Seat, is_ended: Callable[[], bool]) -> Channel | None:
-        """Wait for a connection to a host, see `Roster.take`.
+    def wait_for_channel(
+        self, assignment: Assignment, is_ended: Callable[[], bool]
+    ) -> Channel | None:
+        """Wait for a connection to a host, see `HostRegistry.wait_for_channel`.
 
         Raises:
             ClusterError: hosts can no longer run on the cluster.
         """
 
         def look() -> bool:
-            self.tend()
+            self.restart_ended()
             return is_ended()
 
-        return self._roster.take(seat, look)
+        return self._registry.wait_for_channel(assignment, look)
 
-    def tend(self) -> None:
+    def restart_ended(self) -> None:
         """Restart hosts that have ended.
 
         Raises:
             ClusterError: hosts cannot run on the cluster.
         """
-        for each in self._placed:
+        for each in self._hosts:
             outcome = each.started.outcome()
             if outcome is None:
                 continue
             self._check(each, outcome)
             each.started = self._cluster.start(each.task)
 
-    def _check(self, placed: _Placed, outcome: Outcome) -> None:
+    def _check(self, host: _HostTask, outcome: Outcome) -> None:
         """Check that a host may be restarted."""
         result = outcome.result or {}
         reason = result.get("refused")
-        placed.failures = 0 if "lost" in result else placed.failures + 1
-        if placed.failures == MAX_FAILURES:
+        host.failures = 0 if "lost" in result else host.failures + 1
+        if host.failures == MAX_FAILURES:
             reason = outcome.text or result.get("unreached") or "it has ended"
         if reason is not None:
-            robots = _shown(placed.task.job["robots"])
+            robots = _shown(host.task.job["robots"])
             raise ClusterError.at(self._cluster.location, f"no host for {robots}: {reason}")
 
     def close(self) -> None:
         """Cancel all hosts."""
-        for each in self._placed:
+        for each in self._hosts:
             each.started.cancel()
 
 
 def _tasks(
-    executables: Sequence[tuple[str, Executable]], entrance: Entrance, per_host: int
+    executables: Sequence[tuple[str, Executable]], endpoint: Endpoint, per_host: int
 ) -> Iterator[Task]:
     """Yield a task for each host; a host has one program."""
     groups: dict[int, tuple[Executable, list[str]]] = {}
@@ -163,16 +165,16 @@ def _tasks(
     for executable, names in groups.values():
         program = packed(executable)
         for start in range(0, len(names), per_host):
-            placement = Placement(
-                entrance.host,
-                entrance.port,
-                entrance.token,
-                entrance.fingerprint,
+            job = HostJob(
+                endpoint.host,
+                endpoint.port,
+                endpoint.token,
+                endpoint.fingerprint,
                 name=secrets.token_hex(16),
                 robots=tuple(names[start : start + per_host]),
                 executable=program,
             )
-            yield Task(placement.job(), _PREPARE_S, _YEARS_S)
+            yield Task(job.data(), _PREPARE_S, _NO_LIMIT_S)
 
 
 def _shown(robots: Sequence[str]) -> str:

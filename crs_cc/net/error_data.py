@@ -15,8 +15,8 @@ from crs_cc.core.source import Location
 from crs_cc.runtime.diagnosis.active_call import ActiveCall
 from crs_cc.runtime.diagnosis.report import ErrorReport
 
-_LONGEST: Final = 10_000
-_MOST: Final = 100
+_MAX_TEXT: Final = 10_000
+_MAX_ITEMS: Final = 100
 
 
 def data_of(report: ErrorReport) -> dict[str, Any]:
@@ -53,8 +53,8 @@ def report_of(data: Mapping[str, Any]) -> ErrorReport:
             _text(data["text"]),
             _text(data["source_line"]),
             _pairs(data["values"]),
-            tuple(map(_text, data["notes"][:_MOST])),
-            tuple(map(_call, data["stack"][:_MOST])),
+            tuple(map(_text, data["notes"][:_MAX_ITEMS])),
+            tuple(map(_call, data["stack"][:_MAX_ITEMS])),
         )
     except (KeyError, TypeError, AttributeError, IndexError):
         raise ValueError("an error report is not valid") from None
@@ -78,10 +78,10 @@ def _call(data: Mapping[str, Any]) -> ActiveCall:
 
 
 def _pairs(rows: Any) -> tuple[tuple[str, str], ...]:
-    return tuple((_text(name), _text(value)) for name, value in rows[:_MOST])
+    return tuple((_text(name), _text(value)) for name, value in rows[:_MAX_ITEMS])
 
 
 def _text(value: Any) -> str:
     if isinstance(value, str):
-        return value[:_LONGEST]
+        return value[:_MAX_TEXT]
     raise ValueError("an error report has a field that is not text")

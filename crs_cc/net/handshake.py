@@ -42,7 +42,7 @@ class Hello:
         program: the digest of its program, see `Program.digest`.
         definition: the definition that the robots must have, see `definition_of`; empty for any.
         devices: the digest of the devices' C libraries.
-        ends: the addresses of its connection, see `local_way.ends`; empty to stay on TCP.
+        ends: the addresses of its connection, see `local_socket.endpoints`; empty to stay on TCP.
         version: its version of crs.
         protocol: its protocol version.
     """

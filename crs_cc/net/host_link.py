@@ -33,14 +33,14 @@ RESTORE: Final = struct.Struct("<Q?")
 """Number of the last grant, and whether memories follow the rows of the table."""
 
 MAX_LOG_GRANTS: Final = 500
-LEAST_LOG_BYTES: Final = 512 * 2**10
+MIN_LOG_BYTES: Final = 512 * 2**10
 """Memories are fetched again after so many grants, or when the log is larger than the memories and
 than this size [bytes]. So fetching takes less time than granting. Chosen by us."""
 
 _GRANT, _RAN, _FAILED = Kind.GRANT, Kind.RAN, Kind.FAILED
 """Looked up once, because access to a member of an enumeration runs Python code."""
 
-_NOT_VALID: Final = "it says what is not valid: "
+_NOT_VALID: Final = "invalid answer: "
 
 HOST_LOST: Final = "the host is lost"
 """The beginning of the error message of a program that does not continue."""
@@ -88,23 +88,23 @@ class HostLink:
         self._rows: SharedRows | None = None
         self._log: list[bytes] = []
         self._log_bytes = 0
-        self._waits = False
+        self._awaits_answer = False
         self._saved: list[Memory] | None = None
-        self._kept = [_NO_MEMORY] * len(robots)  # those that were fetched last
+        self._last_memories = [_NO_MEMORY] * len(robots)  # those that were fetched last
         self._begin_log()
         self._recover(lambda: self._channel.send(Kind.RESTORE, self._start))
 
-    def take_part(self, rows: SharedRows) -> None:
+    def attach(self, rows: SharedRows) -> None:
         """Take part in a run; required before anything else."""
         self._rows, self.number = rows, rows.add(self.robots)
-        self._room = rows.room(self.number)
+        self._buffer = rows.buffer(self.number)
 
     # -- rounds ----------------------------------------------------------------------------------
 
     @property
     def is_log_long(self) -> bool:
         """Whether memories are to be fetched again, to shorten the log of grants."""
-        return self._log_bytes >= self._most_log_bytes or len(self._log) >= MAX_LOG_GRANTS
+        return self._log_bytes >= self._max_log_bytes or len(self._log) >= MAX_LOG_GRANTS
 
     def grant(self) -> None:
         """Send the grant that has been packed, and log it.
@@ -117,22 +117,22 @@ class HostLink:
         frame = self._rows.packed(self.number)
         self._log.append(bytes(frame[HEAD_BYTES:]))
         self._log_bytes += len(frame)
-        self._waits = True
+        self._awaits_answer = True
         try:
             self._channel.send_frame(_GRANT, frame)
         except ConnectionLostError as error:
-            self._renew(str(error))  # which sends this grant, too
+            self._reconnect(str(error))  # which sends this grant, too
 
     @property
     def is_local(self) -> bool:
-        """Whether the host is a process on this machine, see `local_way`."""
+        """Whether the host is a process on this machine, see `local_socket`."""
         return self._channel.is_local
 
-    def collect(self, *, stays: bool = False) -> None:
+    def collect(self, *, keeps_processor: bool = False) -> None:
         """Receive the host's answer to a grant, for `SharedRows.take`.
 
         Args:
-            stays: whether this thread stays on its processor meanwhile, see `KeptProcessor`.
+            keeps_processor: whether this thread stays on its processor, see `KeptProcessor`.
 
         Raises:
             HostGoneError: the host is lost, and its programs do not continue.
@@ -140,27 +140,27 @@ class HostLink:
         assert self._rows is not None
         while True:
             try:
-                if stays:
+                if keeps_processor:
                     with KeptProcessor():
-                        size = self._channel.receive_frame(_RAN, self._room)
+                        size = self._channel.receive_frame(_RAN, self._buffer)
                 else:
-                    size = self._channel.receive_frame(_RAN, self._room)
+                    size = self._channel.receive_frame(_RAN, self._buffer)
                 if size:
                     self._rows.put_received(self.number, size)
                 else:
                     self._rows.put(self.number, self._answer())
             except ConnectionLostError as error:
-                self._renew(str(error))
+                self._reconnect(str(error))
             except (ValueError, RecursionError) as error:
-                self._renew(f"{_NOT_VALID}{error}")
+                self._reconnect(f"{_NOT_VALID}{error}")
             else:
-                self._waits = False
+                self._awaits_answer = False
                 return
 
     def collect_again(self, reason: str) -> None:
         """Disconnect the host, because its answer is invalid, and receive that of another one."""
-        self._waits = True
-        self._renew(_NOT_VALID + reason)
+        self._awaits_answer = True
+        self._reconnect(_NOT_VALID + reason)
         self.collect()
 
     def _answer(self) -> bytes:
@@ -181,8 +181,8 @@ class HostLink:
 
     def memories(self) -> list[Memory]:
         """Fetch the current memories of the programs."""
-        self.ask_memories()
-        return self.take_memories()
+        self.request_memories()
+        return self.receive_memories()
 
     @property
     def has_run(self) -> bool:
@@ -194,22 +194,22 @@ class HostLink:
         """Whether the current memories have been fetched."""
         return self._saved is not None
 
-    def ask_memories(self) -> None:
+    def request_memories(self) -> None:
         """Request the memories, unless they have been fetched."""
         if self._saved is None:
             self._recover(lambda: self._channel.send(Kind.SAVE))
 
-    def take_memories(self) -> list[Memory]:
+    def receive_memories(self) -> list[Memory]:
         """Return the memories that were requested."""
         if self._saved is None:
-            self._saved = self._recover(self._receive_memories, again=self.ask_memories)
-            self._kept = self._saved
+            self._saved = self._recover(self._receive_saved, again=self.request_memories)
+            self._last_memories = self._saved
             self._begin_log()
             self._log.clear()
             self._log_bytes = 0
         return self._saved
 
-    def _receive_memories(self) -> list[Memory]:
+    def _receive_saved(self) -> list[Memory]:
         content = self._channel.receive(Kind.SAVED).content
         try:
             return memories.unpack(content, len(self.robots))
@@ -247,21 +247,21 @@ class HostLink:
         if self.ended:
             return
         self.memories()
-        self._leave()
+        self._detach()
         try:
             self._channel.send(Kind.END, json.dumps(outcome).encode())
         except ConnectionLostError:
-            pass  # it knows how its programs have ended, or has gone itself
+            pass  # it knows how its programs have ended, or is gone itself
         finally:
             self._channel.close()
 
     def give_up(self) -> None:
         """Leave the programs in the state in which their memories were last fetched."""
-        self._leave()
+        self._detach()
         self._channel.close()
-        self._saved = self._saved or self._kept
+        self._saved = self._saved or self._last_memories
 
-    def _leave(self) -> None:
+    def _detach(self) -> None:
         self.ended = True
         if self._rows is not None:
             self._rows.remove(self.number)
@@ -286,11 +286,11 @@ class HostLink:
             try:
                 return action()
             except ConnectionLostError as error:
-                self._renew(str(error))
+                self._reconnect(str(error))
                 if again is not None:
                     again()
 
-    def _renew(self, reason: str) -> None:
+    def _reconnect(self, reason: str) -> None:
         """Replace the lost host, and bring the new one to the same state."""
         while True:
             self._channel.close()
@@ -298,7 +298,7 @@ class HostLink:
             try:
                 self._channel.send(Kind.RESTORE, self._start)
                 for number, grant in enumerate(self._log, 1):
-                    wanted = self._waits and number == len(self._log)
+                    wanted = self._awaits_answer and number == len(self._log)
                     head = *GRANT.unpack_from(grant)[:2], wanted
                     self._channel.send(Kind.GRANT, GRANT.pack(*head) + grant[GRANT.size :])
             except ConnectionLostError as error:
@@ -308,17 +308,17 @@ class HostLink:
 
     def _begin_log(self) -> None:
         """Begin the log of grants with the current state."""
-        self._start = self._restoring()
-        self._most_log_bytes = max(LEAST_LOG_BYTES, len(self._start))
+        self._start = self._restore_message()
+        self._max_log_bytes = max(MIN_LOG_BYTES, len(self._start))
 
-    def _restoring(self) -> bytes:
+    def _restore_message(self) -> bytes:
         """Return the message that brings a host to the current state of the programs."""
         number = 0
         known: Table = np.zeros((len(self.robots), WORDS), np.uint64)
         if self._rows is not None:
             known, number = self._rows.known(self.number), self._rows.last_grant(self.number)
         rows = RESTORE.pack(number, number > 0) + known.tobytes()
-        return rows + (memories.pack(self._kept) if number else b"")
+        return rows + (memories.pack(self._last_memories) if number else b"")
 
 
 def _selection(robots: IndexArray) -> slice | IndexArray:

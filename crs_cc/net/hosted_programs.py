@@ -36,7 +36,7 @@ class HostedPrograms:
     Attributes:
         fleet: the programs; another one once they are moved.
         known: the rows that both ends know.
-        room: where grants may be received, with their heads.
+        buffer: a buffer for grants, with their headers.
     """
 
     def __init__(
@@ -65,7 +65,7 @@ class HostedPrograms:
             self._turns = kernel.turns(partner)
         self.known = KnownRows(len(fleet), kernel)
         self._kernel = self.known.kernels[0]
-        self.room = self._kernel.room
+        self.buffer = self._kernel.buffer
 
     def set(self, rows: Table) -> None:
         """Set slots and clocks to the values that the other end has sent."""
@@ -76,11 +76,11 @@ class HostedPrograms:
         """Run rounds with a grant.
 
         Args:
-            content: the grant; it may be in `room`, if that has room for all rows.
+            content: the grant; it may be in `buffer`, if that has space for all rows.
 
         Returns:
-            the answer, behind room for a head; and whether any program may have failed, or asks to
-            write.
+            the answer, preceded by space for a header; and whether any program may have failed, or
+            requests output.
 
         Raises:
             ValueError: the content is not valid.
@@ -88,14 +88,14 @@ class HostedPrograms:
         if self._most_threads <= 1:
             return self._run(content)
         if self._round_s > SPREAD_S:
-            content = memoryview(bytes(content))  # its room goes
+            content = memoryview(bytes(content))  # its buffer is released
             self._spread()
         began_s = time.thread_time()
-        frame, is_told = self._run(content)
+        frame, is_notable = self._run(content)
         rounds = RAN.unpack_from(frame, HEAD_BYTES)[1]
         took_s = (time.thread_time() - began_s) / max(rounds, 1)
         self._round_s += (took_s - self._round_s) * _SHARE
-        return frame, is_told
+        return frame, is_notable
 
     def _run(self, content: memoryview) -> tuple[memoryview, bool]:
         if self._turns is None:
@@ -105,15 +105,15 @@ class HostedPrograms:
             rounds = self._run_rounds(end_s)
         else:
             number = GRANT.unpack_from(content)[0]  # before the answer takes its place
-            rounds, frame, is_told = self._kernel.take_turn(self._turns, content)
+            rounds, frame, is_notable = self._kernel.take_turn(self._turns, content)
             if not rounds:
-                return frame, is_told
+                return frame, is_notable
         frame = memoryview(bytearray(RAN_FRONT) + self.known.pack(self._table))
         RAN.pack_into(frame, HEAD_BYTES, number, rounds)
         return frame, True
 
     def _run_rounds(self, end_s: float) -> int:
-        """Run rounds until a program asks for something; return how many."""
+        """Run rounds until a program makes a request; return their number."""
         total = 0
         while rounds := self.fleet.run_rounds(end_s):
             total += rounds

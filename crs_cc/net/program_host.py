@@ -99,11 +99,11 @@ class ProgramHost:
         }
         allowed = grant, end, *answers
         while True:
-            room = self._programs.room
-            size = channel.receive_frame(grant, room)
+            buffer = self._programs.buffer
+            size = channel.receive_frame(grant, buffer)
             try:
                 if size:
-                    self._grant(room[HEAD_BYTES:size], channel)
+                    self._grant(buffer[HEAD_BYTES:size], channel)
                     continue
                 kind, content = channel.receive(*allowed)
                 if kind is end:
@@ -128,29 +128,29 @@ class ProgramHost:
             self.shown = number
             for robot, stream, text in self._writes:
                 self._streams.write(robot, stream, text)
-        frame, is_told = self._programs.run(content)
+        frame, is_notable = self._programs.run(content)
         self._writes = []
-        if is_told:
-            asking = self._asking()
-            self._writes = self._written(asking)
+        if is_notable:
+            requesting = self._requesting()
+            self._writes = self._written(requesting)
             if is_wanted:
-                self._tell_failures(asking, channel)
+                self._report_failures(requesting, channel)
         if is_wanted:
             channel.send_frame(_RAN, frame)
 
-    def _asking(self) -> IndexArray:
+    def _requesting(self) -> IndexArray:
         """Return the programs that make a request."""
         return self.fleet.timing["asks"].nonzero()[0]
 
-    def _written(self, asking: IndexArray) -> list[tuple[int, int, bytes]]:
+    def _written(self, requesting: IndexArray) -> list[tuple[int, int, bytes]]:
         """Return the output requested by programs: robot, stream and content."""
-        if not len(asking):
+        if not len(requesting):
             return []
-        codes = self.fleet.codes[asking].tolist()
+        codes = self.fleet.codes[requesting].tolist()
         if _WRITE not in codes:
             return []
         found = []
-        for robot, code in zip(asking.tolist(), codes, strict=True):
+        for robot, code in zip(requesting.tolist(), codes, strict=True):
             if code != _WRITE or not self.fleet.timing["alive"][robot]:
                 continue
             message = self.fleet.slots["message"][robot]
@@ -159,8 +159,8 @@ class ProgramHost:
                 found.append((robot, stream, message["data"][:size].tobytes()))
         return found
 
-    def _tell_failures(self, asking: IndexArray, channel: Channel) -> None:
-        for robot in asking[self.fleet.slots["status"][asking] == FAILED].tolist():
+    def _report_failures(self, requesting: IndexArray, channel: Channel) -> None:
+        for robot in requesting[self.fleet.slots["status"][requesting] == FAILED].tolist():
             data = data_of(self.fleet.report(robot)) | {"robot": robot}
             channel.send(Kind.FAILED, json.dumps(data).encode())
 
@@ -179,7 +179,7 @@ class ProgramHost:
             for robot, memory in enumerate(memories.unpack(content[rows_end:], len(self.fleet))):
                 self.fleet.restore(robot, Snapshot(slots[robot : robot + 1], *memory))
         self._programs.set(rows)
-        self._writes = self._written(self._asking())
+        self._writes = self._written(self._requesting())
 
     def _memories(self) -> bytes:
         """Return the programs' memories."""

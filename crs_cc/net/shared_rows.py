@@ -26,7 +26,7 @@ from typing import Final
 from crs_cc.core.arrays import IndexArray
 from crs_cc.net.channel import HEAD_BYTES
 from crs_cc.net.frames import FRONT_WORDS, GRANT_FRONT, RAN_FRONT
-from crs_cc.net.slot_rules import QUIET, RULES
+from crs_cc.net.slot_rules import IDLE_RULES, RULES
 from crs_cc.net.word_kernel import (
     ERRORS,
     GRANT,
@@ -63,8 +63,8 @@ class SharedRows:
             raise ValueError(f"{robots} robots, but {ROWS} at most can have programs on hosts")
         self._kernel = kernel = WordKernel(robots)
         self.table = kernel.now
-        kernel.rules[:] = *RULES, *QUIET
-        self._traffic, self._turn, members, hosts = kernel.places
+        kernel.rules[:] = *RULES, *IDLE_RULES
+        self._traffic, self._turn, members, hosts = kernel.addresses
         end = hosts + 4 * ROWS * len(_INTS)
         parts = [
             kernel.memory[begin : begin + 4 * ROWS].cast("i")
@@ -74,8 +74,8 @@ class SharedRows:
         self._last_grant = kernel.memory[end : end + 8 * ROWS].cast("Q")
         self._members = kernel.memory[members : members + 4 * ROWS].cast("i")
         self._hosts: list[IndexArray] = []
-        self._places: list[int] = []  # of changes of a host, in the memory
-        self._rooms: list[memoryview] = []
+        self._addresses: list[int] = []  # of changes of a host, in the memory
+        self._buffers: list[memoryview] = []
         self._used = 0
 
     def add(self, robots: IndexArray) -> int:
@@ -89,8 +89,8 @@ class SharedRows:
         self._hosts.append(robots)
         begin = self._traffic + (first * (1 + WORDS) + number * FRONT_WORDS) * WORD_BYTES
         most = rows * (1 + WORDS) * WORD_BYTES
-        self._places.append(begin)
-        self._rooms.append(self._kernel.memory[begin - RAN_FRONT : begin + most])
+        self._addresses.append(begin)
+        self._buffers.append(self._kernel.memory[begin - RAN_FRONT : begin + most])
         return number
 
     def remove(self, host: int) -> None:
@@ -123,14 +123,14 @@ class SharedRows:
 
     def packed(self, host: int) -> memoryview:
         """Return the grant that has been packed for a host, with space for its header."""
-        begin = self._places[host]
+        begin = self._addresses[host]
         end = begin + self._words[host] * WORD_BYTES
         self._words[host] = _NOTHING
         return self._kernel.memory[begin - GRANT_FRONT : end]
 
-    def room(self, host: int) -> memoryview:
+    def buffer(self, host: int) -> memoryview:
         """Return the buffer for a host's answer, with its header."""
-        return self._rooms[host]
+        return self._buffers[host]
 
     def put_received(self, host: int, size: int) -> None:
         """Note that a host's answer is in its buffer, for `take`.
@@ -153,10 +153,10 @@ class SharedRows:
         Raises:
             ValueError: its size is invalid.
         """
-        room, size = self._rooms[host], HEAD_BYTES + len(content)
-        if size > len(room):
+        buffer, size = self._buffers[host], HEAD_BYTES + len(content)
+        if size > len(buffer):
             raise ValueError(TOO_LONG)
-        room[HEAD_BYTES:size] = content
+        buffer[HEAD_BYTES:size] = content
         self.put_received(host, size)
 
     def take(self, before: int) -> tuple[int, bool] | None:

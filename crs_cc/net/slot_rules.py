@@ -34,18 +34,18 @@ def _of_words(default: int, **values: int) -> np.ndarray:
 
 _TIMING: Final = ("clock_s", "due_s", "speed_hz", "fuel", "pending", "alive")
 _FIXED: Final = _of_words(0, due_s=_ALL, speed_hz=_ALL, pending=_ALL, alive=_ALL ^ _ASKS)
-_MOST: Final = _of_words(
+_MAXIMA: Final = _of_words(
     _ALL,
     clock_s=_INFINITE - 1,
     fuel=2**63 - 1,
     status=(FAILED + 1) * _UPPER_HALF - 1,
     error_kind=len(ERROR_KINDS) * _UPPER_HALF - 1,
 )
-_RISING: Final = _of_words(0, clock_s=_ALL, fuel=_ALL)
+_MONOTONIC: Final = _of_words(0, clock_s=_ALL, fuel=_ALL)
 _ASKING: Final = _of_words(0, alive=_ASKS)
 
-RULES: Final = Rules(_FIXED, _MOST, _RISING, wanted=_ASKING)
+RULES: Final = Rules(_FIXED, _MAXIMA, _MONOTONIC, wanted=_ASKING)
 """Rules for a host that has run rounds; what is looked for is a request of a program."""
 
-QUIET: Final = RULES._replace(fixed=_FIXED | _ASKING)
+IDLE_RULES: Final = RULES._replace(fixed=_FIXED | _ASKING)
 """Rules for a host that has run no round, so that no program can have made a request."""

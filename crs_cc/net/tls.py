@@ -61,9 +61,9 @@ class TlsSocket:
             return socket.socket.recv(self._inner, size, flags)
         return self._done(self._inner.recv, size)
 
-    def recv_into(self, room: memoryview) -> int:
+    def recv_into(self, buffer: memoryview) -> int:
         """Receive data into a buffer; return its size."""
-        return self._done(self._inner.recv_into, room)
+        return self._done(self._inner.recv_into, buffer)
 
     def send(self, data: bytes | memoryview) -> int:
         """Send some of the data; return its size."""
@@ -189,12 +189,12 @@ class Client:
         return TlsSocket(inner)
 
 
-def fingerprint_at(address: tuple[str, int], within_s: float) -> str:
+def fingerprint_at(address: tuple[str, int], timeout_s: float) -> str:
     """Return the fingerprint of the certificate of a server, which is not checked.
 
     Args:
         address: its host and port.
-        within_s: timeout [s].
+        timeout_s: timeout [s].
 
     Returns:
         The SHA-256 as hexadecimal digits; an empty string if connections are not encrypted.
@@ -205,7 +205,7 @@ def fingerprint_at(address: tuple[str, int], within_s: float) -> str:
     context = ssl.create_default_context()
     context.check_hostname = False
     context.verify_mode = ssl.CERT_NONE
-    with socket.create_connection(address, within_s) as connection:
+    with socket.create_connection(address, timeout_s) as connection:
         try:
             with context.wrap_socket(connection, server_hostname=address[0]) as inner:
                 return _fingerprint(inner.getpeercert(binary_form=True) or b"")

@@ -39,9 +39,9 @@ Table: TypeAlias = npt.NDArray[np.uint64]
 _ADDRESSES, _PACK, _CHECK, _ENTER, _ENTER_ALL, _TURN, GRANT, TAKE = range(8)
 _ARGUMENTS: Final = tuple(struct.Struct(f"<{1 + count}i") for count in range(5))
 _RESULTS: Final = struct.Struct("<8i")
-_TURNED: Final = struct.Struct("<20x3i")
+_TURN_RESULTS: Final = struct.Struct("<20x3i")
 """Whether any program may have failed, or writes output; an error; the number of words packed."""
-_MOST: Final = ROWS * (1 + WORDS) * WORD_BYTES
+_MAX_BYTES: Final = ROWS * (1 + WORDS) * WORD_BYTES
 """Of a content [bytes]."""
 TOO_LONG: Final = "changes of a size other than announced"
 ERRORS: Final = (
@@ -59,14 +59,14 @@ class Rules(NamedTuple):
 
     Attributes:
         fixed: the bits that must not change.
-        most: the maximum value.
-        rising: all bits if the value must not decrease, else none.
+        maximum: the maximum value.
+        monotonic: all bits if the value must not decrease, else none.
         wanted: the bits that are looked for.
     """
 
     fixed: Words
-    most: Words
-    rising: Words
+    maximum: Words
+    monotonic: Words
     wanted: Words
 
 
@@ -78,8 +78,8 @@ class WordKernel:
         known: the rows as both sides know them.
         now: the current rows, which differ where changes are to be packed.
         rules: two sets of rules: for an answer after some rounds, and after none.
-        room: the buffer for a grant, with its header.
-        places: the addresses of changes, of a turn, of the list of members, and of hosts.
+        buffer: the buffer for a grant, with its header.
+        addresses: the addresses of changes, of a turn, of the list of members, and of hosts.
     """
 
     def __init__(self, rows: int, instance: KernelInstance | None = None) -> None:
@@ -95,8 +95,8 @@ class WordKernel:
 
             instance = KernelInstance(_executable())
         self.memory, self._resume = instance.memory.data, instance.resume
-        self._place = int(instance.message[0])
-        rules, known, now, *places, _ = self.call(_ADDRESSES, rows)
+        self._message_address = int(instance.message[0])
+        rules, known, now, *addresses, _ = self.call(_ADDRESSES, rows)
 
         def table(begin: int, rows: int) -> Table:
             end = begin + rows * WORDS * WORD_BYTES
@@ -104,11 +104,11 @@ class WordKernel:
 
         self.known, self.now = table(known, rows), table(now, rows)
         self.rules = table(rules, 2 * len(Rules._fields))
-        self.places = tuple(places)
-        self._traffic, self._turn, *_ = places
-        self._most = rows * (1 + WORDS) * WORD_BYTES
-        end = self._traffic + self._most
-        self.room = self.memory[self._traffic - GRANT_FRONT : end]
+        self.addresses = tuple(addresses)
+        self._traffic, self._turn, *_ = addresses
+        self._max_bytes = rows * (1 + WORDS) * WORD_BYTES
+        end = self._traffic + self._max_bytes
+        self.buffer = self.memory[self._traffic - GRANT_FRONT : end]
         self._rows, self._now = rows, now
         self._rules: Rules | None = None  # in the table
 
@@ -148,7 +148,7 @@ class WordKernel:
         Raises:
             ValueError: the content is invalid, or a change not permitted.
         """
-        if len(content) > _MOST:
+        if len(content) > _MAX_BYTES:
             raise ValueError(TOO_LONG)
         return bool(self._read(_ENTER_ALL, content, rows, rules)[4])
 
@@ -175,7 +175,7 @@ class WordKernel:
 
         Args:
             turns: what runs them.
-            content: the grant; it may be in `room`.
+            content: the grant; it may be in `buffer`.
 
         Returns:
             the number of rounds if a program has trapped, so that there is no valid answer, else 0;
@@ -186,31 +186,31 @@ class WordKernel:
             ValueError: the content is invalid.
         """
         size = HEAD_BYTES + len(content) - GRANT_FRONT
-        if size % WORD_BYTES or size > self._most:
-            raise ValueError(TOO_LONG if size > self._most else ERRORS[1])
-        memory, place = self.memory, self._place
+        if size % WORD_BYTES or size > self._max_bytes:
+            raise ValueError(TOO_LONG if size > self._max_bytes else ERRORS[1])
+        memory, address = self.memory, self._message_address
         if content.obj is not memory.obj:
-            self.room[HEAD_BYTES : HEAD_BYTES + len(content)] = content
+            self.buffer[HEAD_BYTES : HEAD_BYTES + len(content)] = content
         words = size // WORD_BYTES
-        _ARGUMENTS[4].pack_into(memory, place, _TURN, self._rows, words, _WRITE, FAILED)
-        untold = turns.take()
-        is_told, error, words = _TURNED.unpack_from(memory, place)
+        _ARGUMENTS[4].pack_into(memory, address, _TURN, self._rows, words, _WRITE, FAILED)
+        unanswered = turns.take()
+        is_notable, error, words = _TURN_RESULTS.unpack_from(memory, address)
         if error:
             raise ValueError(ERRORS[error])
         begin = self._traffic
-        return untold, memory[begin - RAN_FRONT : begin + words * WORD_BYTES], bool(is_told)
+        return unanswered, memory[begin - RAN_FRONT : begin + words * WORD_BYTES], bool(is_notable)
 
     def _take(self, content: memoryview) -> int:
         """Copy changes into the kernel's memory; return their size [words]."""
-        size = min(len(content), _MOST)
+        size = min(len(content), _MAX_BYTES)
         self.memory[self._traffic : self._traffic + size] = content[:size]
         return size // WORD_BYTES
 
     def call(self, kind: int, *arguments: int) -> tuple[int, ...]:
         """Call the kernel; return its results."""
-        _ARGUMENTS[len(arguments)].pack_into(self.memory, self._place, kind, *arguments)
+        _ARGUMENTS[len(arguments)].pack_into(self.memory, self._message_address, kind, *arguments)
         self._resume()
-        return _RESULTS.unpack_from(self.memory, self._place)
+        return _RESULTS.unpack_from(self.memory, self._message_address)
 
 
 def partner_of(fleet: Fleet) -> Partner | None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import click
 
 from crs_cc.cli.serve import serve
-from crs_cc.net.vendor.server import MAX_STRANGERS, OPENING_S
-from crs_cc.net.vendor.switchboard import PATIENCE_S
+from crs_cc.net.vendor.server import MAX_WITHOUT_ROBOT, OPENING_TIMEOUT_S
+from crs_cc.net.vendor.switchboard import CLIENT_TIMEOUT_S
 from docs.generate import Fillers, cell, table
 
 _NAMES = ("--nserver", "--serial", "--tcp-robot")
@@ -25,7 +25,7 @@ def options() -> str:
 
 FILLERS: Fillers = {
     "options": options,
-    "patience": lambda: f"{PATIENCE_S:g}",
-    "opening": lambda: f"{OPENING_S:g}",
-    "strangers": lambda: str(MAX_STRANGERS),
+    "patience": lambda: f"{CLIENT_TIMEOUT_S:g}",
+    "opening": lambda: f"{OPENING_TIMEOUT_S:g}",
+    "strangers": lambda: str(MAX_WITHOUT_ROBOT),
 }

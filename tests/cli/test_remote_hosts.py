@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from crs_cc.cli.remote_hosts import RemoteHosts
-from crs_cc.net.roster import Roster
+from crs_cc.net.host_registry import HostRegistry
 
 
 @pytest.mark.parametrize(
@@ -22,7 +22,7 @@ def test_a_resumed_run_on_a_cluster_prints_nothing_twice(
     recorded: Any = SimpleNamespace(end_s=2.0)
     hosts: Any = object() if on_cluster else None
     run = RemoteHosts(
-        Roster([]), [], [], [], waits=True, front=None, resumption=recorded, hosts=hosts
+        HostRegistry([]), [], [], [], waits=True, front=None, resumption=recorded, hosts=hosts
     )
     session: Any = SimpleNamespace(time_s=time_s)
     run.begin(session, lambda: False)

@@ -21,7 +21,7 @@ from websockets.sync.client import connect
 
 from crs_cc.cli.changed_run import recorded_changes
 from crs_cc.cli.main import main
-from crs_cc.net.gate import bound
+from crs_cc.net.listener import bound_socket
 from crs_cc.recording.recording import Recording
 from tests.commands import crs, real_crs
 from tests.session.programs import ROAM
@@ -326,7 +326,7 @@ def test_a_recording_has_the_program_of_each_robot_and_their_input(folder: Path)
 
 
 def test_a_host_reports_that_it_reconnects(folder: Path) -> None:
-    with bound("127.0.0.1", 0) as closed:  # nobody listens
+    with bound_socket("127.0.0.1", 0) as closed:  # nobody listens
         at = f"127.0.0.1:{closed.getsockname()[1]}"
         host = join(folder, "left", at, "echo.c", "--retry", "0.3")
         _, said = host.communicate(timeout=MOST_S)

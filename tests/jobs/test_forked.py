@@ -45,7 +45,7 @@ def test_a_forked_computation_leaves_only_its_result() -> None:
 @pytest.mark.parametrize(
     ("how", "told"), [("killed", "by signal 9"), ("exits", "without a result")]
 )
-def test_a_process_ends_as_its_copy_does_without_a_result(how: str, told: str) -> None:
+def test_a_process_ends_like_its_copy_if_there_is_no_result(how: str, told: str) -> None:
     before, ended, after = done({}, {"how": how}, {})
     assert [each.kind for each in (before, ended, after)] == ["done", "crashed", "done"]
     assert told in ended.text

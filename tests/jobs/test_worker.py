@@ -30,7 +30,7 @@ def pids(outcomes: list[Outcome]) -> list[int | None]:
     return [each.result["pid"] if each.result else None for each in outcomes]
 
 
-def test_jobs_that_are_alike_are_done_by_one_process_others_not() -> None:
+def test_one_process_runs_the_jobs_of_a_batch() -> None:
     names = ["a", "a", "b", "a", "a", "", ""]
     found = pids(done(*({"name": name} for name in names)))
     assert found[0] == found[1]
@@ -38,7 +38,7 @@ def test_jobs_that_are_alike_are_done_by_one_process_others_not() -> None:
     assert len({*found}) == 5
 
 
-def test_a_process_does_so_many_jobs() -> None:
+def test_a_process_runs_a_limited_number_of_jobs() -> None:
     found = pids(done(*[{"name": "a"}] * (worker._MOST + 1)))
     assert len({*found[:-1]}) == 1
     assert found[-1] != found[0]
@@ -50,7 +50,7 @@ def test_a_process_is_not_reused_after_a_failure() -> None:
 
 
 @pytest.mark.parametrize("how", ["killed", "raises"])
-def test_a_job_that_ends_its_process_harms_no_other(how: str) -> None:
+def test_a_job_that_ends_its_process_does_not_affect_others(how: str) -> None:
     outcomes = done({"name": "a"}, {"name": "a", "how": how}, {"name": "a"}, retries=1)
     assert [each.kind for each in outcomes] == ["done", "crashed", "done"]
     assert ("by signal 9" if how == "killed" else "without a result") in outcomes[1].text

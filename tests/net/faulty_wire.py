@@ -1,4 +1,4 @@
-"""A wire that delays, loses, cuts, doubles, damages and reorders what goes over it, at random."""
+"""A wire that randomly delays, loses, duplicates, corrupts and reorders data, or is cut."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Final
 
-FAULTS: Final = ("delayed", "lost", "cut", "doubled", "damaged", "reordered")
+FAULTS: Final = ("delayed", "lost", "cut", "duplicated", "corrupted", "reordered")
 _PART: Final = 2**16
 
 
 class FaultyWire:
-    """Carries what two sides say to each other.
+    """Carries the data of connections.
 
     Attributes:
         made: how many faults of each kind there have been.
@@ -34,7 +34,7 @@ class FaultyWire:
         self._random, self._often, self._longest_s = random_, often, longest_s
 
     def __call__(self, connection: socket.socket) -> socket.socket:
-        """Return what stands for a connection: the other end of the wire."""
+        """Return the other end of the wire, which replaces a connection."""
         here, there = socket.socketpair()
         self.between(there, connection)
         return here
@@ -67,9 +67,9 @@ class FaultyWire:
         elif fault == "cut":
             yield part[:middle]
             raise ConnectionAbortedError("cut")
-        elif fault == "doubled":
+        elif fault == "duplicated":
             yield part * 2
-        elif fault == "damaged":
+        elif fault == "corrupted":
             yield part[:middle] + bytes([part[middle] ^ 16]) + part[middle + 1 :]
         elif fault == "reordered":
             yield part[middle:] + part[:middle]

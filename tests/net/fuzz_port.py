@@ -91,14 +91,14 @@ class Fuzzer:
             assert b"0123456789abcdef" not in answer, said
             assert b" 101 " not in answer[:20], said
             self.answers[found[1].decode()] += 1
-        elif kind in (Kind.REFUSED, Kind.ALIVE):
+        elif kind in (Kind.REFUSED, Kind.KEEP_ALIVE):
             self.answers[Kind(kind).name] += 1
         else:
             assert not answer, (said, answer)  # nor an error of ours: 500
             self.answers["closed"] += 1
 
     def mutated(self, said: bytes) -> bytes:
-        """Return something with some bytes changed, doubled, cut out or added."""
+        """Return something with some bytes changed, duplicated, cut out or added."""
         made = bytearray(said)
         for _ in range(self.random_.choice((0, 0, 1, 2, 8))):
             at = self.random_.randrange(len(made) + 1)

@@ -8,10 +8,10 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from crs_cc.net.channel import Channel, ConnectionLostError, Pulse
-from crs_cc.net.distant_fleet import DistantFleet
+from crs_cc.net.channel import Channel, ConnectionLostError, KeepAlive
 from crs_cc.net.host_link import HostGoneError, HostLink
 from crs_cc.net.program_host import ProgramHost, Streams
+from crs_cc.net.remote_fleet import RemoteFleet
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_driver
 from crs_cc.session.host import Output, discard, no_input
@@ -43,19 +43,19 @@ class LocalHosts:
         self.lost: list[str] = []
         self.ended: list[object] = []
         self._threads: dict[tuple[str, ...], threading.Thread] = {}
-        self._pulse = Pulse()
-        self._pulse.__enter__()
+        self._keep_alive = KeepAlive()
+        self._keep_alive.__enter__()
         mixed = np.random.default_rng(1).permutation(len(executables))
         parts = [np.sort(part) for part in np.array_split(mixed, count)]
         links = [self._link(robots) for robots in parts if robots.size]
-        self.fleet = DistantFleet(executables, links)
+        self.fleet = RemoteFleet(executables, links)
 
     def close(self) -> None:
         self.fleet.dismiss(everyone=True)
         for thread in self._threads.values():
             thread.join(10.0)
             assert not thread.is_alive()
-        self._pulse.__exit__()
+        self._keep_alive.__exit__()
 
     def _link(self, robots: np.ndarray) -> HostLink:
         names = tuple(f"robot{robot}" for robot in robots)
@@ -71,7 +71,7 @@ class LocalHosts:
     def _started(self, names: tuple[str, ...]) -> Channel:
         here, there = socket.socketpair()
         channel = Channel(self._meddler(here))
-        self._pulse.add(channel)
+        self._keep_alive.add(channel)
         before = self._threads.get(names)
         thread = threading.Thread(target=self._serve, args=(names, there, before), daemon=True)
         thread.start()
@@ -82,7 +82,7 @@ class LocalHosts:
         self, names: tuple[str, ...], connection: socket.socket, before: threading.Thread | None
     ) -> None:
         channel = Channel(connection)
-        self._pulse.add(channel)
+        self._keep_alive.add(channel)
         if before is not None:
             before.join()  # a host that comes back has noticed that it was lost
         robots = [int(name.removeprefix("robot")) for name in names]

@@ -1,4 +1,4 @@
-"""What has changed in slots crosses, and nothing else is believed."""
+"""Changes of slots are transmitted, and invalid ones are rejected."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from crs_cc.net.changed_words import WORDS, KnownRows, Table
-from crs_cc.net.slot_rules import QUIET, RULES
+from crs_cc.net.slot_rules import IDLE_RULES, RULES
 from crs_cc.net.word_kernel import ROWS, Rules
 from crs_cc.requests import timing_offset
 
@@ -18,7 +18,7 @@ ASKS = timing_offset("alive") // 8
 
 
 def pack(known: Table, now: Table) -> bytes:
-    """Return what differs in a table from one that is known, and make it known."""
+    """Return the differences between a table and a known one, and update the latter."""
     rows = KnownRows(len(known))
     rows.set(known)
     content = rows.pack(now)
@@ -60,7 +60,7 @@ def test_both_tables_are_equal_after_changes(changes: list[tuple[int, int, int]]
 
 @given(st.binary(max_size=200), st.integers(0, 200), st.integers(0, 255))
 @settings(max_examples=200, deadline=None)
-def test_any_bytes_are_valid_changes_or_refused(noise: bytes, at: int, value: int) -> None:
+def test_arbitrary_bytes_are_valid_changes_or_rejected(noise: bytes, at: int, value: int) -> None:
     here = np.zeros((COUNT, WORDS), np.uint64)
     here[2, 5], here[4, :3] = 7, 1
     valid = bytearray(pack(np.zeros_like(here), here))
@@ -84,7 +84,7 @@ def test_nothing_is_sent_twice() -> None:
     assert pack(known, here) == b""
 
 
-def test_changes_of_another_number_of_words_than_declared_are_refused() -> None:
+def test_changes_with_a_wrong_number_of_words_are_rejected() -> None:
     here = np.ones((COUNT, WORDS), np.uint64)
     content = pack(np.zeros_like(here), here)
     for wrong, reason in (
@@ -118,7 +118,7 @@ def test_tables_of_any_size_have_masks_and_words_in_parts(count: int) -> None:
     assert (known == table).all()
 
 
-def test_one_bad_row_behind_many_keeps_all_from_being_entered() -> None:
+def test_one_invalid_row_after_many_prevents_all_changes() -> None:
     count = 2 * ROWS + 5
     here = np.ones((count, WORDS), np.uint64)
     content = pack(np.zeros_like(here), here)
@@ -127,17 +127,17 @@ def test_one_bad_row_behind_many_keeps_all_from_being_entered() -> None:
     assert (table == here).all()
     here[-1, 9] = 8
     content = pack(np.zeros_like(here), here)
-    rules.most[9] = 7
+    rules.maximum[9] = 7
     table = np.zeros_like(here)
     with pytest.raises(ValueError, match="not its own"):
-        enter(content, table, rules._replace(most=rules.most))
+        enter(content, table, rules._replace(maximum=rules.maximum))
     assert not table.any()
 
 
 @given(st.integers(0, ALL), st.integers(0, ALL), st.integers(0, ALL), st.integers(0, ALL))
-def test_rules_hold_to_the_last_bit(before: int, after: int, fixed: int, most: int) -> None:
+def test_rules_are_exact_to_the_last_bit(before: int, after: int, fixed: int, most: int) -> None:
     rules = free()
-    rules.fixed[3], rules.most[3], rules.rising[3] = fixed, most, ALL if fixed % 2 else 0
+    rules.fixed[3], rules.maximum[3], rules.monotonic[3] = fixed, most, ALL if fixed % 2 else 0
     known = np.zeros((2, WORDS), np.uint64)
     known[1, 3] = before
     here, there = known.copy(), known.copy()
@@ -154,12 +154,12 @@ def test_rules_hold_to_the_last_bit(before: int, after: int, fixed: int, most: i
         assert (there == known).all()
 
 
-def test_who_asks_is_found_and_must_have_run() -> None:
+def test_requesting_programs_are_found_and_must_have_run() -> None:
     here, there = np.zeros((2, COUNT, WORDS), np.uint64)
     here[3, 2] = 9
     assert not enter(pack(there.copy(), here), there, RULES)
     here[5, ASKS] = 1 << 32
     content = pack(there.copy(), here)
     with pytest.raises(ValueError, match="not its own"):
-        enter(content, there.copy(), QUIET)
+        enter(content, there.copy(), IDLE_RULES)
     assert enter(content, there, RULES)

@@ -24,9 +24,9 @@ from crs_cc.cli.main import main
 from crs_cc.jobs import cluster
 from crs_cc.jobs.cluster import Cluster, ClusterError
 from crs_cc.jobs.pool import Outcome, Task
-from crs_cc.net.cluster_hosts import MAX_FAILURES, ClusterHosts, Entrance
-from crs_cc.net.placed_host import Placement, packed
-from crs_cc.net.roster import Roster
+from crs_cc.net.cluster_hosts import MAX_FAILURES, ClusterHosts, Endpoint
+from crs_cc.net.host_job import HostJob, packed
+from crs_cc.net.host_registry import HostRegistry
 from crs_cc.runtime.executable import Executable
 from crs_cc.sim.files.world_xml import parse_world
 from tests.session.programs import ROAM
@@ -104,7 +104,7 @@ def dask(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Dask]:
         yield Dask(address, [start("worker", *options) for _ in range(2)])
 
 
-def test_a_run_on_a_cluster_that_loses_a_worker_is_that_of_one_process(dask: Dask) -> None:
+def test_a_run_on_a_cluster_that_loses_a_worker_equals_one_in_a_single_process(dask: Dask) -> None:
     """The other worker has one thread, which runs a host: it takes the lost one beside it."""
     from distributed import Client
 
@@ -133,7 +133,7 @@ def test_workers_of_another_version_run_no_program(
         Session(programs="int main(void) { return 7; }", hosts=dask.address.replace("tls", "dask"))
 
 
-def test_a_program_from_another_kind_of_processor_is_compiled_again() -> None:
+def test_a_program_compiled_for_a_different_architecture_is_recompiled() -> None:
     program = compile_c("int main(void) { return 7; }")
     foreign = replace(program, machine_code=b"of another processor", _loaded=None)
     assert Session(programs=foreign).run().robots[0].exit_status == 7
@@ -160,16 +160,16 @@ class Unlucky:
 
     def __init__(self, *results: dict[str, str]) -> None:
         self._results = list(results)
-        self.placements: list[Placement] = []
+        self.jobs: list[HostJob] = []
 
     def start(self, task: Task) -> Ended:
-        self.placements.append(Placement.of(json.loads(json.dumps(task.job))))
-        return Ended(self._results[min(len(self.placements), len(self._results)) - 1])
+        self.jobs.append(HostJob.of(json.loads(json.dumps(task.job))))
+        return Ended(self._results[min(len(self.jobs), len(self._results)) - 1])
 
 
 def placed(where: Any, executables: list[tuple[str, Executable]]) -> ClusterHosts:
-    roster = Roster(parse_world(WORLD, "world").robots)
-    return ClusterHosts(where, roster, executables, Entrance("127.0.0.1", 9, "t" * 16), 2)
+    registry = HostRegistry(parse_world(WORLD, "world").robots)
+    return ClusterHosts(where, registry, executables, Endpoint("127.0.0.1", 9, "t" * 16), 2)
 
 
 PROGRAMS = [(name, compile_c("int main(void) { return 7; }")) for name in "a"]
@@ -183,22 +183,22 @@ PROGRAMS = [(name, compile_c("int main(void) { return 7; }")) for name in "a"]
         ([{"lost": "cut"}] * 9 + [{}], 9 + MAX_FAILURES, "no host for a: it has ended"),
     ],
 )
-def test_hosts_that_always_end_are_one_clear_error(
+def test_hosts_that_keep_ending_are_reported_once(
     results: list[dict[str, str]], starts: int, text: str
 ) -> None:
     where = Unlucky(*results)
     with pytest.raises(ClusterError, match=f"tcp://hall:8786: error: {text}"):
-        placed(where, PROGRAMS).seats()
-    assert len(where.placements) == starts
-    assert len({each.name for each in where.placements}) == 1  # it comes back as the same host
+        placed(where, PROGRAMS).assignments()
+    assert len(where.jobs) == starts
+    assert len({each.name for each in where.jobs}) == 1  # it comes back as the same host
 
 
-def test_a_host_has_robots_of_one_program_and_no_more_than_is_said() -> None:
+def test_a_host_has_robots_of_one_program_and_no_more_than_the_limit() -> None:
     one, two = (compile_c(f"int main(void) {{ return {number}; }}") for number in (1, 2))
     where = Unlucky({})
     placed(where, [("a", one), ("b", two), ("c", one), ("d", one)])
-    assert [each.robots for each in where.placements] == [("a", "c"), ("d",), ("b",)]
-    assert where.placements[0].executable == packed(one)
+    assert [each.robots for each in where.jobs] == [("a", "c"), ("d",), ("b",)]
+    assert where.jobs[0].executable == packed(one)
 
 
 @pytest.mark.parametrize(
@@ -215,7 +215,7 @@ def test_a_host_has_robots_of_one_program_and_no_more_than_is_said() -> None:
         (["world.xml", "--hosts", "dask://h:1"], "no program"),
     ],
 )
-def test_options_that_do_not_go_together_are_refused(
+def test_incompatible_options_are_rejected(
     words: list[str],
     text: str,
     tmp_path: Path,
@@ -228,7 +228,7 @@ def test_options_that_do_not_go_together_are_refused(
     assert text in capfd.readouterr().err
 
 
-def test_workers_elsewhere_are_told_an_address_that_they_reach(
+def test_remote_workers_receive_a_reachable_address(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     utils = pytest.importorskip("distributed.utils")
@@ -241,4 +241,4 @@ def test_workers_elsewhere_are_told_an_address_that_they_reach(
             scheduler_info=lambda n_workers, there=there: {"workers": there},
             wait_for_workers=lambda count, timeout: None,
         )
-        assert Cluster("crs_cc.net.placed_host", client).own_host == told  # type: ignore[arg-type]
+        assert Cluster("crs_cc.net.host_job", client).own_host == told  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""Samples on two and on four hosts, over a bad wire: the state of a run in one process."""
+"""Samples on two and four hosts over a faulty wire end in the state of a run in one process."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MOST_S: Final = 2.0
 
 
 def state_of(executables: Sequence[Executable], fleet: Fleet | None) -> str:
-    """Return the hash of where a run stands after some time."""
+    """Return the hash of the state of a run after some time."""
     world = parse_world(HALL.encode(), "hall.xml")
     session = Session(world, executables, fleet=fleet)
     while session.time_s < MOST_S and session.advance(20):
@@ -32,7 +32,7 @@ def state_of(executables: Sequence[Executable], fleet: Fleet | None) -> str:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_sample_ends_in_the_same_state_on_hosts_that_are_lost(name: str) -> None:
+def test_a_sample_ends_in_the_same_state_when_hosts_are_lost(name: str) -> None:
     executables = [build_executable([SAMPLES / f"{name}.c"], Diagnostics())] * 4
     expected = state_of(executables, None)
     for count in (2, 4):

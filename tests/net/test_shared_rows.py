@@ -1,4 +1,4 @@
-"""One table of all robots, of which each host knows and changes its own rows."""
+"""The table of all robots, in which each host knows and changes its own rows."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from crs_cc.core.errors import WorldError
 from crs_cc.net.changed_words import KnownRows
 from crs_cc.net.channel import HEAD_BYTES
 from crs_cc.net.frames import GRANT, GRANT_FRONT, RAN
-from crs_cc.net.roster import Roster
+from crs_cc.net.host_registry import HostRegistry
 from crs_cc.net.shared_rows import SharedRows
 from crs_cc.net.word_kernel import ROWS
 from crs_cc.runtime.turns import RECORD
@@ -33,7 +33,7 @@ class Both:
         self.records["timing"]["alive"], self.records["timing"]["due_s"] = True, math.inf
 
     def grant(self, *, is_new: bool = True) -> list[int]:
-        """Grant a round; return which hosts have something to run."""
+        """Grant a round; return the hosts that receive a grant."""
         granted = self.rows.grant(END_S, is_new=is_new)
         for host in granted:
             frame = self.rows.packed(host)
@@ -41,8 +41,8 @@ class Both:
             self.there[host].enter(frame[GRANT_FRONT:])
         return granted
 
-    def say(self, host: int, rounds: int, number: int | None = None, **fields: float) -> None:
-        """Let a host change fields of its first program in some rounds.
+    def answer(self, host: int, rounds: int, number: int | None = None, **fields: float) -> None:
+        """Put an answer of a host that changes fields of its first program.
 
         Args:
             host: the host.
@@ -57,32 +57,32 @@ class Both:
         self.rows.put(host, front + self.there[host].pack(table))
 
 
-def test_a_host_that_asks_later_is_shown_when_the_others_have_come_so_far() -> None:
+def test_a_later_request_is_applied_once_the_other_hosts_reach_its_round() -> None:
     both = Both()
     assert both.grant() == [0, 1]
-    both.say(0, 3, clock_s=0.03, asks=1)
-    both.say(1, 1, clock_s=0.01, asks=1)
+    both.answer(0, 3, clock_s=0.03, asks=1)
+    both.answer(1, 1, clock_s=0.01, asks=1)
     assert both.rows.take(0) == (1, True)
     assert both.records["timing"]["clock_s"].tolist() == [0.0, 0.01, 0.0, 0.0]
     both.records["timing"]["asks"] = 0  # it is answered
     assert both.grant(is_new=False) == [1]
-    both.say(1, 9, clock_s=END_S)
+    both.answer(1, 9, clock_s=END_S)
     assert both.rows.take(1) == (3, True)
     assert both.records["timing"]["clock_s"].tolist() == [0.03, END_S, 0.0, 0.0]
     assert both.records["timing"]["asks"].tolist() == [1, 0, 0, 0]
 
 
-def test_what_one_host_says_wrongly_is_asked_again_and_the_other_is_shown() -> None:
+def test_an_invalid_answer_of_one_host_does_not_affect_the_other() -> None:
     both = Both()
     both.grant()
-    both.say(0, 1, clock_s=0.02, speed_hz=1.0)  # which is not its own
-    both.say(1, 1, clock_s=0.01)
+    both.answer(0, 1, clock_s=0.02, speed_hz=1.0)  # which is not its own
+    both.answer(1, 1, clock_s=0.01)
     assert both.rows.take(0) is None
     assert "not its own" in both.rows.error(0)
     assert not both.rows.error(1)
     assert not both.records["timing"]["clock_s"].any()
     both.there[0].set(both.rows.known(0))
-    both.say(0, 1, clock_s=0.02)
+    both.answer(0, 1, clock_s=0.02)
     assert both.rows.take(0) == (1, True)
     assert both.records["timing"]["clock_s"].tolist() == [0.02, 0.01, 0.0, 0.0]
 
@@ -90,9 +90,7 @@ def test_what_one_host_says_wrongly_is_asked_again_and_the_other_is_shown() -> N
 @pytest.mark.parametrize(
     ("fields", "runs"), [({"alive": False}, []), ({"clock_s": END_S}, []), ({"due_s": 0.01}, [])]
 )
-def test_hosts_with_nothing_to_run_are_granted_nothing(
-    fields: dict[str, float], runs: list[int]
-) -> None:
+def test_idle_hosts_receive_no_grants(fields: dict[str, float], runs: list[int]) -> None:
     both = Both()
     for name, value in fields.items():
         both.records["timing"][name] = value
@@ -100,55 +98,55 @@ def test_hosts_with_nothing_to_run_are_granted_nothing(
     assert both.rows.take(7) == (7, False)
 
 
-def test_a_host_that_has_left_is_granted_nothing() -> None:
+def test_a_removed_host_receives_no_grants() -> None:
     both = Both()
     both.rows.remove(0)
     assert both.grant() == [1]
 
 
-def test_grants_are_numbered_for_each_host_and_say_the_end_of_the_cycle() -> None:
+def test_grants_have_a_number_per_host_and_the_end_of_the_cycle() -> None:
     both = Both()
     for number in (1, 2, 3):
         assert both.grant() == [0, 1]
         assert both.said == dict.fromkeys([0, 1], (number, END_S, True))
         assert [both.rows.last_grant(host) for host in both.numbers] == [number, number]
-        both.say(0, 1)
-        both.say(1, 1)
+        both.answer(0, 1)
+        both.answer(1, 1)
         assert both.rows.take(0) == (1, True)
 
 
 @pytest.mark.parametrize(
     ("number", "rounds"), [(0, 1), (1, 1), (3, 1), (2**63, 1), (2, 2**24 + 1), (2, 2**32 - 1)]
 )
-def test_an_answer_to_another_grant_or_with_too_many_rounds_is_not_taken(
+def test_an_answer_to_a_different_grant_or_with_too_many_rounds_is_rejected(
     number: int, rounds: int
 ) -> None:
     both = Both()
     for _ in range(2):
         both.grant()
-        both.say(1, 1)
-    both.say(0, rounds, number, clock_s=0.02)
+        both.answer(1, 1)
+    both.answer(0, rounds, number, clock_s=0.02)
     assert both.rows.take(0) is None
     assert "different grant" in both.rows.error(0)
     assert not both.rows.error(1)
     both.there[0].set(both.rows.known(0))
-    both.say(0, 2**24, clock_s=0.02)
+    both.answer(0, 2**24, clock_s=0.02)
     assert both.rows.take(0) == (2**24, True)
     assert both.records["timing"]["clock_s"].tolist() == [0.02, 0.0, 0.0, 0.0]
 
 
 @pytest.mark.parametrize("size", [0, 11, RAN.size + 7, RAN.size + 8 * 2 * 57 + 8])
-def test_answers_of_a_wrong_size_are_refused(size: int) -> None:
+def test_answers_of_a_wrong_size_are_rejected(size: int) -> None:
     both = Both()
     both.grant()
     with pytest.raises(ValueError, match="changes"):
         both.rows.put(0, bytes(size))
 
 
-def test_a_world_with_too_many_robots_is_refused_before_any_host_has_come() -> None:
+def test_a_world_with_too_many_robots_is_rejected_before_any_host_connects() -> None:
     text = '<world version="1"><area length="2m" width="2m"/><robot id="r" x="1m" y="1m"/></world>'
     [robot] = parse_world(text.encode(), "one.xml").robots
     with pytest.raises(WorldError, match=f"{ROWS} at most can have programs on hosts"):
-        Roster([robot] * (ROWS + 1))
+        HostRegistry([robot] * (ROWS + 1))
     with pytest.raises(ValueError, match="at most"):
         SharedRows(ROWS + 1)

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Self
 
-from crs_cc.net.vendor.exchange import Exchange, Posted, posted
+from crs_cc.net.vendor.exchange import Exchange, Request, make_request
 
 NUM_MASK: Final = 44
 _END: Final = 255
@@ -57,18 +57,18 @@ class Mask:
         return self.content[0]
 
 
-def firing_order(name: str, value: int, order: Sequence[int]) -> Posted:
+def firing_order(name: str, value: int, order: Sequence[int]) -> Request:
     """Return a request that sets the order of sensors, which ends before the first 255."""
     sensors = [each & 255 for each in order[:_SENSORS]]
     end = sensors.index(_END) if _END in sensors else len(sensors)
-    return posted(name, value, data=bytes(sensors[:end]))
+    return make_request(name, value, data=bytes(sensors[:end]))
 
 
-def talk(text: bytes) -> Exchange[None]:
+def speak(text: bytes) -> Exchange[None]:
     """Print a text up to its null character as output of the robot's program, on one line.
 
     Control characters are replaced, as a client outside is not to rule the user's terminal.
     """
     text = text.partition(b"\0")[0][:247].translate(_HARMLESS)
-    yield posted("TK", data=text)
-    yield posted("WRITE", 1, data=text + b"\n")
+    yield make_request("TK", data=text)
+    yield make_request("WRITE", 1, data=text + b"\n")

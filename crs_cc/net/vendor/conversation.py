@@ -1,7 +1,7 @@
 """A conversation with one client over any transport: a reply to each packet, in order.
 
-A client that sends more before it has its answer waits; one that does not read its answers gets no
-more; one that goes leaves its robot to the next.
+Packets that a client sends before it has an answer are queued. Nothing is sent to a client that
+does not read its answers. The robot of a disconnected client is free for the next one.
 """
 
 from __future__ import annotations
@@ -29,22 +29,22 @@ if TYPE_CHECKING:
     from crs_cc.net.vendor.exchange import Exchange
     from crs_cc.net.vendor.switchboard import Switchboard
 
-MAX_WAITING: Final = 64
-"""Packets of a client that may wait for their answers; chosen by us."""
+MAX_QUEUED: Final = 64
+"""Limit of the queued packets of a client. Chosen by us."""
 
-TRY_S: Final = 0.02
-TRIES: Final = 50
-"""How often, and in what intervals, a client's request for a robot is tried; chosen by us."""
+RETRY_S: Final = 0.02
+MAX_TRIES: Final = 50
+"""Interval [s] and number of attempts to assign a robot to a client. Chosen by us."""
 
-SILENCE_S: Final = 1.0
-"""After what silence a packet on a line is given up: as long as the client waits for a byte
-(vendor source `Ndirect.c` 2.7)."""
+PACKET_TIMEOUT_S: Final = 1.0
+"""Time without data after which an incomplete packet on a serial line is discarded [s]: as long as
+the client waits for a byte (vendor source `Ndirect.c` 2.7)."""
 
 _REFUSED: Final = Packet(82, (0,))
 
 
-class Wire(Protocol):
-    """What a conversation needs of the client's connection."""
+class ClientConnection(Protocol):
+    """The interface of a client's connection."""
 
     def send(self, content: bytes) -> None:
         """Send bytes to the client."""
@@ -52,47 +52,49 @@ class Wire(Protocol):
     def pause(self, *, paused: bool) -> None:
         """Pause or resume reading from the client."""
 
-    def is_foreign(self) -> bool:
+    def is_of_another_user(self) -> bool:
         """Return whether the client is another user of this machine."""
 
     def close(self) -> None:
-        """End the connection when all has been sent."""
+        """Close the connection when all data has been sent."""
 
 
 class Conversation:
-    """What both protocols have in common: one packet is answered at a time.
+    """The base of both protocols: one packet is answered at a time.
 
     Attributes:
         robot: the robot's number; None until the client has one.
     """
 
-    def __init__(self, board: Switchboard, wire: Wire, loop: asyncio.AbstractEventLoop) -> None:
+    def __init__(
+        self, board: Switchboard, connection: ClientConnection, loop: asyncio.AbstractEventLoop
+    ) -> None:
         self.robot: int | None = None
         self.delay_s: Callable[[float], float] = lambda _at_s: 0.0
-        self._board, self._wire, self._loop = board, wire, loop
+        self._board, self._connection, self._loop = board, connection, loop
         self._packets: deque[Any] = deque()
-        self._is_busy = self._is_full = self._has_gone = False
+        self._is_busy = self._is_full = self._is_disconnected = False
 
     def add(self, packets: list[Any]) -> None:
-        """Answer packets, each after those before it."""
+        """Answer packets in order."""
         self._packets += packets
-        self._go_on()
+        self._process()
 
-    def hold(self, *, is_full: bool) -> None:
-        """Send no answers while the client does not read them."""
+    def throttle(self, *, is_full: bool) -> None:
+        """Stop sending answers while the client does not read them."""
         self._is_full = is_full
-        self._go_on()
+        self._process()
 
-    def _go_on(self) -> None:
-        while self._packets and not (self._is_busy or self._is_full or self._has_gone):
-            self._begin(self._packets.popleft())
-        self._wire.pause(paused=len(self._packets) > MAX_WAITING)
+    def _process(self) -> None:
+        while self._packets and not (self._is_busy or self._is_full or self._is_disconnected):
+            self._handle(self._packets.popleft())
+        self._connection.pause(paused=len(self._packets) > MAX_QUEUED)
 
-    def _begin(self, packet: Any) -> None:
+    def _handle(self, packet: Any) -> None:
         raise NotImplementedError
 
     def _ask(self, exchange: Exchange[Any], then: Callable[[Any], None]) -> None:
-        """Have an exchange with the robot, and do something with the result at its time."""
+        """Start an exchange with the robot; call a function with the result when it is due."""
         assert self.robot is not None
         self._is_busy = True
 
@@ -104,15 +106,15 @@ class Conversation:
 
         def finish(value: Any) -> None:
             self._is_busy = False
-            if not self._has_gone:
+            if not self._is_disconnected:
                 then(value)
-                self._go_on()
+                self._process()
 
         self._board.ask(self.robot, exchange, done)
 
-    def gone(self) -> None:
-        """Leave the robot: the client has gone."""
-        self._has_gone = True
+    def disconnect(self) -> None:
+        """Release the robot of a client that has disconnected."""
+        self._is_disconnected = True
         self._packets.clear()
         if self.robot is not None:
             self._board.release(self.robot)
@@ -123,48 +125,52 @@ class NserverConversation(Conversation):
     """A conversation with a program that is linked with Nclient."""
 
     def __init__(
-        self, board: Switchboard, wire: Wire, loop: asyncio.AbstractEventLoop, port: int
+        self,
+        board: Switchboard,
+        connection: ClientConnection,
+        loop: asyncio.AbstractEventLoop,
+        port: int,
     ) -> None:
-        super().__init__(board, wire, loop)
+        super().__init__(board, connection, loop)
         self._reader = PacketReader()
         self._client = NserverClient(port)
 
     def receive(self, content: bytes) -> None:
-        """Answer what has come; close the connection if it is no packet."""
+        """Answer received packets; close the connection if the data is invalid."""
         try:
             self.add(self._reader.add(content))
         except BadPacketError:
-            self._wire.close()
+            self._connection.close()
 
-    def _begin(self, packet: Packet) -> None:
+    def _handle(self, packet: Packet) -> None:
         if self.robot is None:
             if packet.type in (CONNECT, CREATE):
-                self._take(packet, TRIES)
+                self._reserve(packet, MAX_TRIES)
             else:
                 self._send(refusal())
         elif packet.type == DISCONNECT:
-            self.gone()
-            self._wire.close()
+            self.disconnect()
+            self._connection.close()
         else:
             self._ask(self._client.answer(packet), self._answered)
 
-    def _take(self, packet: Packet, tries: int) -> None:
-        """Take a robot, and answer the packet that asks for it.
+    def _reserve(self, packet: Packet, tries: int) -> None:
+        """Reserve a robot, and answer the packet that requests it.
 
-        Whoever had the robot before may just be leaving it, or it still does what he has asked for.
+        Its last client may just be disconnecting, or one of its requests may still be executed.
         """
-        if self._has_gone:
+        if self._is_disconnected:
             return
-        self.robot = self._board.take(packet.elements[0])
-        self._is_busy = self.robot is None and (tries > 0 or self._board.is_one_left)
+        self.robot = self._board.reserve(packet.elements[0])
+        self._is_busy = self.robot is None and (tries > 0 or self._board.has_leaving_client)
         if self._is_busy:
-            self._loop.call_later(TRY_S, self._take, packet, tries - 1)
+            self._loop.call_later(RETRY_S, self._reserve, packet, tries - 1)
         elif self.robot is None:
             self._send(_REFUSED)
-            self._go_on()
-        elif self._wire.is_foreign():
-            self.gone()
-            self._wire.close()
+            self._process()
+        elif self._connection.is_of_another_user():
+            self.disconnect()
+            self._connection.close()
         else:
             self._ask(self._client.answer(packet), self._answered)
 
@@ -173,11 +179,11 @@ class NserverConversation(Conversation):
         if self._client.has_quit and self.robot is not None:
             self._board.release(self.robot, connected=False, ends=True)
             self.robot = None
-            self._has_gone = True
-            self._wire.close()
+            self._is_disconnected = True
+            self._connection.close()
 
     def _send(self, reply: Packet) -> None:
-        self._wire.send(encode(reply, is_wide=self._reader.is_wide))
+        self._connection.send(encode(reply, is_wide=self._reader.is_wide))
 
 
 class LineConversation(Conversation):
@@ -186,7 +192,7 @@ class LineConversation(Conversation):
     def __init__(
         self,
         board: Switchboard,
-        wire: Wire,
+        connection: ClientConnection,
         loop: asyncio.AbstractEventLoop,
         robot: int,
         *,
@@ -195,30 +201,30 @@ class LineConversation(Conversation):
         """Open the line.
 
         Args:
-            board: joins it with the robot's relay.
-            wire: the client's connection.
-            loop: the loop that serves it.
-            robot: the robot, which has been taken.
-            greets: whether the robot speaks first, as over TCP.
+            board: connects it to the robot's relay.
+            connection: the client's connection.
+            loop: the event loop that serves it.
+            robot: the robot, which has been reserved.
+            greets: whether the robot sends the first packet, as over TCP.
         """
-        super().__init__(board, wire, loop)
+        super().__init__(board, connection, loop)
         self.robot = robot
         self._reader = LineReader()
         self._line = LineRobot()
         self._greets = greets
-        self._silence: asyncio.TimerHandle | None = None
+        self._timeout: asyncio.TimerHandle | None = None
         self._ask(self._line.open(), self._opened)
 
     def receive(self, content: bytes) -> None:
         """Answer the received packets; invalid or incomplete ones are skipped."""
-        if self._silence is not None:
-            self._silence.cancel()
-        self._silence = self._loop.call_later(SILENCE_S, self._reader.forget)
+        if self._timeout is not None:
+            self._timeout.cancel()
+        self._timeout = self._loop.call_later(PACKET_TIMEOUT_S, self._reader.forget)
         self.add(self._reader.add(content))
 
     def _opened(self, _value: object) -> None:
         if self._greets:
-            self._wire.send(self._line.greeting())
+            self._connection.send(self._line.greeting())
 
-    def _begin(self, packet: LinePacket) -> None:
-        self._ask(self._line.answer(packet), self._wire.send)
+    def _handle(self, packet: LinePacket) -> None:
+        self._ask(self._line.answer(packet), self._connection.send)

@@ -1,12 +1,12 @@
 """Exchanges with a robot: the requests of a relay and their replies, as bytes and as numbers.
 
-An exchange is a generator that yields requests, receives their replies, and returns what they come
-to. It knows nothing of time or of connections.
+An exchange is a generator that yields requests, receives their replies, and returns their combined
+result. It does not depend on time or on connections.
 
 >>> asked = read_laser(3, width=2)
 >>> next(asked).code == CODES["LASER_PAGE"]
 True
->>> reply = posted("LASER_PAGE", 2, data=np.array([10, -1, 20, -2, 30, -3], "<i4").tobytes())
+>>> reply = make_request("LASER_PAGE", 2, data=np.array([10, -1, 20, -2, 30, -3], "<i4").tobytes())
 >>> reply.message["result"] = 3
 >>> try:
 ...     asked.send(reply.message)
@@ -35,7 +35,7 @@ _RECORD: Final = 9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Posted:
+class Request:
     """A request to the robot.
 
     Attributes:
@@ -59,11 +59,11 @@ class AskUser:
 
 
 T = TypeVar("T")
-Exchange: TypeAlias = Generator[Posted | AskUser, Any, T]
-"""Yields requests, and receives each one's reply, of dtype `MESSAGE`."""
+Exchange: TypeAlias = Generator[Request | AskUser, Any, T]
+"""Yields requests, and receives the reply to each, of dtype `MESSAGE`."""
 
 
-def posted(name: str, *numbers: int, data: bytes = b"") -> Posted:
+def make_request(name: str, *numbers: int, data: bytes = b"") -> Request:
     """Return a request by its name, with integers that are clamped to 32 bits and data."""
     message = np.zeros(1, MESSAGE)[0]
     for place, number in enumerate(numbers):
@@ -71,11 +71,11 @@ def posted(name: str, *numbers: int, data: bytes = b"") -> Posted:
     data = data[:DATA_SIZE]
     message["size"] = len(data)
     message["data"][: len(data)] = np.frombuffer(data, np.uint8)
-    return Posted(CODES[name], message)
+    return Request(CODES[name], message)
 
 
 class ReplyReader:
-    """Puts the pieces together that a relay writes."""
+    """Assembles replies from the data that a relay writes."""
 
     def __init__(self) -> None:
         self._content = bytearray()
@@ -110,7 +110,7 @@ def read_laser(count: int, width: int, *, is_predicted: bool = False) -> Exchang
     found: list[int] = []
     reading = 0
     while reading < count:
-        page = yield posted("LASER_PAGE", reading, int(is_predicted))
+        page = yield make_request("LASER_PAGE", reading, int(is_predicted))
         size, wide = int(page["result"]), int(page["i"][0])
         if size <= 0:
             break
@@ -121,10 +121,10 @@ def read_laser(count: int, width: int, *, is_predicted: bool = False) -> Exchang
 
 
 def read_positions(kind: int, count: int) -> Exchange[list[Sequence[int]]]:
-    """Return the positions that the last reply carried of one kind of sensor, zeros for none."""
+    """Return the positions in the last reply of one kind of sensor, or zeros if there are none."""
     found: list[Sequence[int]] = []
     while len(found) < count:
-        page = yield posted("POS_DATA", kind, len(found))
+        page = yield make_request("POS_DATA", kind, len(found))
         size = int(page["result"])
         if size <= 0:
             break
@@ -139,7 +139,7 @@ def read_poses() -> Exchange[list[int]]:
     poses: list[int] = []
     robots = math.inf
     while len(poses) < 3 * robots:
-        page = yield posted("GET_RPX", len(poses) // 3)
+        page = yield make_request("GET_RPX", len(poses) // 3)
         robots = int(page["result"])
         if robots <= 0 or not int(page["size"]):
             break

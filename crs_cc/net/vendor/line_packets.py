@@ -24,8 +24,8 @@ _BEGIN, _END = 1, 92
 _AROUND: Final = 4
 """Bytes of a packet that its length does not count."""
 
-_SHORTEST: Final = 2
-_LONGEST: Final = 255
+_MIN_BYTES: Final = 2
+_MAX_BYTES: Final = 255
 """The sums of longer packets are wrong: the client counts their length with one byte."""
 
 
@@ -52,16 +52,16 @@ class LineReader:
         """Add bytes; return the packets that they complete."""
         self._content += content
         found = []
-        while (packet := self._take()) is not None:
+        while (packet := self._next_packet()) is not None:
             found.append(packet)
         return found
 
     def forget(self) -> None:
-        """Forget the beginning of a packet whose rest does not come."""
+        """Discard an incomplete packet."""
         self.bad += len(self._content)
         self._content.clear()
 
-    def _take(self) -> LinePacket | None:
+    def _next_packet(self) -> LinePacket | None:
         while self._content:
             size = self._size()
             if size is None or size > len(self._content):
@@ -81,12 +81,12 @@ class LineReader:
         if len(self._content) < 3:
             return None
         length = self._content[1] | self._content[2] << 8
-        return length + _AROUND if _SHORTEST <= length <= _LONGEST else 0
+        return length + _AROUND if _MIN_BYTES <= length <= _MAX_BYTES else 0
 
 
 def encode(kind: int, data: bytes = b"") -> bytes:
     """Return a packet as bytes."""
-    length = len(data) + _SHORTEST
+    length = len(data) + _MIN_BYTES
     body = bytes((_BEGIN, length & 255, length >> 8, kind)) + data
     return body + bytes((sum(body) & 255, _END))
 

@@ -15,12 +15,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, Final, TypeAlias
 
-from crs_cc.net.vendor.configuration import Mask, firing_order, talk
+from crs_cc.net.vendor.configuration import Mask, firing_order, speak
 from crs_cc.net.vendor.exchange import (
     Exchange,
-    Posted,
+    Request,
+    make_request,
     numbers_in,
-    posted,
     read_laser,
     read_positions,
 )
@@ -48,40 +48,40 @@ _TURNING: Final = 2
 _WRAP: Final = 3600  # tenths of a degree
 
 Data: TypeAlias = bytes
-Command: TypeAlias = tuple[int, Callable[[Data], Posted]]
-"""How many bytes of data a command has, and what it asks the robot for."""
+Command: TypeAlias = tuple[int, Callable[[Data], Request]]
+"""The size of the data of a command, and the request that it makes."""
 
 
-def _magnitudes(name: str) -> Callable[[Data], Posted]:
-    return lambda data: posted(name, *(data[at] | data[at + 1] << 8 for at in (0, 2, 4)))
+def _magnitudes(name: str) -> Callable[[Data], Request]:
+    return lambda data: make_request(name, *(data[at] | data[at + 1] << 8 for at in (0, 2, 4)))
 
 
-def _signed(name: str) -> Callable[[Data], Posted]:
-    return lambda data: posted(name, *_numbers(data))
+def _signed(name: str) -> Callable[[Data], Request]:
+    return lambda data: make_request(name, *_numbers(data))
 
 
 def _numbers(data: Data) -> list[int]:
     return [number(data[at : at + 2]) for at in range(0, len(data), 2)]
 
 
-def _bytes(name: str) -> Callable[[Data], Posted]:
-    return lambda data: posted(name, *data)
+def _bytes(name: str) -> Callable[[Data], Request]:
+    return lambda data: make_request(name, *data)
 
 
-def _mv(data: Data) -> Posted:
+def _mv(data: Data) -> Request:
     """Move each axis in a mode of its own; ignore the modes that no robot knows."""
     found = _numbers(data)
-    return posted("MV", *(0 if place % 2 == 0 and not 0 <= each <= 5 else each
+    return make_request("MV", *(0 if place % 2 == 0 and not 0 <= each <= 5 else each
                           for place, each in enumerate(found)))  # fmt: skip
 
 
-def _ws(data: Data) -> Posted:
-    return posted("WS", *(int(each != 0) for each in data[:3]), data[3])
+def _ws(data: Data) -> Request:
+    return make_request("WS", *(int(each != 0) for each in data[:3]), data[3])
 
 
-def _conf_ls(data: Data) -> Posted:
+def _conf_ls(data: Data) -> Request:
     mode = 51 if data[0] == _PROCESSED else data[0]
-    return posted("CONF_LS", mode, data[1], data[2], data[3] | data[4] << 8, data[5])
+    return make_request("CONF_LS", mode, data[1], data[2], data[3] | data[4] << 8, data[5])
 
 
 _COMMANDS: Final[dict[int, Command]] = {
@@ -108,7 +108,7 @@ _COMMANDS_OF_NOMAD_200: Final[dict[int, Command]] = {
     28: (3, _bytes("CONF_SG")),
 }
 _COMMANDS_OF_OTHERS: Final[dict[int, Command]] = {
-    35: (3, lambda data: posted("CONF_SER", data[0], data[1] | data[2] << 8)),
+    35: (3, lambda data: make_request("CONF_SER", data[0], data[1] | data[2] << 8)),
 }
 
 
@@ -126,7 +126,7 @@ class LineRobot:
 
     def open(self) -> Exchange[bool]:
         """Connect to the robot; return whether it could be."""
-        reply = yield posted("CONNECT", 1, 0)
+        reply = yield make_request("CONNECT", 1, 0)
         self.model = int(reply["i"][0])
         self._mask = Mask() if self.model == NOMAD_200 else _FIXED
         return bool(reply["result"])
@@ -173,7 +173,7 @@ class LineRobot:
 
     # -- State -----------------------------------------------------------------------------------
 
-    def _state(self, kind: int, request: Posted) -> Exchange[bytes]:
+    def _state(self, kind: int, request: Request) -> Exchange[bytes]:
         """Post a request, and reply with the part of State that the mask selects."""
         reply = yield request
         if not reply["result"]:
@@ -223,20 +223,20 @@ class LineRobot:
     # -- groups ----------------------------------------------------------------------------------
 
     def _get_ir(self, _data: Data) -> Exchange[bytes]:
-        reply = yield posted("GET_IR")
+        reply = yield make_request("GET_IR")
         return (yield from self._sensors(19, reply, _nibbles(_part(reply, 1, 16)), INFRARED, 1))
 
     def _get_sn(self, _data: Data) -> Exchange[bytes]:
-        reply = yield posted("GET_SN")
+        reply = yield make_request("GET_SN")
         return (yield from self._sensors(20, reply, _bytes_of(_part(reply, 17, 32)), SONAR, 17))
 
     def _get_cp(self, _data: Data) -> Exchange[bytes]:
-        reply = yield posted("GET_CP")
+        reply = yield make_request("GET_CP")
         data = b"".join(map(u16, _part(reply, _COMPASS, _COMPASS)))
         return (yield from self._sensors(24, reply, data, COMPASS, _COMPASS))
 
     def _get_bp(self, _data: Data) -> Exchange[bytes]:
-        reply = yield posted("GET_BP")
+        reply = yield make_request("GET_BP")
         data = b"".join(map(self._bumper, _part(reply, _BUMPER, _BUMPER)))
         return (yield from self._sensors(27, reply, data, BUMPER, _BUMPER))
 
@@ -249,26 +249,26 @@ class LineRobot:
         return encode(kind, data + blocks + _time(reply))
 
     def _get_rc(self, _data: Data) -> Exchange[bytes]:
-        reply = yield posted("GET_RC")
+        reply = yield make_request("GET_RC")
         return _numbers_reply(21, reply, _part(reply, _X, _SPEEDS - 1))
 
     def _get_rv(self, _data: Data) -> Exchange[bytes]:
-        reply = yield posted("GET_RV")
+        reply = yield make_request("GET_RV")
         return _numbers_reply(22, reply, _part(reply, _SPEEDS, _MOTORS - 1))
 
     def _get_ra(self, _data: Data) -> Exchange[bytes]:
-        reply = yield posted("GET_RA")
+        reply = yield make_request("GET_RA")
         return _numbers_reply(23, reply, reply["i"][3:6].tolist())
 
     def _get_ls(self, _data: Data) -> Exchange[bytes]:
         """Reply with no points, see `_laser`; the client reads the list twice."""
-        reply = yield posted("GET_LS")
+        reply = yield make_request("GET_LS")
         blocks = yield from self._blocks(LASER, _LASER, is_whole=True)
         once = u16(0) + blocks + _time(reply)
         return encode(25, once + once) if reply["result"] else _NAK
 
     def _get_sg(self, _data: Data) -> Exchange[bytes]:
-        reply = yield posted("GET_SG")
+        reply = yield make_request("GET_SG")
         if not reply["result"]:
             return _NAK
         data = yield from self._laser(int(reply["i"][0]), has_segments=True)
@@ -281,36 +281,36 @@ class LineRobot:
         if len(data) != 7:
             return _NAK
         self._mask = Mask.of_ndirect(data)
-        return (yield from self._state(6, posted("CT", data=self._mask.content)))
+        return (yield from self._state(6, make_request("CT", data=self._mask.content)))
 
     def _pa(self, data: Data) -> Exchange[bytes]:
         """Turn steering and turret to angles; the distance since its start is not known."""
         if len(data) != 6:
             return _NAK
-        reply = yield posted("GET_RC")
+        reply = yield make_request("GET_RC")
         if not reply["result"]:
             return _NAK
         now = _part(reply, _X + 2, _X + 3)
         _, *wanted = _numbers(data)
         ways = [_way(to, at) for to, at in zip(wanted, now, strict=True)]
-        request = posted("MV", 0, 0, _TURNING, ways[0], _TURNING, ways[1])
+        request = make_request("MV", 0, 0, _TURNING, ways[0], _TURNING, ways[1])
         return (yield from self._state(4, request))
 
     def _tk(self, data: Data) -> Exchange[bytes]:
-        yield from talk(data)
-        return (yield from self._state(11, posted("GS")))
+        yield from speak(data)
+        return (yield from self._state(11, make_request("GS")))
 
 
 def _conf_cp(data: Data) -> Exchange[bytes]:
     """Configure the compass; the score of its calibration is perfect."""
     if len(data) != 1:
         return _NAK
-    reply = yield posted("CONF_CP", *data)
+    reply = yield make_request("CONF_CP", *data)
     return encode(_CP, bytes(3)) if reply["result"] else _NAK
 
 
 def _special(data: Data) -> Exchange[bytes]:
-    reply = yield posted("SPECIAL", len(data), data=data)
+    reply = yield make_request("SPECIAL", len(data), data=data)
     answer = reply["data"][: int(reply["size"])].tobytes()
     return encode(128, u16(len(answer) + 2) + answer) if reply["result"] else _NAK
 

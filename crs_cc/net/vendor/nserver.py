@@ -17,12 +17,12 @@ from functools import partial
 from typing import Any, Final, TypeAlias
 
 from crs_cc.net.vendor import nserver_world as world
-from crs_cc.net.vendor.configuration import Mask, firing_order, talk
+from crs_cc.net.vendor.configuration import Mask, firing_order, speak
 from crs_cc.net.vendor.exchange import (
     Exchange,
-    Posted,
+    Request,
+    make_request,
     numbers_in,
-    posted,
     read_laser,
     read_positions,
 )
@@ -57,34 +57,34 @@ _GROUPS: Final[dict[int, tuple[str, int, int, int, int]]] = {
 """Requests for a part of State: name, type of the reply, first and last element, sensors."""
 
 Elements: TypeAlias = Sequence[int]
-Command: TypeAlias = tuple[int, Callable[[Elements], Posted | None]]
-"""How many elements a command has, and what it asks the robot for; None if it refuses them."""
+Command: TypeAlias = tuple[int, Callable[[Elements], Request | None]]
+"""The number of elements of a command, and the request that it makes; None if it rejects them."""
 
 
-def _sizes(name: str) -> Callable[[Elements], Posted]:
+def _sizes(name: str) -> Callable[[Elements], Request]:
     """Return a command whose numbers lose their signs, as in the robot's own protocol."""
-    return lambda elements: posted(name, *map(abs, elements))
+    return lambda elements: make_request(name, *map(abs, elements))
 
 
-def _as_they_are(name: str) -> Callable[[Elements], Posted]:
-    return lambda elements: posted(name, *elements)
+def _as_they_are(name: str) -> Callable[[Elements], Request]:
+    return lambda elements: make_request(name, *elements)
 
 
-def _bytes(name: str) -> Callable[[Elements], Posted]:
-    return lambda elements: posted(name, *(each & 255 for each in elements))
+def _bytes(name: str) -> Callable[[Elements], Request]:
+    return lambda elements: make_request(name, *(each & 255 for each in elements))
 
 
-def _mv(elements: Elements) -> Posted | None:
-    return posted("MV", *elements) if all(0 <= each <= 5 for each in elements[::2]) else None
+def _mv(elements: Elements) -> Request | None:
+    return make_request("MV", *elements) if all(0 <= each <= 5 for each in elements[::2]) else None
 
 
-def _ws(elements: Elements) -> Posted:
-    return posted("WS", *(int(each != 0) for each in elements[:3]), elements[3] & 255)
+def _ws(elements: Elements) -> Request:
+    return make_request("WS", *(int(each != 0) for each in elements[:3]), elements[3] & 255)
 
 
-def _conf_ls(elements: Elements) -> Posted:
+def _conf_ls(elements: Elements) -> Request:
     mode, threshold, width, points, averaged = elements
-    return posted(
+    return make_request(
         "CONF_LS", mode & 255, threshold & 255, width & 255, points & 0xFFFF, averaged & 255
     )
 
@@ -159,21 +159,21 @@ class NserverClient:
     # -- the connection --------------------------------------------------------------------------
 
     def _connect(self, name: str, elements: Elements) -> Exchange[Packet]:
-        yield posted(name, *elements[:1], 0)
+        yield make_request(name, *elements[:1], 0)
         return Packet(_REPLY, (self._port,))
 
     def _disconnect(self, elements: Elements) -> Exchange[None]:
-        yield posted("DISCONNECT", *elements[:1])
+        yield make_request("DISCONNECT", *elements[:1])
 
     def _quit(self, _elements: Elements) -> Exchange[Packet]:
-        yield posted("QUIT_SERVER")
+        yield make_request("QUIT_SERVER")
         self.has_quit = True
         return Packet(_REPLY)
 
     # -- State -----------------------------------------------------------------------------------
 
     def _command(
-        self, count: int, ask: Callable[[Elements], Posted | None], packet: Packet
+        self, count: int, ask: Callable[[Elements], Request | None], packet: Packet
     ) -> Exchange[Packet]:
         request = ask(packet.elements) if len(packet.elements) == count else None
         if request is None:
@@ -186,9 +186,9 @@ class NserverClient:
         if len(elements) != 7:
             return refusal()
         self._mask = Mask.of_nclient(elements)
-        return (yield from self._ask_state(posted("CT", data=self._mask.content)))
+        return (yield from self._ask_state(make_request("CT", data=self._mask.content)))
 
-    def _ask_state(self, request: Posted) -> Exchange[Packet]:
+    def _ask_state(self, request: Request) -> Exchange[Packet]:
         """Post a request, and reply with all of State, the laser's readings and positions."""
         reply = yield request
         if not reply["result"]:
@@ -234,7 +234,7 @@ class NserverClient:
     # -- groups ----------------------------------------------------------------------------------
 
     def _group(self, name: str, kind: int, first: int, last: int, sensor: int) -> Exchange[Packet]:
-        reply = yield posted(name)
+        reply = yield make_request(name)
         if not reply["result"]:
             return refusal()
         values = numbers_in(reply)[first : last + 1]
@@ -244,7 +244,7 @@ class NserverClient:
         return Packet(kind, (*values, *positions, int(reply["f"][0])))
 
     def _get_ra(self, _elements: Elements) -> Exchange[Packet]:
-        reply = yield posted("GET_RA")
+        reply = yield make_request("GET_RA")
         return Packet(90, tuple(reply["i"][3:6].tolist())) if reply["result"] else refusal()
 
     def _get_ls(self, _elements: Elements) -> Exchange[Packet]:
@@ -253,11 +253,11 @@ class NserverClient:
         return (yield from self._scan("GET_LS"))
 
     def _get_sg(self, _elements: Elements) -> Exchange[Packet]:
-        self._laser_mode = _SEGMENTS  # and keeps it: what restores it is never reached
+        self._laser_mode = _SEGMENTS  # permanently: the code that restores it is never reached
         return (yield from self._scan("GET_SG"))
 
     def _scan(self, name: str) -> Exchange[Packet]:
-        reply = yield posted(name)
+        reply = yield make_request(name)
         if not reply["result"]:
             return refusal()
         count, board_ms = int(reply["i"][0]), int(reply["f"][0])
@@ -270,12 +270,12 @@ class NserverClient:
     def _tk(self, elements: Elements) -> Exchange[Packet]:
         # The client packs the characters in its own order, and then swaps each four of them.
         text = b"".join((each & 0xFFFFFFFF).to_bytes(4, "little") for each in elements[:64])
-        yield from talk(text)
+        yield from speak(text)
         return Packet(_REPLY)
 
     def _special(self, elements: Elements) -> Exchange[Packet]:
         content = bytes(each & 255 for each in elements)
-        reply = yield posted("SPECIAL", len(content), data=content)
+        reply = yield make_request("SPECIAL", len(content), data=content)
         answer: Any = reply["data"][: int(reply["size"])]
         return Packet(_REPLY, tuple(answer.tolist())) if reply["result"] else refusal()
 

@@ -64,12 +64,12 @@ class PacketReader:
         """
         self._content += content
         found = []
-        while (packet := self._take()) is not None:
+        while (packet := self._next_packet()) is not None:
             found.append(packet)
         return found
 
-    def _take(self) -> Packet | None:
-        """Take a packet from what has come; None if it is not complete."""
+    def _next_packet(self) -> Packet | None:
+        """Remove a packet from the received data, and return it; None if it is incomplete."""
         if len(self._content) < _HEADER.size:
             return None
         kind, count = _HEADER.unpack_from(self._content)
@@ -88,7 +88,7 @@ class PacketReader:
         return Packet(kind, elements)
 
     def _opens(self, kind: int, count: int) -> bool:
-        """Return whether enough has come to know how the client counts."""
+        """Return whether enough data has arrived to know the size of the client's integers."""
         if kind not in (CREATE, CONNECT) or count != _OPENING:
             raise BadPacketError("not an opening packet")
         if len(self._content) < _HEADER.size + 4:

@@ -1,6 +1,6 @@
 """The Nserver's replies about world and window: obstacles, poses, drawings, predictions.
 
-The client takes any reply to most of these for a success, and looks at no element of it.
+The client considers any reply to most of these a success, and ignores its elements.
 """
 
 from __future__ import annotations
@@ -9,12 +9,19 @@ import struct
 from collections.abc import Callable, Sequence
 from typing import Final, TypeAlias
 
-from crs_cc.net.vendor.exchange import AskUser, Exchange, Posted, numbers_in, posted, read_poses
+from crs_cc.net.vendor.exchange import (
+    AskUser,
+    Exchange,
+    Request,
+    make_request,
+    numbers_in,
+    read_poses,
+)
 from crs_cc.net.vendor.nserver_packets import Packet
 
 _REPLY: Final = 82
 _ERROR: Final = Packet(91, (1,))
-_MOST_VERTICES: Final = 10
+_MAX_VERTICES: Final = 10
 _STATE: Final = 44
 _READINGS: Final = 33
 """Elements of a predicted State up to the last sonar; the others are 0."""
@@ -39,7 +46,7 @@ def answer(packet: Packet, read_laser: Callable[[int], Exchange[list[int]]]) -> 
     if kind == 52:
         return (yield from _move_obstacle(elements))
     if kind in _REFRESH:
-        yield posted("REFRESH", kind - _REFRESH.start)
+        yield make_request("REFRESH", kind - _REFRESH.start)
         return Packet(_REPLY)
     if kind in _SIMPLE:
         request = _SIMPLE[kind](elements)
@@ -54,39 +61,39 @@ def _unknown(_elements: Elements) -> Exchange[Packet]:
     yield
 
 
-def _plain(name: str, count: int) -> Callable[[Elements], Posted | None]:
-    return lambda elements: posted(name, *elements) if len(elements) == count else None
+def _plain(name: str, count: int) -> Callable[[Elements], Request | None]:
+    return lambda elements: make_request(name, *elements) if len(elements) == count else None
 
 
-def _polygon(name: str) -> Callable[[Elements], Posted | None]:
-    def ask(elements: Elements) -> Posted | None:
+def _polygon(name: str) -> Callable[[Elements], Request | None]:
+    def ask(elements: Elements) -> Request | None:
         return _with_vertices(name, elements, 0)
 
     return ask
 
 
-def _with_vertices(name: str, elements: Elements, others: int) -> Posted | None:
+def _with_vertices(name: str, elements: Elements, others: int) -> Request | None:
     """Return a request with a polygon, which begins the elements; None if it is none."""
     count = elements[0] if elements else -1
-    if not 0 <= count <= _MOST_VERTICES or len(elements) != 1 + 2 * count + others:
+    if not 0 <= count <= _MAX_VERTICES or len(elements) != 1 + 2 * count + others:
         return None
     end = 1 + 2 * count
     data = struct.pack(f"<{2 * count}i", *elements[1:end])
-    return posted(name, count, *elements[end:], data=data)
+    return make_request(name, count, *elements[end:], data=data)
 
 
-def _drawing(shape: int, before: int, between: int) -> Callable[[Elements], Posted | None]:
-    """Return what draws a shape: its numbers, zeros in their place, and the mode."""
+def _drawing(shape: int, before: int, between: int) -> Callable[[Elements], Request | None]:
+    """Return the command that draws a shape: its numbers, zeros in their place, and the mode."""
 
-    def ask(elements: Elements) -> Posted | None:
+    def ask(elements: Elements) -> Request | None:
         if len(elements) != before + 1:
             return None
-        return posted("DRAW", shape, *elements[:-1], *[0] * between, elements[-1])
+        return make_request("DRAW", shape, *elements[:-1], *[0] * between, elements[-1])
 
     return ask
 
 
-_SIMPLE: Final[dict[int, Callable[[Elements], Posted | None]]] = {
+_SIMPLE: Final[dict[int, Callable[[Elements], Request | None]]] = {
     41: _plain("PLACE_ROBOT", 4),
     50: _polygon("ADD_OBSTACLE"),
     51: _polygon("DELETE_OBSTACLE"),
@@ -97,7 +104,7 @@ _SIMPLE: Final[dict[int, Callable[[Elements], Posted | None]]] = {
     71: _plain("REAL_ROBOT", 0),
     74: _plain("SIMULATED_ROBOT", 0),
 }
-"""Requests whose replies the client does not look at; what is wrong with them changes nothing."""
+"""Requests whose replies the client ignores, so that errors have no effect."""
 
 
 def _move_obstacle(elements: Elements) -> Exchange[Packet]:
@@ -117,7 +124,7 @@ def _predict(
     zeros = Packet(92, (0,) * (_STATE + 1))
     if len(elements) != 4:
         return zeros
-    reply = yield posted("PREDICT", *elements)
+    reply = yield make_request("PREDICT", *elements)
     if not reply["result"]:
         return zeros
     state = [*numbers_in(reply)[:_READINGS], *[0] * _STATE][:_STATE]
@@ -140,8 +147,8 @@ def _motion_check(elements: Elements) -> Exchange[Packet]:
     steps = _CUT, _CUT, angular, angular, _CUT, _CUT, _CUT
     path = [number / step for number, step in zip(numbers, steps, strict=True)]
     if kind == 0:
-        path[4:] = 0.0, 0.0, 0.0  # what lay there
-    reply = yield posted("MOTION_CHECK", kind, data=struct.pack("<7d", *path))
+        path[4:] = 0.0, 0.0, 0.0  # the previous contents
+    reply = yield make_request("MOTION_CHECK", kind, data=struct.pack("<7d", *path))
     if not reply["result"]:
         return Packet(401, (0,))
     x, y, normal_rad, _ = reply["f"].tolist()

@@ -1,8 +1,8 @@
 """The sockets of the vendor's clients: TCP and pseudo terminals, served in one thread.
 
-The vendor's protocols have no token: whoever reaches a port drives its robot. So ports are opened
-on the loopback interface, unless the user insists on another, and connections that do not begin
-as a client's are closed soon. Only as many of them are open as there may be clients.
+The vendor's protocols have no token: anyone who can reach a port can drive its robot. So ports are
+opened on the loopback interface by default, and connections that do not begin like a client's are
+soon closed. Their number is limited.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ from crs_cc.net.vendor.conversation import (
 if TYPE_CHECKING:
     from crs_cc.net.vendor.switchboard import Switchboard
 
-MAX_STRANGERS: Final = 32
-"""Connections without a robot that may be open at once; chosen by us."""
+MAX_WITHOUT_ROBOT: Final = 32
+"""Limit of simultaneous connections without a robot. Chosen by us."""
 
-OPENING_S: Final = 10.0
-"""How long a connection may be without a robot; chosen by us."""
+OPENING_TIMEOUT_S: Final = 10.0
+"""Time after which a connection without a robot is closed [s]. Chosen by us."""
 
 _STOP_S: Final = 5.0
 _CHUNK: Final = 4096
@@ -39,7 +39,7 @@ class Server:
     """Serves clients until it is closed.
 
     Attributes:
-        loop: runs in the clients' thread.
+        loop: the event loop, which runs in the clients' thread.
     """
 
     def __init__(
@@ -51,16 +51,16 @@ class Server:
         """Start to serve; no port is open yet.
 
         Args:
-            board: joins clients with robots.
-            delay_s: returns in what real time a reply of some simulated time is due [s].
+            board: connects clients to robots.
+            delay_s: returns the real time after which a reply of a simulated time is due [s].
             host: the interface on which ports are opened.
         """
         self._board = board
         self._delay_s = delay_s
         self._host = host
-        self._wires: set[_TcpWire] = set()
+        self._connections: set[_TcpConnection] = set()
         self.loop = asyncio.new_event_loop()
-        self.loop.set_exception_handler(lambda _loop, _context: None)  # of clients that have gone
+        self.loop.set_exception_handler(lambda _loop, _context: None)  # of disconnected clients
         self._thread = threading.Thread(target=self._run, name="vendor clients", daemon=True)
         self._closers: list[Callable[[], None]] = []
         self._thread.start()
@@ -75,10 +75,10 @@ class Server:
             OSError: the port is in use.
         """
 
-        def talk(wire: _TcpWire) -> Conversation:
-            return NserverConversation(self._board, wire, self.loop, wire.port)
+        def new_conversation(connection: _TcpConnection) -> Conversation:
+            return NserverConversation(self._board, connection, self.loop, connection.port)
 
-        return self._listen(port, talk)
+        return self._listen(port, new_conversation)
 
     def serve_line(self, port: int, robot: int) -> int:
         """Serve one program at a time that is linked with Ndirect, over TCP; return the port.
@@ -91,13 +91,13 @@ class Server:
             OSError: the port is in use.
         """
 
-        def talk(wire: _TcpWire) -> Conversation | None:
-            if wire.is_foreign() or not self._board.take_cabled(robot):
+        def new_conversation(connection: _TcpConnection) -> Conversation | None:
+            if connection.is_of_another_user() or not self._board.reserve_cabled(robot):
                 return None
-            return LineConversation(self._board, wire, self.loop, robot, greets=True)
+            return LineConversation(self._board, connection, self.loop, robot, greets=True)
 
-        self._board.cable(robot)
-        return self._listen(port, talk)
+        self._board.set_cabled(robot)
+        return self._listen(port, new_conversation)
 
     def serve_terminal(self, robot: int) -> str:
         """Serve a program that is linked with Ndirect, on a pseudo terminal; return its name.
@@ -106,16 +106,18 @@ class Server:
             OSError: the system has none.
         """
         terminal, name, close = open_terminal()
-        self._board.cable(robot)
-        self._board.take_cabled(robot)
+        self._board.set_cabled(robot)
+        self._board.reserve_cabled(robot)
         self._closers.append(close)
-        self._do(
-            lambda: _TerminalWire(self.loop, terminal).begin(self._board, robot, self._delay_s)
+        self._run_in_loop(
+            lambda: _TerminalConnection(self.loop, terminal).begin(
+                self._board, robot, self._delay_s
+            )
         )
         return name
 
     def close(self) -> None:
-        """Say good-bye to all clients."""
+        """Disconnect all clients, and stop serving."""
         self.loop.call_soon_threadsafe(self.loop.stop)
         self._thread.join(_STOP_S)
         for close in self._closers:
@@ -124,87 +126,94 @@ class Server:
     def _run(self) -> None:
         asyncio.set_event_loop(self.loop)
         self.loop.run_forever()
-        for wire in list(self._wires):
-            wire.abort()
+        for connection in list(self._connections):
+            connection.abort()
         self.loop.run_until_complete(self.loop.shutdown_asyncgens())
         self.loop.close()
 
-    def _do(self, work: Callable[[], Any]) -> None:
-        """Do something in the clients' thread, and wait for it."""
+    def _run_in_loop(self, work: Callable[[], Any]) -> None:
+        """Call a function in the clients' thread, and wait for it."""
 
         async def job() -> None:
             work()
 
         asyncio.run_coroutine_threadsafe(job(), self.loop).result(_STOP_S)
 
-    def _listen(self, port: int, talk: Callable[[_TcpWire], Conversation | None]) -> int:
-        def wire() -> _TcpWire:
-            return _TcpWire(self.loop, self._wires, talk, self._delay_s)
+    def _listen(
+        self, port: int, new_conversation: Callable[[_TcpConnection], Conversation | None]
+    ) -> int:
+        def connection() -> _TcpConnection:
+            return _TcpConnection(self.loop, self._connections, new_conversation, self._delay_s)
 
-        opening = self.loop.create_server(wire, self._host, port)
+        opening = self.loop.create_server(connection, self._host, port)
         server = asyncio.run_coroutine_threadsafe(opening, self.loop).result(_STOP_S)
         return int(server.sockets[0].getsockname()[1])
 
 
-class _TcpWire(asyncio.Protocol):
+class _TcpConnection(asyncio.Protocol):
     """One connection over TCP."""
 
     def __init__(
         self,
         loop: asyncio.AbstractEventLoop,
-        wires: set[_TcpWire],
-        talk: Callable[[_TcpWire], Conversation | None],
+        connections: set[_TcpConnection],
+        new_conversation: Callable[[_TcpConnection], Conversation | None],
         delay_s: Callable[[float], float],
     ) -> None:
-        self._loop, self._wires, self._talk, self._delay_s = loop, wires, talk, delay_s
+        self._loop, self._connections, self._new_conversation, self._delay_s = (
+            loop,
+            connections,
+            new_conversation,
+            delay_s,
+        )
         self._conversation: Any = None
         self._transport: asyncio.Transport
 
     @property
-    def _is_stranger(self) -> bool:
+    def _has_no_robot(self) -> bool:
         return self._conversation is None or self._conversation.robot is None
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Begin a conversation, unless too many others have not begun theirs."""
+        """Start a conversation, unless too many connections have no robot yet."""
         self._transport = cast("asyncio.Transport", transport)
-        strangers = sum(wire._is_stranger for wire in self._wires)
-        if strangers < MAX_STRANGERS:
-            self._conversation = self._talk(self)
+        waiting = sum(connection._has_no_robot for connection in self._connections)
+        if waiting < MAX_WITHOUT_ROBOT:
+            self._conversation = self._new_conversation(self)
         if self._conversation is None:
             self._transport.abort()
             return
         self._conversation.delay_s = self._delay_s
-        self._wires.add(self)
-        self._loop.call_later(OPENING_S, self._end_if_stranger)
+        self._connections.add(self)
+        self._loop.call_later(OPENING_TIMEOUT_S, self._close_without_robot)
 
     @property
     def port(self) -> int:
         """The port that the client has reached."""
         return int(self._transport.get_extra_info("sockname")[1])
 
-    def is_foreign(self) -> bool:
+    def is_of_another_user(self) -> bool:
         """Return whether another user of this machine is at the other end."""
         client = self._transport.get_extra_info("socket")
         return is_loopback(client) and is_of_another_user(client)
 
     def data_received(self, data: bytes) -> None:
-        """Answer what has come."""
+        """Answer received data."""
         if self._conversation is not None:
             self._conversation.receive(data)
 
     def pause_writing(self) -> None:
-        """Send no more answers: the client does not read them."""
-        self._conversation.hold(is_full=True)
+        """Stop sending answers: the client does not read them."""
+        self._conversation.throttle(is_full=True)
 
     def resume_writing(self) -> None:
-        """Go on sending answers."""
-        self._conversation.hold(is_full=False)
+        """Resume sending answers."""
+        self._conversation.throttle(is_full=False)
 
     def connection_lost(self, _error: Exception | None) -> None:
-        """Leave the robot."""
-        self._wires.discard(self)
+        """Release the robot."""
+        self._connections.discard(self)
         if self._conversation is not None:
-            self._conversation.gone()
+            self._conversation.disconnect()
 
     def send(self, content: bytes) -> None:
         """Send bytes to the client."""
@@ -216,20 +225,20 @@ class _TcpWire(asyncio.Protocol):
             (self._transport.pause_reading if paused else self._transport.resume_reading)()
 
     def close(self) -> None:
-        """End the connection when all has been sent."""
+        """Close the connection when all data has been sent."""
         self._transport.close()
 
     def abort(self) -> None:
-        """End the connection at once."""
+        """Close the connection immediately."""
         self._transport.abort()
 
-    def _end_if_stranger(self) -> None:
-        if self._is_stranger:
+    def _close_without_robot(self) -> None:
+        if self._has_no_robot:
             self._transport.abort()
 
 
-class _TerminalWire:
-    """The robot's end of a pseudo terminal; it is unknown whether a program has it open."""
+class _TerminalConnection:
+    """The robot's end of a pseudo terminal; whether a program has opened it is unknown."""
 
     def __init__(self, loop: asyncio.AbstractEventLoop, terminal: int) -> None:
         self._loop, self._terminal = loop, terminal
@@ -258,9 +267,9 @@ class _TerminalWire:
         else:
             self._loop.add_reader(self._terminal, self._read)
 
-    def is_foreign(self) -> bool:
-        """Return False: the system gives the terminal to its user."""
+    def is_of_another_user(self) -> bool:
+        """Return False: the terminal belongs to its user."""
         return False
 
     def close(self) -> None:
-        """Do nothing: a line stays."""
+        """Do nothing: the terminal stays open."""

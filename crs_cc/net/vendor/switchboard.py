@@ -2,11 +2,11 @@
 
 Clients are served in a thread of their own, programs run in that of the session. A client asks for
 an exchange; the relay of its robot finds the exchange's requests on its standard input, one by one,
-and each reply continues it. What the relay is told of its input is recorded as for any program, so
-neither the thread nor the clock here is part of the results.
+and each reply continues it. The relay's input is recorded like that of any program, so the results
+do not depend on the thread or the clock here.
 
-Time goes by the wall clock, or by requests: then it stands still until every client has asked for
-something, and no robot is waited for that has no client.
+Time advances by the wall clock, or by requests: then it advances only when every client has made a
+request; robots without a client are not waited for.
 """
 
 from __future__ import annotations
@@ -19,34 +19,36 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Any, Final, Protocol, TypeAlias
 
-from crs_cc.net.vendor.exchange import AskUser, Exchange, ReplyReader, posted
+from crs_cc.net.vendor.exchange import AskUser, Exchange, ReplyReader, make_request
 
-LOOK_S: Final = 0.05
-"""Real time between two looks at the wall clock and at interrupts."""
+POLL_S: Final = 0.05
+"""Interval at which the wall clock and interrupts are checked, in real time [s]."""
 
-PATIENCE_S: Final = 0.5
-"""How long time stands still for a client that asks for nothing, while others do; chosen by us."""
+CLIENT_TIMEOUT_S: Final = 0.5
+"""How long simulated time waits for a client without requests while others have some [s]. Chosen by
+us."""
 
-LAG_S: Final = 0.25
-"""A run that is so far behind real time does not catch up: its time begins anew; chosen by us."""
+MAX_LAG_S: Final = 0.25
+"""A run that lags further behind real time does not catch up: its clock is restarted [s]. Chosen by
+us."""
 
-_LEAST_S: Final = 1e-3
-"""The shortest time that a relay sleeps; chosen by us."""
+_MIN_SLEEP_S: Final = 1e-3
+"""The minimum time that a relay sleeps [s]. Chosen by us."""
 
 _ROUNDING: Final = 1e-6  # [timesteps]
 
 Done: TypeAlias = Callable[[Any, float], None]
-"""Is told what an exchange has come to, and at what simulated time [s]; in the run's thread."""
+"""Receives the result of an exchange and its simulated time [s], in the run's thread."""
 
 
 class WallClock(Protocol):
-    """The simulated time that real time has come to."""
+    """A clock that maps real time to simulated time."""
 
     def simulated_s(self) -> float:
         """Return it [s]."""
 
     def restart(self, simulated_s: float = 0.0) -> None:
-        """Let it be this now [s]."""
+        """Set the current simulated time [s]."""
 
 
 Configuration: TypeAlias = tuple[int, int, int, int]
@@ -54,13 +56,13 @@ Configuration: TypeAlias = tuple[int, int, int, int]
 
 
 class Window(Protocol):
-    """What a user looks at."""
+    """A view in which the user can be asked for a configuration."""
 
     def ask(self, robot: int, answer: Callable[[Configuration], None]) -> None:
-        """Ask him for a configuration of a robot."""
+        """Ask the user for a configuration of a robot."""
 
     def forget(self, robot: int) -> None:
-        """Ask no more."""
+        """Cancel the question about a robot."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,31 +83,31 @@ class _Line:
     replies: ReplyReader = field(default_factory=ReplyReader)
     has_client: bool = False
     is_asking: bool = False
-    is_left: bool = False
+    is_leaving: bool = False
     has_ended: bool = False
     idle_since_s: float = 0.0
 
-    has_cable: bool = False
+    is_cabled: bool = False
 
     @property
     def is_busy(self) -> bool:
         return (self.call is not None and not self.is_asking) or bool(self.calls)
 
-    def is_free(self, *, cable: bool) -> bool:
-        return self.has_cable == cable and not (self.has_client or self.has_ended)
+    def is_free(self, *, set_cabled: bool) -> bool:
+        return self.is_cabled == set_cabled and not (self.has_client or self.has_ended)
 
-    def take(self) -> None:
+    def reserve(self) -> None:
         self.has_client = True
         self.idle_since_s = time.monotonic()
 
 
 class Switchboard:
-    """Joins relays with clients.
+    """Connects relays to clients.
 
     Attributes:
         robots: the numbers of the robots that run a relay.
-        pointing: asks the user for configurations; None if nobody looks.
-        clock: what time goes by; None if it goes by requests.
+        pointing: asks the user for configurations; None without a view.
+        clock: the clock; None if time advances by requests.
     """
 
     pointing: Window | None = None
@@ -116,12 +118,12 @@ class Switchboard:
         timestep_s: float,
         clock: WallClock | None = None,
     ) -> None:
-        """Join no relay with any client yet.
+        """Create a line for each robot, without a client.
 
         Args:
             robots: the numbers of the robots that run a relay.
             timestep_s: the length of a timestep [s].
-            clock: what time goes by; None if it goes by requests.
+            clock: the clock; None if time advances by requests.
         """
         self._lines = {robot: _Line(robot) for robot in robots}
         self.robots = frozenset(self._lines)
@@ -129,23 +131,23 @@ class Switchboard:
         self.clock = clock
         self._changed = threading.Condition()
         self._run_s: Callable[[int], float] = lambda _robot: 0.0
-        self._is_in_a_hurry: Callable[[], bool] = lambda: False
+        self._must_not_wait: Callable[[], bool] = lambda: False
 
     # -- the run's side --------------------------------------------------------------------------
 
-    def begin(self, clock_s: Callable[[int], float], is_in_a_hurry: Callable[[], bool]) -> None:
+    def begin(self, clock_s: Callable[[int], float], must_not_wait: Callable[[], bool]) -> None:
         """Store the functions of the run.
 
         Args:
             clock_s: returns the clock of a robot's program [s].
-            is_in_a_hurry: returns whether the timestep is to end, and nobody is waited for.
+            must_not_wait: returns whether the timestep must end without waiting for clients.
         """
-        self._run_s, self._is_in_a_hurry = clock_s, is_in_a_hurry
+        self._run_s, self._must_not_wait = clock_s, must_not_wait
 
     def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
-        """Return what a relay can read, and for how long it is to sleep, see `session.host`.
+        """Return how much a relay can read, and how long it sleeps, see `session.host`.
 
-        Wait for clients as far as time may not go on.
+        Wait for clients while simulated time must not advance.
         """
         line = self._lines[robot]
         with self._changed:
@@ -154,14 +156,14 @@ class Switchboard:
                 if line.inbox:
                     late_s = line.call.asked_s - clock_s if line.call else 0.0
                     # A run that is behind the clock answers as soon as it can.
-                    is_early = _LEAST_S <= late_s <= self._timestep_s
+                    is_early = _MIN_SLEEP_S <= late_s <= self._timestep_s
                     return (0, late_s) if is_early else (len(line.inbox), 0.0)
                 if line.has_ended:
                     return 0, 0.0
                 pause_s = self._pause_s(line, clock_s)
                 if pause_s > 0.0:
-                    return 0, max(pause_s, _LEAST_S)
-                self._changed.wait(min(-pause_s, LOOK_S))
+                    return 0, max(pause_s, _MIN_SLEEP_S)
+                self._changed.wait(min(-pause_s, POLL_S))
 
     def read(self, robot: int, size: int) -> bytes:
         """Return a relay's input: requests that `waiting` has announced."""
@@ -187,18 +189,18 @@ class Switchboard:
             self._advance(line, lambda call: next(call.exchange), line.call.asked_s)
 
     def _advance(self, line: _Line, go: Callable[[_Call], Any], at_s: float) -> None:
-        """Let an exchange post its next request, or end."""
+        """Advance an exchange to its next request, or to its end."""
         call = line.call
         assert call is not None
         try:
-            posted = go(call)
-            while isinstance(posted, AskUser) and (self.pointing is None or line.is_left):
-                posted = call.exchange.send(None)
-            line.is_asking = isinstance(posted, AskUser)
-            if isinstance(posted, AskUser):
+            step = go(call)
+            while isinstance(step, AskUser) and (self.pointing is None or line.is_leaving):
+                step = call.exchange.send(None)
+            line.is_asking = isinstance(step, AskUser)
+            if isinstance(step, AskUser):
                 self._ask_user(line)
             else:
-                line.inbox += posted.encoded()
+                line.inbox += step.encoded()
         except StopIteration as end:
             line.is_asking = False
             line.call = None
@@ -219,33 +221,34 @@ class Switchboard:
         self.pointing.ask(line.robot, answer)
 
     def _pause_s(self, line: _Line, clock_s: float) -> float:
-        """Return for how long a relay without input sleeps [s].
+        """Return how long a relay without input sleeps [s].
 
-        If it is negative, the relay waits so long in real time and asks again.
+        If it is negative, the relay waits that long in real time and then checks again.
         """
         cycle = math.floor(clock_s / self._timestep_s + _ROUNDING)
         end_s = (cycle + 1) * self._timestep_s
-        if self._is_in_a_hurry():
+        if self._must_not_wait():
             return end_s - clock_s
         lines = self._lines.values()
         others = any(each.is_busy for each in lines)
         if self.clock is not None:
             now_s = self.clock.simulated_s()
-            if now_s > end_s + LAG_S:  # the run was paused, or is too much for this machine
+            if now_s > end_s + MAX_LAG_S:  # the run was paused, or this machine is too slow
                 self.clock.restart(clock_s)
                 now_s = clock_s
             if now_s >= end_s:
                 return end_s - clock_s
-            return max(now_s - clock_s, _LEAST_S) if others else now_s - end_s
-        held_s = line.idle_since_s + PATIENCE_S - time.monotonic() if line.has_client else 0.0
-        others |= any(each.is_asking for each in lines)  # pages are heard between timesteps
+            return max(now_s - clock_s, _MIN_SLEEP_S) if others else now_s - end_s
+        held_s = line.idle_since_s + CLIENT_TIMEOUT_S - time.monotonic() if line.has_client else 0.0
+        # Messages of pages are handled between timesteps.
+        others |= any(each.is_asking for each in lines)
         if others and held_s <= 0.0:
             return end_s - clock_s
-        return -held_s if others else -LOOK_S
+        return -held_s if others else -POLL_S
 
     # -- the clients' side -----------------------------------------------------------------------
 
-    def take(self, wanted: int) -> int | None:
+    def reserve(self, wanted: int) -> int | None:
         """Reserve a robot for a client, and return its number.
 
         Args:
@@ -255,34 +258,34 @@ class Switchboard:
             that robot; if it is not free the first that is; or None.
         """
         with self._changed:
-            free = [robot for robot, line in self._lines.items() if line.is_free(cable=False)]
+            free = [robot for robot, line in self._lines.items() if line.is_free(set_cabled=False)]
             if not free:
                 return None
             robot = wanted - 1 if wanted - 1 in free else free[0]
-            self._lines[robot].take()
+            self._lines[robot].reserve()
             return robot
 
-    def take_cabled(self, robot: int) -> bool:
-        """Reserve this robot for who is at its cable; return False if it is not free."""
+    def reserve_cabled(self, robot: int) -> bool:
+        """Reserve a cabled robot for the client at its cable; return False if it is not free."""
         with self._changed:
             line = self._lines[robot]
-            if not line.is_free(cable=True):
+            if not line.is_free(set_cabled=True):
                 return False
-            line.take()
+            line.reserve()
             return True
 
-    def cable(self, robot: int) -> None:
-        """Set a robot aside for a cable of its own."""
-        self._lines[robot].has_cable = True
+    def set_cabled(self, robot: int) -> None:
+        """Reserve a robot for a serial cable of its own."""
+        self._lines[robot].is_cabled = True
 
     @property
-    def is_one_left(self) -> bool:
-        """Return whether a client has gone whose robot will be free."""
-        return any(line.is_left for line in self._lines.values())
+    def has_leaving_client(self) -> bool:
+        """Whether a client has disconnected whose robot will be free."""
+        return any(line.is_leaving for line in self._lines.values())
 
     def ask(self, robot: int, exchange: Exchange[Any], done: Done) -> None:
         """Start an exchange with a robot; `done` is called with its result."""
-        clock = self.clock  # which the run's thread may change
+        clock = self.clock  # the run's thread may change it
         asked_s = -math.inf if clock is None else clock.simulated_s()
         with self._changed:
             self._lines[robot].calls.append(_Call(exchange, done, asked_s))
@@ -298,16 +301,16 @@ class Switchboard:
         """
 
         def free(_value: object, _at_s: float) -> None:
-            line.has_client = line.is_left = False
+            line.has_client = line.is_leaving = False
             line.has_ended |= ends
 
         line = self._lines[robot]
-        line.is_left = True
+        line.is_leaving = True
         if line.is_asking and self.pointing is not None:
             self.pointing.forget(robot)
             with self._changed:
                 self._advance(line, lambda call: call.exchange.send(None), 0.0)
-        self.ask(robot, _leave() if connected else _nothing(), free)
+        self.ask(robot, _disconnect() if connected else _no_request(), free)
 
     def close(self) -> None:
         """End all relays."""
@@ -317,9 +320,9 @@ class Switchboard:
             self._changed.notify_all()
 
 
-def _leave() -> Exchange[None]:
-    yield posted("DISCONNECT", 1)
+def _disconnect() -> Exchange[None]:
+    yield make_request("DISCONNECT", 1)
 
 
-def _nothing() -> Exchange[None]:
+def _no_request() -> Exchange[None]:
     yield from ()

@@ -9,5 +9,5 @@ from crs_cc.net.vendor import conversation, switchboard
 
 @pytest.fixture(autouse=True)
 def no_patience(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(switchboard, "PATIENCE_S", 0.02)
-    monkeypatch.setattr(conversation, "TRIES", 5)
+    monkeypatch.setattr(switchboard, "CLIENT_TIMEOUT_S", 0.02)
+    monkeypatch.setattr(conversation, "MAX_TRIES", 5)

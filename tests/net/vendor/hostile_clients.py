@@ -38,7 +38,7 @@ KEPT: Final = 20
 """Hostile connections that stay open for a while."""
 
 SETTLE_S: Final = 12.0
-"""Until strangers have been sent away, see `crs_cc.net.vendor.server.OPENING_S`."""
+"""Until connections without a robot are closed, see `net.vendor.server.OPENING_TIMEOUT_S`."""
 
 CONNECT: Final = 102
 

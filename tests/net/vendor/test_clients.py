@@ -29,7 +29,7 @@ def connected(port: int, robot: int = 1) -> Nclient:
     return client
 
 
-def test_each_client_drives_its_robot_and_a_third_is_refused() -> None:
+def test_each_client_drives_its_robot_and_a_third_is_rejected() -> None:
     with served(PAIR) as run:
         port = run.server.serve_nserver(0)
         second, first = connected(port, 2), connected(port, 1)
@@ -51,7 +51,7 @@ def test_each_client_drives_its_robot_and_a_third_is_refused() -> None:
         assert fourth.received[1] == 394 + 100
 
 
-def test_a_client_that_comes_while_the_port_is_opened_is_served(
+def test_a_client_that_connects_while_the_port_is_opened_is_served(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     listen, clients = Server._listen, []
@@ -67,7 +67,7 @@ def test_a_client_that_comes_while_the_port_is_opened_is_served(
         assert clients[0].state_call(15)
 
 
-def test_what_a_robot_says_is_its_output() -> None:
+def test_spoken_text_is_the_robots_output() -> None:
     with served(PAIR) as run:
         client = connected(run.server.serve_nserver(0))
         assert client.tk("it is warm")
@@ -75,7 +75,7 @@ def test_what_a_robot_says_is_its_output() -> None:
     assert run.output == [b"it is warm\n", b"?[2J?Gr\xfc\xdfe\n"]
 
 
-def test_masked_elements_stay_as_they_were() -> None:
+def test_masked_elements_do_not_change() -> None:
     with served(PAIR) as run:
         client = connected(run.server.serve_nserver(0))
         before = client.state
@@ -128,7 +128,7 @@ def test_the_user_is_asked_for_a_configuration() -> None:
         assert connected(port).state_call(15)
 
 
-def test_a_client_that_vanishes_leaves_its_robot_to_the_next() -> None:
+def test_the_robot_of_a_disconnected_client_goes_to_the_next_one() -> None:
     with served(PAIR) as run:
         port = run.server.serve_nserver(0)
         others = connected(port, 2)
@@ -142,7 +142,7 @@ def test_a_client_that_vanishes_leaves_its_robot_to_the_next() -> None:
         assert not run.failed
 
 
-def test_strangers_disturb_nobody() -> None:
+def test_invalid_connections_do_not_affect_clients() -> None:
     noise = random.Random(7)
     with served(PAIR) as run:
         port = run.server.serve_nserver(0)
@@ -165,14 +165,14 @@ def test_strangers_disturb_nobody() -> None:
 
 
 def again_connects(client: Nclient) -> bool:
-    """Return whether a client is served; while strangers are there it may not be."""
+    """Return whether a client is served; while other connections are open it may not be."""
     try:
         return bool(client.connect_robot(2))
     except (OSError, IndexError):
         return False
 
 
-def test_any_packet_is_answered_and_does_no_harm() -> None:
+def test_arbitrary_packets_are_answered_and_harmless() -> None:
     noise = random.Random(11)
     with served(PAIR) as run:
         client = connected(run.server.serve_nserver(0))

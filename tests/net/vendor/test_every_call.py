@@ -142,7 +142,7 @@ def lines(client: Nclient, calls: tuple[Call, ...]) -> Iterator[str]:
 
 
 @pytest.mark.parametrize("is_wide", [False, True], ids=["32 bit", "64 bit"])
-def test_a_client_prints_what_the_vendors_prints(*, is_wide: bool) -> None:
+def test_a_client_prints_the_same_as_the_vendors(*, is_wide: bool) -> None:
     world = empty_world(robot="nomad200")
     expected = (PRINTED / "nclient-2.7.txt").read_text().splitlines()
     with served(world) as run:

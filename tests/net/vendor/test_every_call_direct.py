@@ -129,7 +129,7 @@ def on_port(run: Served, model: int) -> Ndirect:
         "Nomad 200 over TCP",
     ],
 )
-def test_a_client_prints_what_the_vendors_prints(
+def test_a_client_prints_the_same_as_the_vendors(
     robot: str, model: int, printed: str, place: Callable[[Served, int], Ndirect]
 ) -> None:
     if place is on_terminal:

@@ -22,7 +22,7 @@ SENT = (
 
 @pytest.mark.parametrize("is_wide", [False, True], ids=["32 bit", "64 bit"])
 @pytest.mark.parametrize("size", [1, 3, 4, 7, 10_000])
-def test_packets_are_the_same_however_the_stream_is_cut(*, is_wide: bool, size: int) -> None:
+def test_packets_do_not_depend_on_fragmentation(*, is_wide: bool, size: int) -> None:
     client, reader = Nclient(0, is_wide=is_wide), PacketReader()
     stream = b"".join(client.packet(each.type, *each.elements) for each in SENT)
     found: list[Packet] = []
@@ -33,12 +33,12 @@ def test_packets_are_the_same_however_the_stream_is_cut(*, is_wide: bool, size: 
 
 
 @pytest.mark.parametrize("stream", [b"GET / HTTP/1.1", bytes(8), bytes.fromhex("00660003") * 9])
-def test_what_does_not_open_a_connection_is_refused(stream: bytes) -> None:
+def test_invalid_opening_packets_are_rejected(stream: bytes) -> None:
     with pytest.raises(BadPacketError):
         PacketReader().add(stream)
 
 
-def test_packets_on_a_line_are_found_between_noise() -> None:
+def test_packets_on_a_serial_line_are_found_between_noise() -> None:
     packets = [LinePacket(kind, bytes(range(kind))) for kind in (0, 1, 7, 92, 200)]
     noise = random.Random(4)
     stream = bytearray()
@@ -54,7 +54,7 @@ def test_packets_on_a_line_are_found_between_noise() -> None:
     assert reader.add(encode(7)) == [LinePacket(7)]
 
 
-def test_a_damaged_packet_is_skipped() -> None:
+def test_a_corrupted_packet_is_skipped() -> None:
     good, reader = encode(12, b"\x01\x02\x03\x04"), LineReader()
     for place in range(len(good)):
         bad = bytearray(good)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.core.errors import WorldError
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
-from crs_cc.net.channel import SILENCE_S
+from crs_cc.net.channel import TIMEOUT_S
 from crs_cc.net.handshake import Hello, RefusedError, definition_of, devices_digest, require_same
 from crs_cc.net.word_kernel import ROWS
 
@@ -23,18 +23,18 @@ if TYPE_CHECKING:
     from crs_cc.net.handshake import Program
     from crs_cc.sim.model.world import Robot
 
-LOOK_S: Final = 0.1
+POLL_S: Final = 0.1
 """Interval at which a run that waits for hosts checks for interrupts [s]."""
 
 _SHOWN: Final = 5
 """Limit of the robots listed to a host that is rejected."""
 
-LISTEN_S: Final = 0.02
+LIVENESS_POLL_S: Final = 0.02
 """Interval at which a host is checked for signs of life [s]."""
 
 
 @dataclass(slots=True, eq=False)
-class Seat:
+class Assignment:
     """The robots that one host runs, and the host that has them now.
 
     Attributes:
@@ -56,8 +56,8 @@ class Seat:
     is_in_run: bool = False
 
 
-class Roster:
-    """The seats of a run.
+class HostRegistry:
+    """The hosts of a run, and the robots assigned to each.
 
     Attributes:
         has_begun: whether the run has begun, so that further hosts must have the same program.
@@ -65,7 +65,7 @@ class Roster:
     """
 
     def __init__(self, robots: Sequence[Robot], awaited: Sequence[str] = ()) -> None:
-        """Create seats for robots.
+        """Create assignments for robots.
 
         Args:
             robots: the robots.
@@ -81,23 +81,23 @@ class Roster:
         self._awaited = tuple(awaited)
         self._definitions = {robot.id: definition_of(robot.model) for robot in robots}
         self._devices = devices_digest()
-        self._seats: list[Seat] = []
+        self._assignments: list[Assignment] = []
         self._changed = threading.Condition()
 
     # -- for hosts, in their threads -------------------------------------------------------------
 
-    def claim(self, hello: Hello) -> Seat:
-        """Return the seat of a host that connects, or reconnects.
+    def claim(self, hello: Hello) -> Assignment:
+        """Return the assignment of a host that connects, or reconnects.
 
         Raises:
             RefusedError: it is rejected.
         """
         require_same("device libraries", self._devices, hello.devices)
-        self._look_for_losses(hello)
+        self._close_lost(hello)
         with self._changed:
             if self.has_ended:
                 raise RefusedError("the run has ended")
-            names = hello.robots or self._own(hello.host) or self._free()
+            names = hello.robots or self._robots_of(hello.host) or self._free()
             for name in names:
                 if name not in self._definitions:
                     raise RefusedError(unknown("robot", name[:40], list(self._definitions)))
@@ -109,152 +109,173 @@ class Roster:
                 )
             return self._claim(names, hello)
 
-    def _look_for_losses(self, hello: Hello) -> None:
+    def _close_lost(self, hello: Hello) -> None:
         """Close lost connections of other hosts that have robots that a host wants.
 
         Nobody receives from a host that has nothing to run, as in a paused run. So this waits until
-        each has sent a keep-alive message, or nothing for `SILENCE_S`.
+        each has sent a keep-alive message, or nothing for `TIMEOUT_S`.
         """
         with self._changed:
             others = [
-                seat.channel
-                for seat in self._seats
-                if seat.channel is not None
-                and seat.host != hello.host
-                and (not hello.robots or set(hello.robots) & set(seat.names))
+                assignment.channel
+                for assignment in self._assignments
+                if assignment.channel is not None
+                and assignment.host != hello.host
+                and (not hello.robots or set(hello.robots) & set(assignment.names))
             ]
         for channel in others:
-            channel.listen()  # what it says from now on shows that it is alive
-        silent = [(channel, channel.heard) for channel in others]
-        end_s = time.monotonic() + SILENCE_S
+            channel.poll()  # data received from now on shows that it is alive
+        silent = [(channel, channel.receive_count) for channel in others]
+        end_s = time.monotonic() + TIMEOUT_S
         while silent and time.monotonic() < end_s:
-            time.sleep(LISTEN_S)
+            time.sleep(LIVENESS_POLL_S)
             for channel, _ in silent:
-                channel.listen()
-            silent = [each for each in silent if not each[0].is_closed and each[0].heard == each[1]]
+                channel.poll()
+            silent = [
+                each
+                for each in silent
+                if not each[0].is_closed and each[0].receive_count == each[1]
+            ]
         for channel, _ in silent:
             channel.close()
 
-    def _own(self, host: str) -> tuple[str, ...]:
+    def _robots_of(self, host: str) -> tuple[str, ...]:
         """Return the robots of a host that reconnects; the loss may not have been noticed here."""
-        return next((seat.names for seat in self._seats if seat.host == host), ())
+        return next(
+            (assignment.names for assignment in self._assignments if assignment.host == host), ()
+        )
 
     def _free(self) -> tuple[str, ...]:
         """Return the robots without a host, or those of a lost host if there are none."""
-        lost = next((seat for seat in self._seats if _is_lost(seat)), None)
-        taken = {name for seat in self._seats for name in seat.names}
+        lost = next((assignment for assignment in self._assignments if _is_lost(assignment)), None)
+        taken = {name for assignment in self._assignments for name in assignment.names}
         free = tuple(name for name in self._definitions if name not in taken)
         return free or (lost.names if lost else ())
 
-    def _claim(self, names: tuple[str, ...], hello: Hello) -> Seat:
+    def _claim(self, names: tuple[str, ...], hello: Hello) -> Assignment:
         order = list(self._definitions)
         names = tuple(sorted(names, key=order.index))
-        for seat in tuple(self._seats):
-            common = set(names) & set(seat.names)
+        for assignment in tuple(self._assignments):
+            common = set(names) & set(assignment.names)
             if not common:
                 continue
-            if seat.host != hello.host and not _is_lost(seat):
+            if assignment.host != hello.host and not _is_lost(assignment):
                 free = [name for name in self._free() if name not in common]
                 hint = f" (without one: {' '.join(free[:_SHOWN])})" if free else ""
                 name = min(common, key=order.index)
                 raise RefusedError(f"{name} has a host already{hint}")
-            if not seat.is_in_run:
-                self._seats.remove(seat)
+            if not assignment.is_in_run:
+                self._assignments.remove(assignment)
                 continue
-            if seat.names != names:
-                text = f"{' and '.join(seat.names)} were lost together: join them together"
+            if assignment.names != names:
+                text = f"{' and '.join(assignment.names)} were lost together: join them together"
                 raise RefusedError(text)
-            _require_program(seat, hello)
-            seat.host = hello.host
-            return seat
+            _require_program(assignment, hello)
+            assignment.host = hello.host
+            return assignment
         if self.has_begun:  # a recording has begun with the program that was there
-            first = next(seat for seat in self._seats if seat.is_in_run)
+            first = next(assignment for assignment in self._assignments if assignment.is_in_run)
             _require_program(first, hello)
-        seat = Seat(names, hello.host, hello.program)
-        self._seats.append(seat)
-        return seat
+        assignment = Assignment(names, hello.host, hello.program)
+        self._assignments.append(assignment)
+        return assignment
 
-    def offer(self, seat: Seat, channel: Channel, program: Program | None) -> None:
+    def offer(self, assignment: Assignment, channel: Channel, program: Program | None) -> None:
         """Offer a connection to a host that is ready."""
         with self._changed:
-            old, seat.channel = seat.channel, channel
-            seat.program = seat.program or program
-            seat.is_offered = True
+            old, assignment.channel = assignment.channel, channel
+            assignment.program = assignment.program or program
+            assignment.is_offered = True
             self._changed.notify_all()
         if old is not None:
             old.close()  # the run notices, if it has not
 
-    def awaited(self, seat: Seat) -> list[str]:
+    def awaited(self, assignment: Assignment) -> list[str]:
         """Return the robots of other hosts for which the run waits before it begins."""
         if self.has_begun:
             return []
-        missing = set(self.missing()) - set(seat.names)
+        missing = set(self.missing()) - set(assignment.names)
         return [name for name in self._awaited if name in missing]
 
-    def withdraw(self, seat: Seat, channel: Channel) -> None:
-        """Remove the seat of a host that did not become ready."""
+    def withdraw(self, assignment: Assignment, channel: Channel) -> None:
+        """Remove the assignment of a host that did not become ready."""
         with self._changed:
-            if not seat.is_in_run and seat.channel in (None, channel) and seat in self._seats:
-                self._seats.remove(seat)
+            if (
+                not assignment.is_in_run
+                and assignment.channel in (None, channel)
+                and assignment in self._assignments
+            ):
+                self._assignments.remove(assignment)
 
     # -- for the run, in its thread --------------------------------------------------------------
 
     def missing(self) -> list[str]:
         """Return the robots whose hosts are not ready."""
         with self._changed:
-            ready = {name for seat in self._seats if seat.is_offered for name in seat.names}
+            ready = {
+                name
+                for assignment in self._assignments
+                if assignment.is_offered
+                for name in assignment.names
+            }
             return [name for name in self._definitions if name not in ready]
 
-    def without(self, seats: Sequence[Seat]) -> list[str]:
+    def unassigned(self, assignments: Sequence[Assignment]) -> list[str]:
         """Return the robots that none of some hosts has."""
-        taken = {name for seat in seats for name in seat.names}
+        taken = {name for assignment in assignments for name in assignment.names}
         return [name for name in self._definitions if name not in taken]
 
     def wait(self) -> None:
-        """Wait for a change, `LOOK_S` at most."""
+        """Wait for a change, `POLL_S` at most."""
         with self._changed:
-            self._changed.wait(LOOK_S)
+            self._changed.wait(POLL_S)
 
-    def begin(self) -> list[Seat]:
-        """Begin the run; return the seats of the hosts that are ready."""
+    def begin(self) -> list[Assignment]:
+        """Begin the run; return the assignments of the hosts that are ready."""
         with self._changed:
             self.has_begun = True
             return self._offered()
 
-    def newcomers(self) -> list[Seat]:
-        """Return the seats of hosts that have become ready since the last call, or `begin`."""
+    def new_assignments(self) -> list[Assignment]:
+        """Return the assignments that have become ready since the last call, or `begin`."""
         with self._changed:
             return self._offered()
 
-    def _offered(self) -> list[Seat]:
-        """Return the seats that are ready and not yet in the run, which they are from now on."""
-        found = [seat for seat in self._seats if seat.is_offered and not seat.is_in_run]
-        for seat in found:
-            seat.is_in_run = True
+    def _offered(self) -> list[Assignment]:
+        """Add the assignments that are ready to the run, and return them."""
+        found = [
+            assignment
+            for assignment in self._assignments
+            if assignment.is_offered and not assignment.is_in_run
+        ]
+        for assignment in found:
+            assignment.is_in_run = True
         return found
 
-    def take(self, seat: Seat, is_ended: Callable[[], bool]) -> Channel | None:
+    def wait_for_channel(
+        self, assignment: Assignment, is_ended: Callable[[], bool]
+    ) -> Channel | None:
         """Wait for the connection to a host; return None if the run ends first."""
         with self._changed:
-            while not seat.is_offered:
+            while not assignment.is_offered:
                 if is_ended():
                     return None
-                self._changed.wait(LOOK_S)
-            seat.is_offered = False
-            assert seat.channel is not None
-            return seat.channel
+                self._changed.wait(POLL_S)
+            assignment.is_offered = False
+            assert assignment.channel is not None
+            return assignment.channel
 
-    def lose(self, seat: Seat) -> None:
-        """Note that the host of a seat is lost, so that another one may claim it."""
+    def mark_lost(self, assignment: Assignment) -> None:
+        """Note that the host of an assignment is lost, so that another one may claim it."""
         with self._changed:
-            if not seat.is_offered:
-                seat.channel = None
+            if not assignment.is_offered:
+                assignment.channel = None
 
-    def occupy(self, seat: Seat, channel: Channel) -> None:
-        """Assign a seat to the environment itself, with a connection, for the rest of the run."""
+    def assign_locally(self, assignment: Assignment, channel: Channel) -> None:
+        """Transfer an assignment to the environment itself for the rest of the run."""
         with self._changed:
-            old, seat.channel = seat.channel, channel
-            seat.host, seat.is_offered = None, False
+            old, assignment.channel = assignment.channel, channel
+            assignment.host, assignment.is_offered = None, False
         if old is not None:
             old.close()
 
@@ -264,16 +285,16 @@ class Roster:
             self.has_ended = True
 
 
-def _require_program(seat: Seat, hello: Hello) -> None:
-    """Check that a host has the program of a seat.
+def _require_program(assignment: Assignment, hello: Hello) -> None:
+    """Check that a host has the program of an assignment.
 
     Raises:
         RefusedError: it has another.
     """
-    if seat.digest != hello.program:
-        assert seat.program is not None
-        names, program = " and ".join(seat.names), seat.program.name
-        ours = f"the program of {names} is {program} ({_short(seat.digest)})"
+    if assignment.digest != hello.program:
+        assert assignment.program is not None
+        names, program = " and ".join(assignment.names), assignment.program.name
+        ours = f"the program of {names} is {program} ({_short(assignment.digest)})"
         theirs = f"the host has another one, or other arguments ({_short(hello.program)})"
         raise RefusedError(f"{ours}; {theirs}")
 
@@ -283,6 +304,8 @@ def _short(digest: str) -> str:
     return digest[:12]
 
 
-def _is_lost(seat: Seat) -> bool:
-    """Return whether a seat has had a host that is gone."""
-    return seat.program is not None and (seat.channel is None or seat.channel.is_closed)
+def _is_lost(assignment: Assignment) -> bool:
+    """Return whether an assignment has had a host that is gone."""
+    return assignment.program is not None and (
+        assignment.channel is None or assignment.channel.is_closed
+    )

@@ -1,4 +1,4 @@
-"""A session whose programs run on hosts is the same, also when hosts are lost."""
+"""A session gives the same results when its programs run on hosts, and when hosts are lost."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ import pytest
 from crs_cc.core.source import Diagnostics
 from crs_cc.net import hosted_programs
 from crs_cc.net.changed_words import KnownRows
-from crs_cc.net.channel import Channel, ConnectionLostError, Kind, Pulse
-from crs_cc.net.distant_fleet import DistantFleet
+from crs_cc.net.channel import Channel, ConnectionLostError, KeepAlive, Kind
 from crs_cc.net.frames import RAN
 from crs_cc.net.host_link import HostGoneError, HostLink
+from crs_cc.net.remote_fleet import RemoteFleet
 from crs_cc.net.shared_rows import SharedRows
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
@@ -98,7 +98,7 @@ def world() -> WorldModel:
 
 
 def finished(executables: Sequence[Executable], **options: Any) -> tuple[Session, Written]:
-    """Return a session that has been run to its end, and what its programs have written."""
+    """Return a finished session and the output of its programs."""
     written: Written = []
     session = Session(
         world(), executables, output=lambda *each: written.append(each), seed=3, **options
@@ -196,7 +196,7 @@ def test_lost_hosts_are_replaced_to_the_same_bits(
     assert len(shown) == len(set(shown)), "nothing is shown twice"
 
 
-def test_programs_go_on_from_memories_that_were_fetched(
+def test_programs_continue_from_memories_that_were_fetched(
     programs: list[Executable], local: tuple[str, Written], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("crs_cc.net.host_link.MAX_LOG_GRANTS", 7)
@@ -207,7 +207,7 @@ def test_programs_go_on_from_memories_that_were_fetched(
     assert len(hosts.lost) >= 3
 
 
-def test_programs_of_a_host_that_is_lost_for_good_stop_alone(programs: list[Executable]) -> None:
+def test_only_the_programs_of_a_permanently_lost_host_stop(programs: list[Executable]) -> None:
     hosts = LocalHosts(programs, COUNT, FaultyWire(random.Random(1), often=0.004), losses=0)
     session, _ = finished(programs, fleet=hosts.fleet)
     hosts.close()
@@ -224,13 +224,13 @@ def test_programs_of_a_host_that_is_lost_for_good_stop_alone(programs: list[Exec
         *(("due_s", 1.0), ("speed_hz", 1.0), ("status", 3), ("status", -1), ("error_kind", 999)),
     ],
 )
-def test_what_a_host_says_is_believed_of_its_own_programs_only(
+def test_a_host_can_change_only_its_own_programs(
     programs: list[Executable], field: str, value: float
 ) -> None:
     here, there = socket.socketpair()
     with here, there:
         link = HostLink(("robot0",), np.arange(1), Channel(here), refuse)
-        fleet = DistantFleet(programs[:1], [link])
+        fleet = RemoteFleet(programs[:1], [link])
         table = fleet.table()
         timing = fleet.timing
         timing["clock_s"], timing["fuel"], timing["alive"] = 1.0, 7, True
@@ -249,18 +249,18 @@ def test_what_a_host_says_is_believed_of_its_own_programs_only(
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux keeps threads on a processor")
 @pytest.mark.parametrize(("is_local", "processors"), [(True, 1), (True, 2), (False, 1)])
-def test_a_thread_waits_on_its_processor_where_hosts_use_all(
+def test_the_thread_stays_on_its_processor_if_hosts_use_all_processors(
     programs: list[Executable], monkeypatch: pytest.MonkeyPatch, *, is_local: bool, processors: int
 ) -> None:
     usable, seen = os.sched_getaffinity(0), []
-    monkeypatch.setattr("crs_cc.net.distant_fleet.available_cores", lambda: processors)
+    monkeypatch.setattr("crs_cc.net.remote_fleet.available_cores", lambda: processors)
     monkeypatch.setattr(HostLink, "is_local", is_local)
     receive = Channel.receive_frame
 
-    def noting(channel: Channel, kind: Kind, room: memoryview) -> int:
+    def noting(channel: Channel, kind: Kind, buffer: memoryview) -> int:
         if kind is Kind.RAN:
             seen.append(os.sched_getaffinity(0))
-        return receive(channel, kind, room)
+        return receive(channel, kind, buffer)
 
     monkeypatch.setattr(Channel, "receive_frame", noting)
     hosts = LocalHosts(programs, 1)
@@ -273,20 +273,20 @@ def test_a_thread_waits_on_its_processor_where_hosts_use_all(
 
 
 @pytest.mark.parametrize("content", [b"", bytes(11), RAN.pack(1, 1) + bytes(7), RAN.pack(2, 1)])
-def test_a_reply_that_ends_early_or_is_to_another_grant_is_not_waited_for(
+def test_an_incomplete_reply_or_one_to_a_different_grant_replaces_the_host(
     programs: list[Executable], content: bytes
 ) -> None:
     here, there = socket.socketpair()
     with here, there:
         link = HostLink(("robot0",), np.arange(1), Channel(here), refuse)
-        fleet = DistantFleet(programs[:1], [link])
+        fleet = RemoteFleet(programs[:1], [link])
         fleet.timing["alive"], fleet.timing["due_s"] = True, math.inf
         other = Channel(there)
         other.send(Kind.RAN, content)
-        with Pulse() as pulse:
-            pulse.add(other)  # it seems to be there
+        with KeepAlive() as keep_alive:
+            keep_alive.add(other)  # it seems to be there
             fleet.run_rounds(2.0)
-        assert "not valid" in fleet.report(0).text
+        assert "invalid answer" in fleet.report(0).text
 
 
 def test_a_grant_is_not_sent_twice_to_the_host_that_replaces_a_lost_one() -> None:
@@ -295,7 +295,7 @@ def test_a_grant_is_not_sent_twice_to_the_host_that_replaces_a_lost_one() -> Non
     for each in lost:
         each.close()
     rows = SharedRows(1)
-    link.take_part(rows)
+    link.attach(rows)
     timing = rows.table.view(RECORD)["timing"]
     timing["alive"], timing["due_s"] = True, math.inf
     assert rows.grant(2.0, is_new=True) == [0]

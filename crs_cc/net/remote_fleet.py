@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 _NOT_YET: Final = -1.0
 
 
-class DistantFleet(Fleet):
+class RemoteFleet(Fleet):
     """Programs on hosts, and their slots.
 
     Attributes:
@@ -62,12 +62,12 @@ class DistantFleet(Fleet):
         self._lost: dict[int, str] = {}
         self._use(self._rows.table.reshape(-1).view(RECORD))
         for link in links:
-            link.take_part(self._rows)
+            link.attach(self._rows)
         self._end_s = _NOT_YET
         self._round = 0
-        self._looked = b""  # which programs ran when hosts were last looked at, if all had begun
+        self._last_alive = b""  # the running programs at the last check, once all hosts ran
         self._processors = available_cores()
-        self._stays = False  # whether hosts here leave no processor to this thread
+        self._keeps_processor = False  # whether hosts here leave no processor to this thread
 
     def add(self, executable: Executable) -> int:
         """Raise ValueError: robots join before the run begins."""
@@ -79,9 +79,9 @@ class DistantFleet(Fleet):
 
     def add_link(self, link: HostLink) -> None:
         """Add a host for robots that have had none, and have not joined."""
-        link.take_part(self._rows)
+        link.attach(self._rows)
         self.links.append(link)
-        self._looked = b""
+        self._last_alive = b""
 
     def table(self) -> Table:
         """Return slots and clocks, see `Fleet.table`."""
@@ -100,7 +100,7 @@ class DistantFleet(Fleet):
         if is_new:
             self._end_s, self._round = end_s, 0
             self.dismiss()
-            self._stays = sum(link.is_local for link in self.links) >= self._processors
+            self._keeps_processor = sum(link.is_local for link in self.links) >= self._processors
             for link in self.links:
                 if link.is_log_long and not link.ended:
                     self._try(link, link.memories)
@@ -122,15 +122,15 @@ class DistantFleet(Fleet):
                 self._stop(link, str(error))
         # First the one whose grant was sent last: usually the others have finished by then, so this
         # thread is woken once.
-        stays = self._stays
+        keeps_processor = self._keeps_processor
         for link in reversed(granted):
             if link.ended:
                 continue
             try:
-                link.collect(stays=stays)
+                link.collect(keeps_processor=keeps_processor)
             except HostGoneError as error:
                 self._stop(link, str(error))
-            stays = False
+            keeps_processor = False
         while (taken := rows.take(self._round)) is None:
             for link in granted:
                 if reason := rows.error(link.number):
@@ -155,9 +155,9 @@ class DistantFleet(Fleet):
     def dismiss(self, *, everyone: bool = False) -> None:
         """Dismiss the hosts whose programs have all ended, or all hosts at the end of the run."""
         alive = self.timing["alive"].tobytes()
-        if alive == self._looked and not everyone:
+        if alive == self._last_alive and not everyone:
             return  # no program has begun or ended since
-        self._looked = alive if all(link.has_run for link in self.links) else b""
+        self._last_alive = alive if all(link.has_run for link in self.links) else b""
         for link in self.links:
             if link.ended:
                 continue
@@ -179,7 +179,7 @@ class DistantFleet(Fleet):
         If its host is lost and not replaced, this has the memory that was last fetched.
         """
         unknown = [link for link in self.links if not link.is_saved]
-        for ask in (HostLink.ask_memories, HostLink.take_memories):
+        for ask in (HostLink.request_memories, HostLink.receive_memories):
             for link in unknown:
                 self._try(link, ask, link)
         link = self.link(robot)

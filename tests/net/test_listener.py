@@ -1,4 +1,4 @@
-"""Who comes to the port of an environment, and what becomes of those who misbehave."""
+"""Connections to the port of an environment: hosts, pages, and invalid ones."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from typing import Any
 
 import pytest
 
-from crs_cc.net import gate as gate_module
-from crs_cc.net import roster as roster_module
-from crs_cc.net import visit as visit_module
+from crs_cc.net import environment_connection as connection_module
+from crs_cc.net import host_registry as registry_module
+from crs_cc.net import listener as listener_module
 from crs_cc.net.access import Access
-from crs_cc.net.channel import MAGIC, Channel, ConnectionLostError, Kind, Pulse
-from crs_cc.net.gate import Gate, bound
+from crs_cc.net.channel import MAGIC, Channel, ConnectionLostError, KeepAlive, Kind
+from crs_cc.net.environment_connection import EnvironmentConnection, connect
 from crs_cc.net.handshake import Hello, Program, RefusedError, devices_digest
-from crs_cc.net.roster import Roster
-from crs_cc.net.visit import Visit, visit
+from crs_cc.net.host_registry import HostRegistry
+from crs_cc.net.listener import Listener, bound_socket
 from tests.session.programs import HALL
 
 TOKEN = "0123456789abcdef"
@@ -29,44 +29,44 @@ PROGRAM = Program("a.c", "a", sources=("/a.c",), files={"/a.c": ""})
 
 
 class Open:
-    """A gate with a roster."""
+    """A listener with a registry of hosts."""
 
     def __init__(self, awaited: Sequence[str] = ()) -> None:
-        self.roster = Roster(HALL.robots, awaited)
+        self.registry = HostRegistry(HALL.robots, awaited)
         tokens = (TOKEN,)
         access = Access({"robot": tokens, "view": ("v" * 16,), "control": ("c" * 16,)})
-        self.gate = Gate(bound("127.0.0.1", 0), access, self.roster)
-        self.pulse = Pulse()
+        self.listener = Listener(bound_socket("127.0.0.1", 0), access, self.registry)
+        self.keep_alive = KeepAlive()
 
     @property
     def address(self) -> tuple[str, int]:
-        return "127.0.0.1", self.gate.port
+        return "127.0.0.1", self.listener.port
 
     def connect(self) -> socket.socket:
         return socket.create_connection(self.address, 5.0)
 
-    def visit(
+    def join(
         self,
         *robots: str,
         host: str = "one",
         program: Program = PROGRAM,
         secure: Callable[[socket.socket], socket.socket] = lambda connection: connection,
-    ) -> Visit:
+    ) -> EnvironmentConnection:
         content = program.content()
         hello = Hello(TOKEN, host, robots, program.digest, devices=devices_digest())
-        return visit(self.address, hello, content, self.pulse, secure)
+        return connect(self.address, hello, content, self.keep_alive, secure)
 
 
 @pytest.fixture
 def opened() -> Iterator[Open]:
     made = Open()
-    with made.pulse:
+    with made.keep_alive:
         yield made
-    made.gate.close()
+    made.listener.close()
 
 
 class Slow(socket.socket):
-    """A socket on a way that carries nothing for some time after the first bytes."""
+    """A socket that stalls for some time after the first bytes."""
 
     def __init__(self, fileno: int, silent_s: float) -> None:
         super().__init__(fileno=fileno)
@@ -80,12 +80,12 @@ class Slow(socket.socket):
 
 
 def wait_until_ready(opened: Open, *names: str) -> None:
-    while set(names) & set(opened.roster.missing()):
-        opened.roster.wait()
+    while set(names) & set(opened.registry.missing()):
+        opened.registry.wait()
 
 
 def refusal(opened: Open, content: bytes) -> str:
-    """Return why a first message is refused."""
+    """Return the reason why a first message is rejected."""
     connection = opened.connect()
     connection.sendall(MAGIC)
     channel = Channel(connection)
@@ -95,88 +95,88 @@ def refusal(opened: Open, content: bytes) -> str:
     return said
 
 
-def test_hosts_claim_robots_and_others_are_refused(opened: Open) -> None:
-    first = opened.visit("left")
+def test_hosts_claim_robots_and_others_are_rejected(opened: Open) -> None:
+    first = opened.join("left")
     assert first.robots == ("left",)
     wait_until_ready(opened, "left")
     with pytest.raises(RefusedError, match=r"left has a host already \(without one: right\)"):
-        opened.visit("left", host="two")
+        opened.join("left", host="two")
     with pytest.raises(RefusedError, match="unknown robot 'middle'"):
-        opened.visit("middle", host="two")
-    assert opened.visit(host="two").robots == ("right",)
+        opened.join("middle", host="two")
+    assert opened.join(host="two").robots == ("right",)
     wait_until_ready(opened, "right")
     with pytest.raises(RefusedError, match="every robot has a host"):
-        opened.visit(host="three")
+        opened.join(host="three")
 
 
-def test_a_host_that_has_gone_before_the_run_is_replaced(opened: Open) -> None:
-    opened.visit("left").channel.close()
+def test_a_host_that_disconnects_before_the_run_is_replaced(opened: Open) -> None:
+    opened.join("left").channel.close()
     wait_until_ready(opened, "left")
     other = Program("b.c", "b", sources=("/b.c",), files={"/b.c": ""})
-    opened.visit("left", host="two", program=other)
+    opened.join("left", host="two", program=other)
     wait_until_ready(opened, "left")
-    seats = opened.roster.begin()
-    assert [seat.program for seat in seats] == [other]
+    assignments = opened.registry.begin()
+    assert [assignment.program for assignment in assignments] == [other]
 
 
 def test_a_lost_host_is_replaced_by_one_with_the_same_program(opened: Open) -> None:
-    opened.visit("left", "right")
+    opened.join("left", "right")
     wait_until_ready(opened, "left", "right")
-    seat = opened.roster.begin()[0]
-    channel = opened.roster.take(seat, lambda: False)
+    assignment = opened.registry.begin()[0]
+    channel = opened.registry.wait_for_channel(assignment, lambda: False)
     assert channel
     channel.close()
-    opened.roster.lose(seat)
+    opened.registry.mark_lost(assignment)
     with pytest.raises(RefusedError, match="lost together"):
-        opened.visit("left", host="two")
+        opened.join("left", host="two")
     with pytest.raises(RefusedError, match=r"the program of left and right is a\.c \(\w+\); the"):
-        opened.visit("left", "right", host="two", program=replace(PROGRAM, checked=False))
+        opened.join("left", "right", host="two", program=replace(PROGRAM, checked=False))
     elsewhere = replace(PROGRAM, sources=("/b/a.c",), files={"/b/a.c": ""})
-    assert opened.visit(host="two", program=elsewhere).robots == ("left", "right")
-    assert opened.roster.take(seat, lambda: False)
+    assert opened.join(host="two", program=elsewhere).robots == ("left", "right")
+    assert opened.registry.wait_for_channel(assignment, lambda: False)
 
 
-def test_a_host_of_all_robots_that_notices_a_loss_first_comes_back(opened: Open) -> None:
-    opened.visit()
+def test_a_host_that_notices_a_loss_first_reconnects(opened: Open) -> None:
+    opened.join()
     wait_until_ready(opened, "left", "right")
-    seat = opened.roster.begin()[0]
-    first = opened.roster.take(seat, lambda: False)
-    assert opened.visit().robots == ("left", "right")
-    assert opened.roster.take(seat, lambda: False) is not first
+    assignment = opened.registry.begin()[0]
+    first = opened.registry.wait_for_channel(assignment, lambda: False)
+    assert opened.join().robots == ("left", "right")
+    assert opened.registry.wait_for_channel(assignment, lambda: False) is not first
     with pytest.raises(RefusedError, match="every robot has a host already"):
-        opened.visit(host="two")
+        opened.join(host="two")
 
 
 @pytest.mark.parametrize("way", ["killed", "cut off"])
-def test_a_host_that_is_lost_while_it_has_nothing_to_run_is_replaced(
+def test_a_host_that_is_lost_while_idle_is_replaced(
     opened: Open, way: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As while the run is paused, when nobody receives the signs of life that it has sent."""
-    monkeypatch.setattr(roster_module, "SILENCE_S", 0.1)
-    lost = opened.visit("left", "right").channel
+    """As in a paused run, when its keep-alive messages are not received."""
+    monkeypatch.setattr(registry_module, "TIMEOUT_S", 0.1)
+    lost = opened.join("left", "right").channel
     wait_until_ready(opened, "left", "right")
-    seat = opened.roster.begin()[0]
-    assert opened.roster.take(seat, lambda: False)
-    lost.send(Kind.ALIVE)
+    assignment = opened.registry.begin()[0]
+    assert opened.registry.wait_for_channel(assignment, lambda: False)
+    lost.send(Kind.KEEP_ALIVE)
     if way == "killed":
         lost.close()
     else:
-        opened.pulse.remove(lost)
-    assert opened.visit("left", "right", host="two").robots == ("left", "right")
-    assert opened.roster.take(seat, lambda: False)
+        opened.keep_alive.remove(lost)
+    assert opened.join("left", "right", host="two").robots == ("left", "right")
+    assert opened.registry.wait_for_channel(assignment, lambda: False)
 
 
-def test_hosts_that_come_after_the_run_has_begun_have_the_same_program(opened: Open) -> None:
-    opened.visit("left")
+def test_hosts_that_connect_during_the_run_must_have_the_same_program(opened: Open) -> None:
+    opened.join("left")
     wait_until_ready(opened, "left")
-    assert [seat.names for seat in opened.roster.begin()] == [("left",)]
+    assert [assignment.names for assignment in opened.registry.begin()] == [("left",)]
     with pytest.raises(RefusedError, match=r"the program of left is a\.c \(\w+\); the host has"):
-        opened.visit("right", host="two", program=replace(PROGRAM, checked=False))
-    assert opened.roster.newcomers() == []
-    opened.visit(host="two")
+        opened.join("right", host="two", program=replace(PROGRAM, checked=False))
+    assert opened.registry.new_assignments() == []
+    opened.join(host="two")
     wait_until_ready(opened, "right")
-    assert [seat.names for seat in opened.roster.newcomers()] == [("right",)]
-    assert opened.roster.newcomers() == []
+    assert [assignment.names for assignment in opened.registry.new_assignments()] == [("right",)]
+    assert opened.registry.new_assignments() == []
 
 
 def test_versions_tokens_and_fields_are_checked(opened: Open) -> None:
@@ -196,15 +196,15 @@ def test_versions_tokens_and_fields_are_checked(opened: Open) -> None:
 def test_a_program_must_be_the_one_that_was_announced(opened: Open) -> None:
     hello = Hello(TOKEN, "one", (), "digest", devices=devices_digest())
     try:
-        found = visit(opened.address, hello, PROGRAM.content(), opened.pulse)
+        found = connect(opened.address, hello, PROGRAM.content(), opened.keep_alive)
         said = found.channel.receive(Kind.REFUSED).content.decode()
     except RefusedError as error:  # it has come before all was sent
         said = str(error)
     assert "a program other than the announced one" in said
-    assert opened.roster.missing() == ["left", "right"]
+    assert opened.registry.missing() == ["left", "right"]
 
 
-def test_who_says_anything_else_disturbs_nobody(opened: Open) -> None:
+def test_other_data_does_not_affect_hosts(opened: Open) -> None:
     random_ = random.Random(1)
     kept = []
     for number in range(150):
@@ -213,14 +213,14 @@ def test_who_says_anything_else_disturbs_nobody(opened: Open) -> None:
         start = (b"", MAGIC, MAGIC[:4], b"GET / HTTP/1.1\r\n", MAGIC + bytes(4))[number % 5]
         connection.sendall(start + noise)
         kept.append(connection)
-    opened.visit("left")
+    opened.join("left")
     wait_until_ready(opened, "left")
     for connection in kept:
         connection.close()
-    assert opened.roster.missing() == ["right"]
+    assert opened.registry.missing() == ["right"]
 
 
-def test_a_page_that_comes_before_there_is_something_to_see_tries_again(opened: Open) -> None:
+def test_a_page_that_connects_before_the_run_reloads(opened: Open) -> None:
     with opened.connect() as connection:
         connection.sendall(b"GET / HTTP/1.1\r\nHost: x\r\n\r\n")
         with connection.makefile() as answer:
@@ -229,8 +229,8 @@ def test_a_page_that_comes_before_there_is_something_to_see_tries_again(opened: 
     assert "location.reload()" in text
 
 
-def test_visitors_are_led_on_in_both_directions(opened: Open) -> None:
-    from crs_cc.net.gate import led_to
+def test_page_connections_are_forwarded_in_both_directions(opened: Open) -> None:
+    from crs_cc.net.listener import forwarder_to
 
     with socket.create_server(("127.0.0.1", 0)) as inner:
 
@@ -241,7 +241,7 @@ def test_visitors_are_led_on_in_both_directions(opened: Open) -> None:
 
         thread = threading.Thread(target=echo)
         thread.start()
-        opened.gate.visitor = led_to(inner.getsockname()[1])
+        opened.listener.page_handler = forwarder_to(inner.getsockname()[1])
         with opened.connect() as connection:
             connection.sendall(b"hello, page")
             assert connection.recv(100) == b"HELLO, PAGE"
@@ -249,33 +249,33 @@ def test_visitors_are_led_on_in_both_directions(opened: Open) -> None:
         thread.join()
 
 
-def test_nobody_comes_in_after_the_end(opened: Open) -> None:
-    opened.roster.end()
+def test_connections_after_the_end_are_rejected(opened: Open) -> None:
+    opened.registry.end()
     with pytest.raises(RefusedError, match="has ended"):
-        opened.visit("left")
-    opened.gate.close()
+        opened.join("left")
+    opened.listener.close()
     with pytest.raises(ConnectionLostError):
-        opened.visit("left")
+        opened.join("left")
 
 
-def test_a_greeting_may_take_longer_than_a_host_may_be_silent(
+def test_the_handshake_timeout_is_longer_than_the_receive_timeout(
     opened: Open, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module in (gate_module, visit_module):
-        monkeypatch.setattr(module, "SILENCE_S", 0.1)
-    found = opened.visit("left", secure=lambda connection: Slow(connection.detach(), 0.5))
+    for module in (listener_module, connection_module):
+        monkeypatch.setattr(module, "TIMEOUT_S", 0.1)
+    found = opened.join("left", secure=lambda connection: Slow(connection.detach(), 0.5))
     wait_until_ready(opened, "left")
     with pytest.raises(ConnectionLostError, match=r"no message for 0\.1 s"):
         found.channel.receive(Kind.RESTORE)  # from now on, silence is a loss
 
 
-def test_a_host_is_told_whom_the_run_waits_for() -> None:
+def test_a_host_receives_the_robots_that_the_run_waits_for() -> None:
     opened = Open(["left", "right"])
-    with opened.pulse:
-        assert opened.visit("left").awaited == ("right",)
+    with opened.keep_alive:
+        assert opened.join("left").awaited == ("right",)
         wait_until_ready(opened, "left")
-        assert opened.visit("right", host="two").awaited == ()
+        assert opened.join("right", host="two").awaited == ()
         wait_until_ready(opened, "right")
-        opened.roster.begin()
-        assert opened.visit("left").awaited == ()
-    opened.gate.close()
+        opened.registry.begin()
+        assert opened.join("left").awaited == ()
+    opened.listener.close()

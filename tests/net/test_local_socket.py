@@ -1,4 +1,4 @@
-"""Hosts of the same user on the same machine leave TCP, and nobody else does."""
+"""Only hosts of the same user on the same machine switch from TCP to a local socket."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from collections.abc import Iterator
 
 import pytest
 
-from crs_cc.net import local_way
+from crs_cc.net import local_socket
 from crs_cc.net.access import Access
-from crs_cc.net.channel import Channel, ConnectionLostError, Kind, Pulse, Way
-from crs_cc.net.gate import Gate, bound
+from crs_cc.net.channel import Channel, ConnectionLostError, KeepAlive, Kind, SocketPair
+from crs_cc.net.environment_connection import connect
 from crs_cc.net.handshake import Hello, Program, devices_digest
-from crs_cc.net.roster import Roster
-from crs_cc.net.visit import visit
+from crs_cc.net.host_registry import HostRegistry
+from crs_cc.net.listener import Listener, bound_socket
 from crs_cc.sim.files.world_xml import parse_world
 from tests.net.faulty_wire import FaultyWire
 
@@ -31,18 +31,20 @@ PROGRAM = Program("a.c", "a", sources=("/a.c",), files={"/a.c": ""})
 NOBODY = 65534
 
 
-def meet(address: tuple[str, int], gate: Gate, roster: Roster, access: Access) -> bool:
-    """Have a host come by an address; return whether both sides have left TCP.
+def meet(
+    address: tuple[str, int], listener: Listener, registry: HostRegistry, access: Access
+) -> bool:
+    """Connect a host to an address; return whether both sides have left TCP.
 
     Messages go both ways in any case.
     """
     hello = Hello(access.token("robot"), "one", (), PROGRAM.digest, devices=devices_digest())
     try:
-        with Pulse() as pulse:
-            found = visit(address, hello, PROGRAM.content(), pulse)
-            while roster.missing():
-                roster.wait()
-            channel = roster.take(roster.begin()[0], lambda: False)
+        with KeepAlive() as keep_alive:
+            found = connect(address, hello, PROGRAM.content(), keep_alive)
+            while registry.missing():
+                registry.wait()
+            channel = registry.wait_for_channel(registry.begin()[0], lambda: False)
             assert channel
             for size in (0, 3_000, 500_000):
                 content = random.Random(size).randbytes(size)
@@ -59,26 +61,28 @@ def meet(address: tuple[str, int], gate: Gate, roster: Roster, access: Access) -
             channel.close()
             return found.channel.is_local
     finally:
-        gate.close()
+        listener.close()
 
 
-def opened(*, only_tcp: bool = False, host: str = "127.0.0.1") -> tuple[Gate, Roster, Access]:
-    roster, access = Roster(WORLD.robots), Access.made()
-    return Gate(bound(host, 0), access, roster, only_tcp=only_tcp), roster, access
+def opened(
+    *, only_tcp: bool = False, host: str = "127.0.0.1"
+) -> tuple[Listener, HostRegistry, Access]:
+    registry, access = HostRegistry(WORLD.robots), Access.made()
+    return Listener(bound_socket(host, 0), access, registry, only_tcp=only_tcp), registry, access
 
 
-def test_a_host_on_this_machine_leaves_tcp() -> None:
+def test_a_host_on_this_machine_switches_to_a_local_socket() -> None:
     made = opened()
     assert meet(("127.0.0.1", made[0].port), *made)
 
 
 @pytest.mark.skipif(not socket.has_dualstack_ipv6(), reason="no IPv6")
-def test_it_does_so_where_one_side_has_ipv6_addresses() -> None:
+def test_it_switches_if_one_side_has_ipv6_addresses() -> None:
     made = opened(host="::")
     assert meet(("127.0.0.1", made[0].port), *made)
 
 
-def test_it_stays_if_the_environment_says_so() -> None:
+def test_it_stays_on_tcp_if_the_environment_requires_it() -> None:
     made = opened(only_tcp=True)
     assert not meet(("127.0.0.1", made[0].port), *made)
 
@@ -89,7 +93,7 @@ def proxy() -> Iterator[socket.socket]:
         yield made
 
 
-def test_it_stays_behind_a_proxy(proxy: socket.socket) -> None:
+def test_it_stays_on_tcp_behind_a_proxy(proxy: socket.socket) -> None:
     made = opened()
     far: list[socket.socket] = []
 
@@ -104,39 +108,43 @@ def test_it_stays_behind_a_proxy(proxy: socket.socket) -> None:
     thread.join()
 
 
-def test_it_stays_if_the_socket_is_of_another_user(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(local_way.os, "geteuid", lambda: NOBODY)
+def test_it_stays_on_tcp_if_the_socket_belongs_to_another_user(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(local_socket.os, "geteuid", lambda: NOBODY)
     made = opened()
     assert not meet(("127.0.0.1", made[0].port), *made)
 
 
-def test_it_stays_if_the_socket_cannot_be_reached(monkeypatch: pytest.MonkeyPatch) -> None:
-    take = local_way.take
-    monkeypatch.setattr("crs_cc.net.visit.take", lambda name: take(name[::-1] + "x"))
+def test_it_stays_on_tcp_if_the_socket_cannot_be_reached(monkeypatch: pytest.MonkeyPatch) -> None:
+    original = local_socket.connect_local
+    monkeypatch.setattr(
+        "crs_cc.net.environment_connection.connect_local", lambda name: original(name[::-1] + "x")
+    )
     made = opened()
     assert not meet(("127.0.0.1", made[0].port), *made)
 
 
-def test_a_connection_that_is_gone_has_no_ends(proxy: socket.socket) -> None:
+def test_a_closed_connection_has_no_endpoints(proxy: socket.socket) -> None:
     connection = socket.create_connection(proxy.getsockname())
-    assert local_way.ends(connection)
+    assert local_socket.endpoints(connection)
     near, _ = proxy.accept()
     near.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
     near.close()  # resets it
     with pytest.raises(ConnectionResetError):
         connection.recv(1)
-    assert local_way.ends(connection) == ""
+    assert local_socket.endpoints(connection) == ""
     connection.close()
 
 
-def test_other_users_do_not_take_what_is_offered(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_connections_of_other_users_are_not_accepted(monkeypatch: pytest.MonkeyPatch) -> None:
     owners = [False, True, True]
-    with local_way.Offer() as offer:
+    with local_socket.LocalListener() as offer:
         strange, own = (socket.socket(socket.AF_UNIX) for _ in range(2))
-        thread = threading.Thread(target=lambda: taken.append(offer.taken()))
-        taken: list[Way] = []
+        thread = threading.Thread(target=lambda: taken.append(offer.accept()))
+        taken: list[SocketPair] = []
         strange.connect("\0crs-" + offer.name)
-        monkeypatch.setattr(local_way, "_is_own", lambda _connection: owners.pop(0))
+        monkeypatch.setattr(local_socket, "_is_own", lambda _connection: owners.pop(0))
         thread.start()
         assert strange.recv(1) == b""
         own.connect("\0crs-" + offer.name)
@@ -144,34 +152,39 @@ def test_other_users_do_not_take_what_is_offered(monkeypatch: pytest.MonkeyPatch
             back.connect("\0crs-" + offer.name)
             thread.join()
             own.sendall(b"own")
-            assert taken[0].into.recv(3) == b"own"
-            taken[0].out.sendall(b"back")
+            assert taken[0].receiver.recv(3) == b"own"
+            taken[0].sender.sendall(b"back")
             assert back.recv(4) == b"back"
     for each in (strange, own, *taken):
         each.close()
 
 
-def test_who_says_that_it_has_come_and_has_not_is_lost(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(local_way, "GREETING_S", 0.05)
-    with local_way.Offer() as offer, pytest.raises(ConnectionLostError, match="did not connect"):
-        offer.taken()
+def test_a_host_that_announces_a_connection_it_has_not_made_is_lost(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(local_socket, "HANDSHAKE_TIMEOUT_S", 0.05)
+    with (
+        local_socket.LocalListener() as offer,
+        pytest.raises(ConnectionLostError, match="did not connect"),
+    ):
+        offer.accept()
 
 
-def test_who_comes_by_half_a_way_is_lost(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(local_way, "GREETING_S", 0.05)
-    with local_way.Offer() as offer, socket.socket(socket.AF_UNIX) as half:
+def test_a_host_that_connects_only_one_direction_is_lost(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(local_socket, "HANDSHAKE_TIMEOUT_S", 0.05)
+    with local_socket.LocalListener() as offer, socket.socket(socket.AF_UNIX) as half:
         half.connect("\0crs-" + offer.name)
         with pytest.raises(ConnectionLostError, match="did not connect"):
-            offer.taken()
+            offer.accept()
         assert half.recv(1) == b""
 
 
-def test_who_waits_for_an_answer_is_not_woken_when_its_question_is_read() -> None:
-    with local_way.Offer() as offer:
-        one = local_way.take(offer.name)
+def test_a_waiting_process_is_not_woken_when_its_message_is_read() -> None:
+    with local_socket.LocalListener() as offer:
+        one = local_socket.connect_local(offer.name)
         assert one
-        other = offer.taken()
-    asker, answerer, count = Channel(one.out), Channel(other.into), 50
+        other = offer.accept()
+    asker, answerer, count = Channel(one.sender), Channel(other.receiver), 50
     for channel, way in ((asker, one), (answerer, other)):
         channel._connection, channel._sender = way
     switches: list[int] = []
@@ -200,17 +213,17 @@ def test_nothing_is_lost_while_other_threads_send() -> None:
     for _ in range(20):
         one, other = map(Channel, socket.socketpair())
         (there, here), (back, forth) = socket.socketpair(), socket.socketpair()
-        ways = Way(back, there), Way(here, forth)
+        ways = SocketPair(back, there), SocketPair(here, forth)
         done = threading.Event()
 
         def chatter(channel: Channel, done: threading.Event = done) -> None:
             while not done.is_set():
-                channel.send(Kind.ALIVE)
+                channel.send(Kind.KEEP_ALIVE)
                 done.wait(0.0002)
 
-        def answer(other: Channel = other, way: Way = ways[1]) -> None:
-            other.receive(Kind.MOVED)
-            other.move(way, is_told=True)
+        def answer(other: Channel = other, way: SocketPair = ways[1]) -> None:
+            other.receive(Kind.SWITCHED)
+            other.switch_to(way, is_announced=True)
             other.receive(Kind.GRANT)
             other.send(Kind.RAN, b"answer")
 
@@ -218,7 +231,7 @@ def test_nothing_is_lost_while_other_threads_send() -> None:
         threads.append(threading.Thread(target=answer))
         for thread in threads:
             thread.start()
-        one.move(ways[0], is_told=False)
+        one.switch_to(ways[0], is_announced=False)
         one.send(Kind.GRANT, b"question")
         assert one.receive(Kind.RAN).content == b"answer"
         done.set()

@@ -9,25 +9,25 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from crs_cc.net.channel import (
-    GONE,
-    GREETING_S,
+    CLOSED_BY_PEER,
+    HANDSHAKE_TIMEOUT_S,
     MAGIC,
-    SILENCE_S,
+    TIMEOUT_S,
     Channel,
     ConnectionLostError,
+    KeepAlive,
     Kind,
-    Pulse,
 )
 from crs_cc.net.handshake import Hello, RefusedError
-from crs_cc.net.local_way import ends, take
+from crs_cc.net.local_socket import connect_local, endpoints
 from crs_cc.net.tls import Connection, UntrustedError
 
-ANSWER_S: Final = 60.0
+WELCOME_TIMEOUT_S: Final = 60.0
 """Timeout for the environment's answer [s]."""
 
 
 @dataclass(frozen=True, slots=True)
-class Visit:
+class EnvironmentConnection:
     """A connection to an environment that has accepted this host.
 
     Attributes:
@@ -41,20 +41,20 @@ class Visit:
     awaited: tuple[str, ...] = ()
 
 
-def visit(
+def connect(
     address: tuple[str, int],
     hello: Hello,
     program: bytes,
-    pulse: Pulse,
+    keep_alive: KeepAlive,
     secure: Callable[[socket.socket], Connection] = lambda connection: connection,
-) -> Visit:
+) -> EnvironmentConnection:
     """Connect to an environment.
 
     Args:
         address: its host and port.
         hello: the identity of this host.
         program: its program, see `Program.content`.
-        pulse: sends keep-alive messages.
+        keep_alive: sends keep-alive messages.
         secure: encrypts a connection, after the first bytes have been sent.
 
     Raises:
@@ -62,54 +62,54 @@ def visit(
         RefusedError: the environment rejects this host, or has another certificate.
     """
     try:
-        connection = socket.create_connection(address, GREETING_S)
+        connection = socket.create_connection(address, HANDSHAKE_TIMEOUT_S)
         connection.sendall(MAGIC)
         secured = secure(connection)
-        channel = Channel(secured, GREETING_S)
+        channel = Channel(secured, HANDSHAKE_TIMEOUT_S)
     except UntrustedError as error:
         raise RefusedError(str(error)) from None
     except OSError as error:
         raise ConnectionLostError(error.strerror or str(error)) from None
-    pulse.add(channel)
+    keep_alive.add(channel)
     try:
-        channel.send(Kind.HELLO, replace(hello, ends=ends(secured)).content())
-        robots, awaited, wants_program, offer = _welcome(channel)
+        channel.send(Kind.HELLO, replace(hello, ends=endpoints(secured)).content())
+        robots, awaited, wants_program, offer = _receive_welcome(channel)
         if offer:
-            _move(channel, offer)
+            _switch_to_local(channel, offer)
         try:
             if wants_program:
                 channel.send(Kind.PROGRAM, program)
             channel.send(Kind.STARTED)
         except ConnectionLostError:
-            _welcome(channel)  # raises the refusal that has come, if any
+            _receive_welcome(channel)  # raises the refusal that has come, if any
             raise
-        channel.limit_silence(SILENCE_S)
+        channel.set_timeout(TIMEOUT_S)
     except (ConnectionLostError, RefusedError) as error:
-        pulse.remove(channel)
+        keep_alive.remove(channel)
         channel.close()
-        if secured is connection and str(error) == GONE:
-            text = f"{GONE}; if it is served with --tls, give --fingerprint"
+        if secured is connection and str(error) == CLOSED_BY_PEER:
+            text = f"{CLOSED_BY_PEER}; if it is served with --tls, give --fingerprint"
             raise ConnectionLostError(text) from None
         raise
-    return Visit(channel, robots, awaited)
+    return EnvironmentConnection(channel, robots, awaited)
 
 
-def _move(channel: Channel, offer: str) -> None:
-    """Switch to the local socket that an environment offers, or tell it that this is impossible."""
-    way = take(offer)
-    if way is None:
-        channel.send(Kind.MOVED)
+def _switch_to_local(channel: Channel, offer: str) -> None:
+    """Switch to the local socket that an environment offers, or report that this is impossible."""
+    pair = connect_local(offer)
+    if pair is None:
+        channel.send(Kind.SWITCHED)
     else:
-        channel.move(way, is_told=False)
+        channel.switch_to(pair, is_announced=False)
 
 
-def _welcome(channel: Channel) -> tuple[tuple[str, ...], tuple[str, ...], bool, str]:
-    """Receive the environment's answer to a greeting.
+def _receive_welcome(channel: Channel) -> tuple[tuple[str, ...], tuple[str, ...], bool, str]:
+    """Receive the environment's answer to our identity.
 
     Return our robots, those for which the run waits, whether it needs our program, and the name of
     a local socket, if it offers one.
     """
-    kind, content = channel.receive(Kind.WELCOME, Kind.REFUSED, within_s=ANSWER_S)
+    kind, content = channel.receive(Kind.WELCOME, Kind.REFUSED, timeout_s=WELCOME_TIMEOUT_S)
     if kind == Kind.REFUSED:
         raise RefusedError(content.decode("utf-8", "replace"))
     try:

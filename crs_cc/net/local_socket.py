@@ -10,7 +10,7 @@ have them. They are abstract names, which only Linux has, and no files, so a kil
 nothing behind.
 
 >>> here, there = socket.socketpair()
->>> ends(here), offered(here, "")
+>>> endpoints(here), local_listener_for(here, "")
 ('', None)
 """
 
@@ -25,7 +25,7 @@ import sys
 import time
 from typing import Final, Self
 
-from crs_cc.net.channel import GREETING_S, ConnectionLostError, Way
+from crs_cc.net.channel import HANDSHAKE_TIMEOUT_S, ConnectionLostError, SocketPair
 from crs_cc.net.tls import Connection
 
 _MAPPED: Final = "::ffff:"
@@ -36,7 +36,7 @@ _CREDENTIALS: Final = struct.Struct("@iII")
 """Process, user and group of `SO_PEERCRED`, see `socket(7)`."""
 
 
-def ends(connection: Connection) -> str:
+def endpoints(connection: Connection) -> str:
     """Return the addresses of both ends of a connection, in the same order on both sides.
 
     Empty for an encrypted connection, which the user has asked for; where there are no such
@@ -49,11 +49,11 @@ def ends(connection: Connection) -> str:
     try:
         both = connection.getsockname()[:2], connection.getpeername()[:2]
     except OSError:
-        return ""  # whoever sends or receives next finds out
+        return ""  # the next send or receive reports it
     return " ".join(sorted(f"{host.removeprefix(_MAPPED)}:{port}" for host, port in both))
 
 
-class Offer:
+class LocalListener:
     """A local socket for one host, which connects twice: first to send, then to receive.
 
     Attributes:
@@ -71,21 +71,21 @@ class Offer:
             self._listener.close()
             raise
 
-    def taken(self) -> Way:
-        """Return the link to a host that has announced that it is connected.
+    def accept(self) -> SocketPair:
+        """Accept the connections of a host that has announced them.
 
         Raises:
             ConnectionLostError: it is not.
         """
-        end_s = time.monotonic() + GREETING_S
-        into = self._accepted(end_s)
+        end_s = time.monotonic() + HANDSHAKE_TIMEOUT_S
+        receiver = self._accept_one(end_s)
         try:
-            return Way(into, self._accepted(end_s))
+            return SocketPair(receiver, self._accept_one(end_s))
         except ConnectionLostError:
-            into.close()
+            receiver.close()
             raise
 
-    def _accepted(self, end_s: float) -> socket.socket:
+    def _accept_one(self, end_s: float) -> socket.socket:
         """Accept the next connection from a process of the same user, up to a time."""
         while (left_s := end_s - time.monotonic()) > 0.0:
             self._listener.settimeout(left_s)
@@ -103,36 +103,36 @@ class Offer:
         self._listener.close()
 
 
-def offered(connection: Connection, seen: str) -> Offer | None:
-    """Return an offer to a host if its connection is direct, else None.
+def local_listener_for(connection: Connection, seen: str) -> LocalListener | None:
+    """Return a local listener for a host if its connection is direct, else None.
 
     Args:
         connection: the connection to the host.
-        seen: the addresses that the host has sent, see `ends`.
+        seen: the addresses that the host has sent, see `endpoints`.
     """
-    if not seen or seen != ends(connection):
+    if not seen or seen != endpoints(connection):
         return None
     try:
-        return Offer()
+        return LocalListener()
     except OSError:
-        return None  # by a sandbox, or without descriptors: it works as well without
+        return None  # forbidden by a sandbox, or out of descriptors: TCP works as well
 
 
-def take(name: str) -> Way | None:
-    """Return a link to an environment that has offered it; None if it cannot be made."""
-    out = _connected(name)
-    into = out and _connected(name)
-    if out is None or into is None:
-        if out is not None:
-            out.close()
+def connect_local(name: str) -> SocketPair | None:
+    """Connect to the local socket that an environment offers; return None if that fails."""
+    sender = _connect_one(name)
+    receiver = sender and _connect_one(name)
+    if sender is None or receiver is None:
+        if sender is not None:
+            sender.close()
         return None
-    return Way(into, out)
+    return SocketPair(receiver, sender)
 
 
-def _connected(name: str) -> socket.socket | None:
+def _connect_one(name: str) -> socket.socket | None:
     connection = socket.socket(socket.AF_UNIX)
     try:
-        connection.settimeout(GREETING_S)
+        connection.settimeout(HANDSHAKE_TIMEOUT_S)
         connection.connect(_PREFIX + name)
         if _is_own(connection):
             return connection

@@ -15,11 +15,11 @@ from dataclasses import asdict, dataclass
 from typing import Any, Final, Self
 
 from crs_cc.jobs.worker import serve
-from crs_cc.net.channel import ConnectionLostError, Pulse
+from crs_cc.net.channel import ConnectionLostError, KeepAlive
+from crs_cc.net.environment_connection import EnvironmentConnection, connect
 from crs_cc.net.handshake import Hello, Program, RefusedError, as_text, devices_digest, digest_of
 from crs_cc.net.program_host import ProgramHost, Streams
 from crs_cc.net.tls import Client, Connection
-from crs_cc.net.visit import Visit, visit
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_driver
 from crs_cc.session.host import discard, no_input
@@ -29,7 +29,7 @@ _FAST: Final = 1  # zlib's level
 
 
 @dataclass(frozen=True, slots=True)
-class Placement:
+class HostJob:
     """The programs that a host runs, and the environment that it runs them for.
 
     Attributes:
@@ -50,14 +50,14 @@ class Placement:
     robots: tuple[str, ...]
     executable: str
 
-    def job(self) -> dict[str, Any]:
+    def data(self) -> dict[str, Any]:
         """Return it as plain data."""
         return asdict(self)
 
     @classmethod
-    def of(cls, job: dict[str, Any]) -> Self:
+    def of(cls, data: dict[str, Any]) -> Self:
         """Return it from plain data that comes from the environment."""
-        return cls(**{**job, "robots": tuple(job["robots"])})
+        return cls(**{**data, "robots": tuple(data["robots"])})
 
 
 def packed(executable: Executable) -> str:
@@ -81,14 +81,14 @@ def announced(executable: Executable) -> Program:
     )
 
 
-def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
+def _work(data: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
     """Run programs until the run ends; return the reason if they end earlier."""
-    placement = Placement.of(job)
-    executable = _unpacked(placement.executable)
+    job = HostJob.of(data)
+    executable = _unpacked(job.executable)
     prepared()
-    with Pulse() as pulse:
+    with KeepAlive() as keep_alive:
         try:
-            found = _visit(placement, executable, pulse)
+            found = _connect(job, executable, keep_alive)
         except RefusedError as error:
             return {"refused": str(error)}
         except ConnectionLostError as error:
@@ -103,20 +103,18 @@ def _work(job: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
     return {}
 
 
-def _visit(placement: Placement, executable: Executable, pulse: Pulse) -> Visit:
+def _connect(job: HostJob, executable: Executable, keep_alive: KeepAlive) -> EnvironmentConnection:
     program = announced(executable)
     devices = devices_digest()
-    hello = Hello(
-        placement.token, placement.name, placement.robots, program.digest, devices=devices
-    )
-    address = placement.host, placement.port
-    return visit(address, hello, program.content(), pulse, _secure(placement))
+    hello = Hello(job.token, job.name, job.robots, program.digest, devices=devices)
+    address = job.host, job.port
+    return connect(address, hello, program.content(), keep_alive, _secure(job))
 
 
-def _secure(placement: Placement) -> Callable[[socket.socket], Connection]:
-    if not placement.fingerprint:
+def _secure(job: HostJob) -> Callable[[socket.socket], Connection]:
+    if not job.fingerprint:
         return lambda connection: connection
-    return Client(placement.host, placement.fingerprint).secure
+    return Client(job.host, job.fingerprint).secure
 
 
 if __name__ == "__main__":
