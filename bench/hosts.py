@@ -99,7 +99,7 @@ with socket.create_connection(("127.0.0.1", port)) as connection:
 WARM_STEPS = 5
 ECHO_ROUNDS = 300
 MILLISECONDS = 1e3
-MOST_STEPS, LEAST_STEPS, ROBOT_STEPS = 60, 5, 6000
+MAX_STEPS, MIN_STEPS, ROBOT_STEPS = 60, 5, 6000
 
 
 class Row(NamedTuple):
@@ -323,7 +323,7 @@ def measure(name: str, source: Path, robots: int, asked: argparse.Namespace) -> 
     """Yield a row for each number of hosts."""
     world = world_of(robots)
     executable = build_executable([source], Diagnostics())
-    steps = asked.steps or max(LEAST_STEPS, min(MOST_STEPS, ROBOT_STEPS // robots))
+    steps = asked.steps or max(MIN_STEPS, min(MAX_STEPS, ROBOT_STEPS // robots))
     known = home_s = None
     for count in (0, *asked.hosts):
         if count > robots:

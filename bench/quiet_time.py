@@ -42,8 +42,8 @@ int main(void)
 FUEL = 10**12
 AT_ONCE = 100  # timesteps, as in `crs run` with a timestep of 50 ms
 MICROSECONDS = 1e6
-MOST_IDLE_US = 10.0
-MOST_RATIO = 1.3
+MAX_IDLE_US = 10.0
+MAX_RATIO = 1.3
 
 
 def idle(executable: Executable, world: WorldModel, steps: int) -> dict[str, float]:
@@ -124,7 +124,7 @@ def main() -> None:
     print("A timestep of an idle Scout [us]:")
     for way, each_us in times_us.items():
         print(f"{way:32}{each_us:8.1f}")
-    print(f"aim: {MOST_IDLE_US:.0f}\n")
+    print(f"aim: {MAX_IDLE_US:.0f}\n")
     print(f"{'time of a session over wasm alone':34}{'skipping':>10}{'nothing skipped':>17}")
     found = []
     for source in sources:
@@ -132,7 +132,7 @@ def main() -> None:
         print(f"{source.stem:34}{found[-1][0]:10.2f}{found[-1][1]:17.2f}", flush=True)
     skipping, whole = (statistics.geometric_mean(column) for column in zip(*found, strict=True))
     print(f"{'mean':34}{skipping:10.2f}{whole:17.2f}")
-    print(f"aim: each at most {MOST_RATIO}; the largest is {max(found)[0]:.2f}")
+    print(f"aim: each at most {MAX_RATIO}; the largest is {max(found)[0]:.2f}")
 
 
 if __name__ == "__main__":

@@ -51,7 +51,7 @@ ASKED = {
     "st": "st()",
 }
 MICROSECONDS = 1e6
-MOST_US = 40.0
+MAX_US = 40.0
 
 
 def times_us(ask: str, steps: int, folder: Path) -> list[float]:
@@ -81,7 +81,7 @@ def main() -> None:
         for name in options.names or ASKED:
             found = times_us(ASKED[name], options.steps, Path(folder))
             print(f"{name:32}{statistics.median(found):8.2f}{min(found):8.2f}", flush=True)
-    print(f"aim: at most {MOST_US:.0f}")
+    print(f"aim: at most {MAX_US:.0f}")
 
 
 if __name__ == "__main__":

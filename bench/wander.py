@@ -23,7 +23,7 @@ WARM_UP = 40
 AT_ONCE = 100
 REPEATS = 8
 MICROSECONDS = 1e6
-MOST_US = 100.0
+MAX_US = 100.0
 
 
 def start(*, calm: bool) -> Session:
@@ -58,7 +58,7 @@ def main() -> None:
         times = sorted(found[calm])
         print(f"{name:40}{times[len(times) // 2]:8.1f}{times[0]:8.1f}")
     same = sessions[True].state_hash() == sessions[False].state_hash()
-    print(f"aim: at most {MOST_US:.0f}; the states are {'the same' if same else 'DIFFERENT'}")
+    print(f"aim: at most {MAX_US:.0f}; the states are {'the same' if same else 'DIFFERENT'}")
 
 
 if __name__ == "__main__":

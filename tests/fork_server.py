@@ -38,7 +38,7 @@ STREAMS: Final = 3
 PASSED: Final = 1 + len(NAMESPACES) + STREAMS
 """What comes with a request: the folder, the namespaces, and the streams."""
 
-MOST_FILES: Final = 1024
+MAX_FILES: Final = 1024
 """A server has fewer open: one for each client, and one for each fork."""
 
 SILENCE_S: Final = 30.0
@@ -170,7 +170,7 @@ class Command:
         os.fchdir(self._folder)
         for number, stream in enumerate(self._streams):
             os.dup2(stream, number)
-        os.closerange(STREAMS, MOST_FILES)
+        os.closerange(STREAMS, MAX_FILES)
         os.umask(self._mask)
         os.environb.clear()
         os.environb.update(self._environment)

@@ -6,12 +6,12 @@ import subprocess
 import time
 from pathlib import Path
 
-MOST_S = 60.0
+TIMEOUT_S = 60.0
 
 
 def wait_until_it_waits(process: int) -> None:
     """Return when a process runs no longer, but waits: for its input, say."""
-    end_s = time.monotonic() + MOST_S
+    end_s = time.monotonic() + TIMEOUT_S
     while not state_of(process).startswith("S"):
         assert time.monotonic() < end_s, "the process does not wait"
         time.sleep(0.005)

@@ -16,7 +16,7 @@ from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.runtime.executable import Executable
 from crs_cc.sim.engine.inject import inject
 from crs_cc.sim.model.degradation import Degradation, degradables, element_of
-from crs_cc.sim.model.fields import SHORTEST_EVAPORATION_S
+from crs_cc.sim.model.fields import MIN_EVAPORATION_S
 from crs_cc.sim.model.world import Pose, Robot
 
 if TYPE_CHECKING:
@@ -152,8 +152,8 @@ class Edits:
     def set_evaporation(self, field: str, evaporation_s: float) -> None:
         """Set the evaporation time of a pheromone field from now on, infinite for never."""
         check_number("evaporation_s", evaporation_s)
-        if not evaporation_s >= SHORTEST_EVAPORATION_S:
-            least = f"{SHORTEST_EVAPORATION_S:g} or more"
+        if not evaporation_s >= MIN_EVAPORATION_S:
+            least = f"{MIN_EVAPORATION_S:g} or more"
             raise ValueError(f"invalid evaporation time {evaporation_s!r} (expected {least})")
         self.inner.environment.set_evaporation(field, float(evaporation_s))
 

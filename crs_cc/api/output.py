@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import Final
 
-MOST_BYTES: Final = 2**20
+MAX_BYTES: Final = 2**20
 """What is kept of a stream of a robot; the rest is dropped."""
 
 
@@ -31,7 +31,7 @@ class Streams:
         """Store a program's output to a stream."""
         self.written += len(content)
         kept = self._written[robot, stream]
-        kept += content[: MOST_BYTES - len(kept)]
+        kept += content[: MAX_BYTES - len(kept)]
 
     def read(self, robot: int, wanted: int) -> bytes:
         """Return the next bytes of a program's standard input, at most as many as wanted."""

@@ -13,7 +13,7 @@ from crs_cc.plot.picture import Picture, RobotPath
 if TYPE_CHECKING:
     from crs_cc.session.session import Session
 
-_MOST: Final = 400
+_MAX_POSITIONS: Final = 400
 """Positions that are kept of each robot; when there are more, every other one is dropped."""
 
 
@@ -49,7 +49,7 @@ class Paths:
     def add(self, timestep: int, position_m: FloatArray) -> None:
         """Add the positions of all robots after a number of timesteps, (robots, 2)."""
         self._samples.append(position_m.copy())
-        if len(self._samples) > _MOST:
+        if len(self._samples) > _MAX_POSITIONS:
             self._samples = self._samples[::2]
             self._stride *= 2
         self._next = timestep // self._stride * self._stride + self._stride

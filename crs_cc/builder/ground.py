@@ -15,7 +15,7 @@ from crs_cc.builder.document import Document, Splice
 from crs_cc.builder.spans import Node
 from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.core.quantity import LENGTH
-from crs_cc.sim.files.ground_elements import HIGHEST_M
+from crs_cc.sim.files.ground_elements import MAX_HEIGHT_M
 from crs_cc.sim.model.ground import HeightMap
 from crs_cc.sim.model.world import WorldModel
 
@@ -84,7 +84,7 @@ def raised(
         raise ValueError("the map of heights is invalid")
     before = np.array(chart.heights_m).reshape(-1, chart.columns)
     share = _share(chart, before.shape, path, radius_m)
-    after = np.clip(before + rise_m * share, 0.0, HIGHEST_M)
+    after = np.clip(before + rise_m * share, 0.0, MAX_HEIGHT_M)
     is_new = share > 0.0
     if node is not None and "heights" in node.attributes:
         return Plan(_replaced(document, node, after[::-1], is_new[::-1]), ["surface/heightmap"])

@@ -95,7 +95,7 @@ def mounted(document: Document, node: Node, motion: Motion) -> list[Splice]:
     values = {names.x: like(document, node, LENGTH, x_m, texts.get(names.x, ""))}
     if names.y:
         values[names.y] = like(document, node, LENGTH, y_m, texts.get(names.y, ""))
-    if names.direction and abs(turned_rad - place.heading_rad) > _LEAST_RAD:
+    if names.direction and abs(turned_rad - place.heading_rad) > _MIN_ANGLE_RAD:
         values[names.direction] = _turned(
             document, node, turned_rad, texts.get(names.direction, "")
         )
@@ -110,7 +110,7 @@ def mounted(document: Document, node: Node, motion: Motion) -> list[Splice]:
     ]
 
 
-_LEAST_RAD: Final = 1e-7
+_MIN_ANGLE_RAD: Final = 1e-7
 
 
 def _turned(document: Document, node: Node, turned_rad: float, text: str) -> str:

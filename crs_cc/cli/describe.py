@@ -14,14 +14,14 @@ from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.files.world_xml import Definitions
 from crs_cc.sim.model.communication import PREDEFINED, Channel, Communication
 from crs_cc.sim.model.degradation import Degradation, described
-from crs_cc.sim.model.fields import MOST, Field
+from crs_cc.sim.model.fields import MAX_AMOUNT, Field
 from crs_cc.sim.model.foraging import Source
 from crs_cc.sim.model.goals import Goal
 from crs_cc.sim.model.registry import device
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import Robot, WorldModel, is_pushable
 
-_MOST: Final = 10
+_MAX_LISTED: Final = 10
 
 
 def describe(what: WorldModel | RobotModel | Definitions) -> list[str]:
@@ -54,16 +54,16 @@ def _world(world: WorldModel) -> Iterator[str]:
     yield line
     yield from _objects(world)
     yield from _communication(world.communication)
-    for robot in world.robots[:_MOST]:
+    for robot in world.robots[:_MAX_LISTED]:
         yield _robot(robot)
-    if len(world.robots) > _MOST:
-        yield f"... and {counted(len(world.robots) - _MOST, 'more robot')}"
+    if len(world.robots) > _MAX_LISTED:
+        yield f"... and {counted(len(world.robots) - _MAX_LISTED, 'more robot')}"
     for goal in world.goals:
         yield _goal(goal)
-    for degradation in world.degradations[:_MOST]:
+    for degradation in world.degradations[:_MAX_LISTED]:
         yield _degradation(degradation, world)
-    if len(world.degradations) > _MOST:
-        yield f"... and {counted(len(world.degradations) - _MOST, 'more degradation')}"
+    if len(world.degradations) > _MAX_LISTED:
+        yield f"... and {counted(len(world.degradations) - _MAX_LISTED, 'more degradation')}"
 
 
 def _objects(world: WorldModel) -> Iterator[str]:
@@ -111,7 +111,7 @@ def _field(field: Field) -> Iterator[str]:
         yield f"evaporates in {field.evaporation_s:g} s"
     if field.diffusion_m2ps:
         yield f"diffuses by {1e4 * field.diffusion_m2ps:g} cm2/s"
-    if field.saturation < MOST:
+    if field.saturation < MAX_AMOUNT:
         yield f"saturated at {field.saturation:g}"
 
 

@@ -21,7 +21,7 @@ _TITLE: Final = re.compile(r"^# (.*)$", re.MULTILINE)
 _COMMENT: Final = re.compile(r"<!--.*?-->\n*", re.DOTALL)
 _IMAGE: Final = re.compile(r"!\[([^\]]*)\]\([^)]*\)")
 _LINK: Final = re.compile(r"\[([^\]]+)\]\((?!http)[^)]*\)")
-_WIDEST: Final = 100
+_MAX_COLUMNS: Final = 100
 
 
 def _complete(
@@ -74,7 +74,7 @@ def _rendered(path: Path) -> str:
     text = _LINK.sub(r"\1", text)
     file = io.StringIO()
     coloured = is_coloured(sys.stdout)
-    width = min(Console().width, _WIDEST)
+    width = min(Console().width, _MAX_COLUMNS)
     console = Console(
         file=file, width=width, force_terminal=coloured, no_color=not coloured, legacy_windows=False
     )

@@ -22,7 +22,7 @@ import time
 from collections.abc import Sequence
 from typing import BinaryIO, Final, TextIO
 
-_LONGEST_LINE: Final = 4096
+_MAX_LINE: Final = 4096
 _REDRAW_S: Final = 0.1
 _ERASE_LINE: Final = "\r\x1b[2K"
 
@@ -102,9 +102,9 @@ class ProgramOutput:
             self._put(fd, data)
             return
         *lines, rest = (self._begun.get((robot, fd), b"") + data).split(b"\n")
-        while len(rest) >= _LONGEST_LINE:
-            lines.append(rest[:_LONGEST_LINE])
-            rest = rest[_LONGEST_LINE:]
+        while len(rest) >= _MAX_LINE:
+            lines.append(rest[:_MAX_LINE])
+            rest = rest[_MAX_LINE:]
         self._begun[robot, fd] = rest
         self._put(fd, b"".join(self._prefixes[robot] + line + b"\n" for line in lines))
 

@@ -32,10 +32,10 @@ if TYPE_CHECKING:
 PIECE: Final = 4096
 """The most bytes that one change brings."""
 
-MOST_UNSENT: Final = 2**20
+MAX_UNSENT: Final = 2**20
 """Bytes that wait for somebody in the real network who does not read; then the connection ends."""
 
-MOST_CONNECTIONS: Final = 64
+MAX_CONNECTIONS: Final = 64
 _LAST_WORDS_S: Final = 1.0  # for what programs have sent before they ended
 
 
@@ -139,7 +139,7 @@ class RealNetwork:
             return
         if kind == "data":
             connection.unsent += content
-            if len(connection.unsent) > MOST_UNSENT:
+            if len(connection.unsent) > MAX_UNSENT:
                 self._drop(number, "reset")
         elif kind == "end":
             connection.at_end = True
@@ -167,7 +167,7 @@ class RealNetwork:
             with suppress(BlockingIOError):
                 real, _ = listener.accept()
                 real.setblocking(False)
-                if len(self._connections) >= MOST_CONNECTIONS:
+                if len(self._connections) >= MAX_CONNECTIONS:
                     real.close()
                     continue
                 robots = self._session.environment.world.robots
@@ -240,7 +240,7 @@ def _listen(port: int) -> socket.socket:
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind((LOOPBACK, port))
-        listener.listen(MOST_CONNECTIONS)
+        listener.listen(MAX_CONNECTIONS)
         listener.setblocking(False)
     except OSError as error:
         listener.close()

@@ -10,7 +10,7 @@ import click
 
 Sensors = Literal["none", "read", "all"]
 
-_SHORTEST_S: Final = 1e-3
+_MIN_PERIOD_S: Final = 1e-3
 
 
 def _interval(_ctx: click.Context, _option: click.Parameter, text: str) -> float:
@@ -20,7 +20,7 @@ def _interval(_ctx: click.Context, _option: click.Parameter, text: str) -> float
         interval_s = TIME.parse(text)
     except ValueError as wrong:
         raise click.BadParameter(f"{wrong}.") from None
-    if not _SHORTEST_S <= interval_s <= 3600.0:
+    if not _MIN_PERIOD_S <= interval_s <= 3600.0:
         raise click.BadParameter(f"'{text}' is not between 1 ms and 1 h.")
     return interval_s
 

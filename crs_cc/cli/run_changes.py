@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from crs_cc.session.session import Session
 
 _SLACK: Final = 1e-6  # timesteps
-_MOST: Final = 2**30
+_UNLIMITED: Final = 2**30
 
 
 class RunChanges:
@@ -90,7 +90,7 @@ class RunChanges:
 
     def timesteps_left(self, session: Session) -> int:
         """Return how many timesteps there are until the next change, at least 1."""
-        return max(1, self._left[0][0] - session.timesteps) if self._left else _MOST
+        return max(1, self._left[0][0] - session.timesteps) if self._left else _UNLIMITED
 
     def report(self) -> None:
         """Report how many changes were not made because the run ended earlier."""

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from crs_cc.cli.serve_options import JoinOptions
     from crs_cc.runtime.executable import Executable
 
-_FIRST_PAUSE_S, _LONGEST_PAUSE_S = 0.1, 1.0
+_MIN_PAUSE_S, _MAX_PAUSE_S = 0.1, 1.0
 _LOST: Final = 1
 _REFUSED: Final = 2
 
@@ -138,7 +138,7 @@ class _Host:
 
     def _connect(self, keep_alive: KeepAlive) -> EnvironmentConnection:
         """Connect to the environment, as often as it takes for some time."""
-        end_s, pause_s = time.monotonic() + self._options.retry_s, _FIRST_PAUSE_S
+        end_s, pause_s = time.monotonic() + self._options.retry_s, _MIN_PAUSE_S
         is_reported = self._options.quiet
         while True:
             address = self._options.address
@@ -154,7 +154,7 @@ class _Host:
                     say(f"crs: {shown}: {error}; trying again for {retry_s:g} s")
                     is_reported = True
             time.sleep(pause_s)
-            pause_s = min(2.0 * pause_s, _LONGEST_PAUSE_S)
+            pause_s = min(2.0 * pause_s, _MAX_PAUSE_S)
 
     def _serve(self, found: EnvironmentConnection) -> int:
         robots = found.robots

@@ -12,7 +12,7 @@ from crs_cc.cli.load import load
 from crs_cc.cli.make_debugger import end_at, make_debugger
 from crs_cc.cli.messages import WARNINGS_BEFORE_RUN, left_out_text, render, say
 from crs_cc.cli.start_debugger import fixed_input
-from crs_cc.core.loopback import LEAST_TOKEN, new_token
+from crs_cc.core.loopback import MIN_TOKEN, new_token
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.dap.port import serve_port
 from crs_cc.debug.dap.serve import serve_stdio
@@ -60,8 +60,8 @@ def _serve_port(port: int, open_run: OpenRun) -> None:
         OSError: the port is in use.
     """
     chosen = os.environ.get(VARIABLE)
-    if chosen is not None and len(chosen) < LEAST_TOKEN:
-        raise click.UsageError(f"{VARIABLE} has fewer than {LEAST_TOKEN} characters.")
+    if chosen is not None and len(chosen) < MIN_TOKEN:
+        raise click.UsageError(f"{VARIABLE} has fewer than {MIN_TOKEN} characters.")
     token = chosen or new_token()
 
     def announce(address: str) -> None:

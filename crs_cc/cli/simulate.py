@@ -51,7 +51,7 @@ if TYPE_CHECKING:
 _AT_ONCE_S: Final = 5.0
 """Simulated time between two looks at interrupts: a program computes less than a second for it."""
 
-_MOST: Final = 2**30
+_UNLIMITED: Final = 2**30
 _ROUNDING: Final = 1e-6  # [timesteps]
 
 
@@ -294,7 +294,7 @@ class Runner:
 
     def _most_timesteps(self) -> int:
         """Return the number of timesteps to run until output and interrupts are checked again."""
-        most = self._changes.timesteps_left(self.session) if self._changes else _MOST
+        most = self._changes.timesteps_left(self.session) if self._changes else _UNLIMITED
         if self._hosts is not None:
             most = min(most, self._hosts.timesteps_left() or most)
         if self._view is not None:  # which does what pages ask for, and waits

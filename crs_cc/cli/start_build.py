@@ -17,7 +17,7 @@ from crs_cc.workbench.build_screen import BuildScreen
 
 _NEW: Final = ("8m", "6m")
 _ADDRESS: Final = "crs: open "
-_MOST_LINES: Final = 200
+_MAX_LINES: Final = 200
 _ENDS_S: Final = 5.0
 
 
@@ -60,7 +60,7 @@ class Trial:
             if line.startswith(_ADDRESS):
                 return line.removeprefix(_ADDRESS).strip()
             said.append(line.strip())
-            if len(said) >= _MOST_LINES:
+            if len(said) >= _MAX_LINES:
                 break
         self.end()
         why = "; ".join(filter(None, said[:3])) or "the run does not start"

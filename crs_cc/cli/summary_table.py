@@ -151,8 +151,8 @@ def _pose(pose: Pose) -> str:
 LONG_S: Final = 5.0
 """A program that has not called its robot for longer than this may hang."""
 
-MOST_NAMES: Final = 3
-MOST_LINES: Final = 5
+MAX_NAMES: Final = 3
+MAX_LINES: Final = 5
 
 
 def running_programs(run: Run) -> Iterator[str]:
@@ -162,11 +162,11 @@ def running_programs(run: Run) -> Iterator[str]:
         if call is not None:
             last_call = _last_call(robot)
             alike.setdefault((_place(call, alone=len(run.calls) == 1), last_call), []).append(robot)
-    for (place, last_call), robots in list(alike.items())[:MOST_LINES]:
+    for (place, last_call), robots in list(alike.items())[:MAX_LINES]:
         verb = "is" if len(robots) == 1 else "are"
         yield f"{_names(robots)} {verb} {place}{last_call}"
-    if len(alike) > MOST_LINES:
-        yield f"... and {len(alike) - MOST_LINES} more places"
+    if len(alike) > MAX_LINES:
+        yield f"... and {len(alike) - MAX_LINES} more places"
 
 
 def lost_blocks(run: Run) -> Iterator[str]:
@@ -178,11 +178,11 @@ def lost_blocks(run: Run) -> Iterator[str]:
             where = f", allocated at {site.location} in {plain_name(site.function)}" if site else ""
             key = where, len(lost.sizes), sum(lost.sizes)
             alike.setdefault(key, []).append(robot)
-    for (where, number, size), robots in list(alike.items())[:MOST_LINES]:
+    for (where, number, size), robots in list(alike.items())[:MAX_LINES]:
         blocks = f"{count(number, 'heap block')} of {count(size, 'byte')}"
         yield printable(f"{_names(robots)}: lost {blocks}{where}: neither freed nor pointed to")
-    if len(alike) > MOST_LINES:
-        yield f"... and blocks from {len(alike) - MOST_LINES} more places"
+    if len(alike) > MAX_LINES:
+        yield f"... and blocks from {len(alike) - MAX_LINES} more places"
 
 
 def _place(call: ActiveCall, *, alone: bool) -> str:
@@ -200,6 +200,6 @@ def _last_call(robot: RobotResult) -> str:
 
 
 def _names(robots: list[RobotResult]) -> str:
-    names = [printable(robot.id) for robot in robots[:MOST_NAMES]]
+    names = [printable(robot.id) for robot in robots[:MAX_NAMES]]
     more = len(robots) - len(names)
     return ", ".join(names) + (f" and {more} more" if more else "")

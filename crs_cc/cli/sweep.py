@@ -26,7 +26,7 @@ Examples:
   crs sweep report speeds --measure distance_m
 """
 _EVERY_S: Final = 0.2
-_MOST_ERRORS: Final = 5
+_MAX_ERRORS: Final = 5
 
 
 class _RunByDefault(click.Group):
@@ -140,11 +140,11 @@ def _summary(wanted: Sweep, *, quiet: bool) -> int:
         return int(failed > 0)
     runs = f"{len(wanted.rows)} runs" if len(wanted.rows) != 1 else "1 run"
     say(f"{runs}, {failed} failed: {wanted.folder / TABLE}")
-    for status, text, rows in wrong[:_MOST_ERRORS]:
+    for status, text, rows in wrong[:_MAX_ERRORS]:
         first = rows[0].get("recording") or f"run {rows[0]['run']}"
         say(f"  {len(rows)} x {status}: {text} ({first})")
-    if len(wrong) > _MOST_ERRORS:
-        say(f"  and {len(wrong) - _MOST_ERRORS} other errors")
+    if len(wrong) > _MAX_ERRORS:
+        say(f"  and {len(wrong) - _MAX_ERRORS} other errors")
     for number, text in sorted(wanted.unrecorded.items())[:1]:
         say(f"{len(wanted.unrecorded)} failed runs are not recorded, the first is {number}: {text}")
     search = wanted.experiment.search

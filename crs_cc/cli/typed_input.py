@@ -141,7 +141,7 @@ class OwnInput:
         if not self._next:
             if is_terminal(sys.stdin) and not is_input_waiting():
                 return 0, float("inf")
-            self._next = read_line(_LONGEST)
+            self._next = read_line(_MAX_LINE)
         return len(self._next), 0.0
 
     def read(self, _robot: int, size: int) -> bytes:
@@ -151,5 +151,5 @@ class OwnInput:
         return line[:size]
 
 
-_LONGEST: Final = 256
+_MAX_LINE: Final = 256
 """The most bytes of a line that are known before they are read."""

@@ -29,7 +29,7 @@ from typing import Any, Final
 LOOPBACK: Final = "127.0.0.1"
 """The address that servers listen on."""
 
-LEAST_TOKEN: Final = 16
+MIN_TOKEN: Final = 16
 """The fewest characters of a token that the user chooses; chosen by us."""
 
 STALL_S: Final = 5.0

@@ -21,7 +21,7 @@ from crs_cc.core.units import INCH_M, inch_to_m
 _QUANTITY: Final = re.compile(
     r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\s*([A-Za-z][A-Za-z0-9/]*)?\s*"
 )
-_LONGEST: Final = 64
+_MAX_TEXT: Final = 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,10 +52,10 @@ class Kind:
         Raises:
             ValueError: the text is not such a quantity, or is out of range.
         """
-        match = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
+        match = _QUANTITY.fullmatch(text) if len(text) <= _MAX_TEXT else None
         factor = dict(self.units).get(match[2] or default or self.default) if match else None
         if match is None or factor is None:
-            shown = text if len(text) <= _LONGEST else text[:_LONGEST] + "..."
+            shown = text if len(text) <= _MAX_TEXT else text[:_MAX_TEXT] + "..."
             names = ", ".join(name for name, _ in self.units)
             unit = f" and one of {names}" if names else ""
             raise ValueError(

@@ -26,7 +26,7 @@ Conditions = Mapping[int, tuple[str, ...]]
 Key = tuple[tuple[int, tuple[str, ...]], ...]
 """The same, to look it up."""
 
-_MOST: Final = 64
+_MAX_CACHED: Final = 64
 """So many sets of conditions are kept compiled."""
 
 
@@ -45,7 +45,7 @@ class ConditionTests:
         executable = fleet.executable(robot)  # kept, too, so that no other one gets its id
         key = id(executable), tuple(sorted(conditions.items()))
         if key not in self._made:
-            if len(self._made) >= _MOST:
+            if len(self._made) >= _MAX_CACHED:
                 self._made.clear()
             self._made[key] = executable, self._compiled(robot, conditions)
         _, tests = self._made[key]

@@ -14,7 +14,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.timeline.position import Position
 
-_LONGEST: Final = 60
+_MAX_TEXT: Final = 60
 """Of a longer line only so much is shown [characters]."""
 
 
@@ -52,7 +52,7 @@ def _described(piece: bytes) -> str:
     if not piece:
         return "typed the end of input"
     text = piece.decode(errors="replace").rstrip("\n")
-    return f'typed "{text[:_LONGEST]}"' + "..." * (len(text) > _LONGEST)
+    return f'typed "{text[:_MAX_TEXT]}"' + "..." * (len(text) > _MAX_TEXT)
 
 
 def revert(debugger: Debugger, number: int) -> Stop:

@@ -38,7 +38,7 @@ EVENTS: Final[dict[Concern, tuple[str, ...]]] = {
 }
 """The kinds of the events that have to do with a value."""
 
-_MOST_EVENTS: Final = 3
+_MAX_EVENTS: Final = 3
 _TOUCHED: Final = re.compile(r" touched (?P<other>.*) at [^,]*, [^,]*$")
 _AROUND: Final = 1  # timesteps
 
@@ -123,7 +123,7 @@ def _recent_events(run: RecordedRun, number: int, concern: Concern) -> Iterator[
         touched = _TOUCHED.search(each.text)
         if each.robot == number or (touched is not None and touched["other"] == name):
             found.append((timestep, each))
-    for timestep, each in reversed(found[-_MOST_EVENTS:]):
+    for timestep, each in reversed(found[-_MAX_EVENTS:]):
         yield Fact(each.text, Position(timestep + 1, 0), each.time_s)
     word = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
     for change in reversed(run.history.changes):

@@ -8,7 +8,7 @@ from crs_cc.debug.statement_source import statement_source
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.view import View
 
-FEWEST_REPEATS, MOST_REPEATS = 3, 10_000
+MIN_REPEATS, MAX_REPEATS = 3, 10_000
 """So many changes of an object by itself, in a loop, are one node; no more are counted."""
 
 
@@ -29,7 +29,7 @@ def repeated(
         access = write.access
         if access is None or access.library or access.location is None:
             break
-        if access.function != function or count >= MOST_REPEATS:
+        if access.function != function or count >= MAX_REPEATS:
             break
         text = statement_source(view, wanted.robot, function, access.location).text
         if name not in source_of(text) and not is_count(text):

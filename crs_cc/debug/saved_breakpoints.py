@@ -22,7 +22,7 @@ KIND: Final = "breakpoint"
 """What they are called among the input of a recording."""
 
 MAX_KEPT: Final = 200
-_LONGEST: Final = 400
+_MAX_TEXT: Final = 400
 
 
 def saved_breakpoints(points: StopPoints) -> Iterator[dict[str, Any]]:
@@ -84,4 +84,4 @@ def _restore(points: StopPoints, data: Mapping[str, Any], robots: int) -> None:
 
 def _text(data: Mapping[str, Any], name: str) -> str:
     """Return a text of one line."""
-    return " ".join(str(data.get(name, ""))[:_LONGEST].split("\n"))
+    return " ".join(str(data.get(name, ""))[:_MAX_TEXT].split("\n"))

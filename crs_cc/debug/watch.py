@@ -54,9 +54,9 @@ from crs_cc.runtime.watch_ranges import (
     offset,
 )
 
-_MOST_READS: Final = 6
+_MAX_READS: Final = 6
 """So many ranges are watched of what an expression reads; nearby ones are joined into one."""
-MAX: Final = RANGES // (_MOST_READS + 2)
+MAX: Final = RANGES // (_MAX_READS + 2)
 """Most objects and expressions of one robot that can be watched at once.
 
 Each needs ranges for what it reads, for the object that it names, and for a frame's header."""
@@ -238,7 +238,7 @@ class WatchSet:
             since = 0 if each.frame is None else each.frame.entered
             seen = self._seen[each.number]
             parts: list[tuple[Role, Span, int]] = [
-                ("read", span, WRITE) for span in joined(seen.reads, _MOST_READS)
+                ("read", span, WRITE) for span in joined(seen.reads, _MAX_READS)
             ]
             if seen.place is not None:
                 parts.insert(0, ("object", seen.place, KINDS[each.kind]))

@@ -57,7 +57,7 @@ from crs_cc.debug.message_cause import (
 )
 from crs_cc.debug.motion_cause import CONCERNS, Concern, command_statement, facts, pushing_robots
 from crs_cc.debug.navigator import Navigator
-from crs_cc.debug.repeated_writes import FEWEST_REPEATS, repeated
+from crs_cc.debug.repeated_writes import MIN_REPEATS, repeated
 from crs_cc.debug.statement_source import StatementSource, statement_source
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError
@@ -179,7 +179,7 @@ class Why:
         calling = passing_call(evaluator, stopped.stack, owner, value)
         if own is not None and own.is_same_memory(wanted) and point.frame is not None:
             count, first = repeated(self._view, name, wanted, point.position, point.frame.function)
-            if first is not None and count >= FEWEST_REPEATS:
+            if first is not None and count >= MIN_REPEATS:
                 return self._written(head, wanted, first, depth, count)
         write = last_write(self._run, wanted, point.position)
         if write is not None:
@@ -238,7 +238,7 @@ class Why:
         (name,) = operands(cut(text))
         function = "" if point.frame is None else point.frame.function
         count, first = repeated(self._view, name, wanted, point.position, function)
-        if base.times == 1 and first is not None and count + 1 >= FEWEST_REPEATS:
+        if base.times == 1 and first is not None and count + 1 >= MIN_REPEATS:
             return self._written(base.text, wanted, first, depth, count + 1)
         return replace(base, causes=self._operands(point, [name], depth + 1, wanted))
 

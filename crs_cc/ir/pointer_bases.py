@@ -47,7 +47,7 @@ ALLOCATORS: Final = frozenset({"malloc", "calloc", "realloc"})
 NEAR: Final = 16
 """No two objects are closer to each other [bytes], see `runtime.layout.red_zone`."""
 
-_FARTHEST: Final = 64
+_MAX_DISTANCE: Final = 64
 """Distances are not followed further than this, so that loops come to an end [bytes]."""
 
 MAX_BLOCKS: Final = 2000
@@ -305,7 +305,7 @@ def _moved(what: _Pointer | _Distance | _Index | None, distance: int | None) -> 
         return _Pointer(what.object, None, None)
     offset = None if what.offset is None else what.offset + distance
     drift = None if what.drift is None else (what.drift[0] + distance, what.drift[1] + distance)
-    if drift is not None and max(map(abs, drift)) > _FARTHEST:
+    if drift is not None and max(map(abs, drift)) > _MAX_DISTANCE:
         drift = None
     return _Pointer(what.object, offset, drift)
 

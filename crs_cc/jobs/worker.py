@@ -37,7 +37,7 @@ _WORLD: Final = b"""<world version="1"><area length="3m" width="3m"/>
 <box x="2m" y="2m" length="9cm" width="9cm" mass="1kg"/><robot x="1m" y="1m" setup="noisy"/>
 <goal><no-collision/></goal></world>"""
 
-_MOST: Final = 32
+_MAX_JOBS: Final = 32
 """Jobs that a child does at most: what it has not freed then is little."""
 
 Work = Callable[[dict[str, Any], Callable[[], None]], dict[str, Any]]
@@ -108,7 +108,7 @@ class _Child:
             try:
                 os.close(self._jobs)
                 os.close(self._answers)
-                _run_jobs(work, jobs, answers, _MOST if key else 1)
+                _run_jobs(work, jobs, answers, _MAX_JOBS if key else 1)
             finally:
                 os._exit(0)
         os.close(jobs)

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final, Literal, Self, get_args
 
-from crs_cc.core.loopback import LEAST_TOKEN, is_token, new_token
+from crs_cc.core.loopback import MIN_TOKEN, is_token, new_token
 from crs_cc.core.suggest import unknown
 from crs_cc.net.handshake import RefusedError
 
@@ -74,8 +74,8 @@ def parsed(text: str) -> Access:
             raise ValueError(f"{number}: {unknown('role', words[0][:40], list(ROLES))}")
         if len(words) != 2:
             raise ValueError(f"{number}: expected a role and a token")
-        if len(words[1]) < LEAST_TOKEN or not words[1].isascii():
-            raise ValueError(f"{number}: a token has at least {LEAST_TOKEN} characters of ASCII")
+        if len(words[1]) < MIN_TOKEN or not words[1].isascii():
+            raise ValueError(f"{number}: a token has at least {MIN_TOKEN} characters of ASCII")
         found[role].append(words[1])
         if sum(map(len, found.values())) > MAX_TOKENS:
             raise ValueError(f"{number}: more than {MAX_TOKENS} tokens")

@@ -42,7 +42,7 @@ before leads one to expect; chosen by us, it is hardly seen."""
 FULL: Final = 255
 """The share of a square that has the largest amount."""
 
-_LONGEST: Final = 1000  # characters of a name
+_MAX_NAME: Final = 1000  # characters of a name
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +86,7 @@ class FieldSketch:
     def of(cls, entry: Mapping[str, Any]) -> Self:
         """Return the sketch in an entry; raise ValueError or KeyError if it is not valid."""
         name, rows, columns = entry["field"], entry["rows"], entry["columns"]
-        if not isinstance(name, str) or len(name) > _LONGEST:
+        if not isinstance(name, str) or len(name) > _MAX_NAME:
             raise ValueError("a field has no valid name")
         if not all(type(each) is int and 0 < each <= MAX_SIDE for each in (rows, columns)):
             raise ValueError("a field has an invalid number of rows or columns")

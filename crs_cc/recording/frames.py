@@ -44,14 +44,14 @@ NOWHERE: Final = -(2**31)
 """The x of a robot that is not in the world."""
 
 MAX_ROWS: Final = 1_000_000
-_LARGEST_GROUP: Final = 2**20  # that is read
+_MAX_GROUP_BYTES: Final = 2**20  # that is read
 MAX_GROUP: Final = 2**18
 """The frames of a chunk are a group if they take at most so much [bytes]."""
 
 _COUNT: Final = struct.Struct("<I")  # of the frames of a group
 _TIME: Final = 8  # bytes of a frame's time in a group
 
-_LARGEST: Final = 2.0**31 - 1
+_MAX_VALUE: Final = 2.0**31 - 1
 _BYTES: Final = 4
 
 Numbers = npt.NDArray[np.uint32]
@@ -141,8 +141,8 @@ def whole_numbers(values: FloatArray) -> Numbers:
     """Return numbers [m, rad] as they are written: rounded, `NOWHERE` for NaN."""
     with np.errstate(over="ignore", invalid="ignore"):  # of a file that somebody has changed
         scaled = np.rint(values * PER_UNIT)
-    np.minimum(scaled, _LARGEST, out=scaled)  # np.clip takes longer for few numbers
-    np.maximum(scaled, -_LARGEST, out=scaled)
+    np.minimum(scaled, _MAX_VALUE, out=scaled)  # np.clip takes longer for few numbers
+    np.maximum(scaled, -_MAX_VALUE, out=scaled)
     missing = np.isnan(scaled)
     if missing.any():
         scaled[missing] = NOWHERE
@@ -227,7 +227,7 @@ def group_in(message: bytes) -> tuple[Int64Array, Numbers]:
         or not 0 < columns <= len(COLUMNS)
         or count * rows == 0
         or len(message) != begin + count * size
-        or len(message) > _LARGEST_GROUP
+        or len(message) > _MAX_GROUP_BYTES
     ):
         raise ValueError("a group of frames has an unknown form")
     after_ns = np.frombuffer(message, "<u8", count, begin).cumsum().astype(np.int64)

@@ -33,7 +33,7 @@ HEAD: Final = struct.Struct(f"<IIBQ3I{COLUMNS}I")
 """Robots, movable objects, whether there are turrets, frames before; the numbers of pieces of
 output, of hashes and of entries; the sizes of the columns, which follow, and then the others."""
 
-_MOST_FRAMES: Final = 2**40
+_MAX_FRAMES: Final = 2**40
 _OUTPUT: Final = struct.Struct("<qIBI")  # time [ns], robot, stream, size of what follows
 _HASH: Final = struct.Struct(f"<qQ{DIGITS}sI16s")  # time [ns], timesteps, digest, output, state
 _ENTRY: Final = struct.Struct("<qBI")  # time [us], sizes of the topic and of the text
@@ -81,7 +81,7 @@ def unpacked(data: bytes) -> Second:
     cursor = _Cursor(data)
     robots, objects, turret, before, *rest = cursor.numbers(HEAD)
     outputs, hashes, entries, *sizes = rest
-    if robots + objects > MAX_ROWS or before > _MOST_FRAMES:
+    if robots + objects > MAX_ROWS or before > _MAX_FRAMES:
         raise ValueError("the saved data has too many rows")
     second = Second(
         Shape(robots, objects, bool(turret)),

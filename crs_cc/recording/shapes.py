@@ -13,7 +13,7 @@ from crs_cc.sim.model.world import PLAIN, Box, Cylinder, Polygon, Solid, Wall, i
 if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
 
-_TALLEST_M: Final = 0.8
+_MAX_HEIGHT_M: Final = 0.8
 """How high things are drawn that have no end."""
 
 _EDGE_M: Final = 0.25
@@ -58,7 +58,7 @@ def _shape(solid: Solid) -> dict[str, Any]:
     paint = solid.material.colour
     data: dict[str, Any] = {
         "id": solid.id,
-        "height": min(solid.height_m, _TALLEST_M),
+        "height": min(solid.height_m, _MAX_HEIGHT_M),
         "colour": plain if paint == PLAIN.colour else hexadecimal(paint),
     }
     match solid:

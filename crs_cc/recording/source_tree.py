@@ -26,7 +26,7 @@ INPUTS: Final = "input/"
 """Begins the names of attachments that programs could read."""
 
 MAX_FILES: Final = 10_000
-_LONGEST: Final = 1000
+_MAX_NAME: Final = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +81,7 @@ def is_safe(name: str) -> bool:
     (True, False, False)
     """
     path = PurePosixPath(name)
-    is_plain = name.isprintable() and "\\" not in name and len(name) <= _LONGEST
+    is_plain = name.isprintable() and "\\" not in name and len(name) <= _MAX_NAME
     is_plain &= all(map(is_plain_file_name, path.parts))
     return bool(path.parts) and is_plain and not path.is_absolute() and ".." not in path.parts
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import any_of
-from crs_cc.sim.kernels.calm import ASKED, DRAWN, FULL, MOST, REFUSED, CalmKernel
+from crs_cc.sim.kernels.calm import ASKED, DRAWN, FULL, MAX_ROWS, REFUSED, CalmKernel
 from crs_cc.sim.kernels.program import executable
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class CalmPrograms:
         """
         state, hints = self._state, self._hints
         environment = state.environment
-        if not (self.is_allowed and self.is_worthwhile) or len(state.fleet) > MOST:
+        if not (self.is_allowed and self.is_worthwhile) or len(state.fleet) > MAX_ROWS:
             return REFUSED
         if environment.cycle == self._refused or hints.follows_moves or state.network.is_used:
             return REFUSED
@@ -103,9 +103,9 @@ class CalmPrograms:
         robots = len(self._state.fleet)
         if robots != self._robots:
             self._robots, self._calm, self._turns = robots, None, None
-            if robots <= MOST and self._partner is None:
+            if robots <= MAX_ROWS and self._partner is None:
                 self._partner = self._state.fleet.partner(executable(checked=False))
-            if robots <= MOST and self._partner is not None:
+            if robots <= MAX_ROWS and self._partner is not None:
                 kernel = CalmKernel(self._partner.instance)
                 self._calm = self._state.environment.calm_time(kernel)
         return self._calm

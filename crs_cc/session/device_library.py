@@ -19,7 +19,7 @@ HEADER: Final = "crs/registered.h"
 """What `crs.h` includes for the devices of the registry."""
 
 _WIDTH: Final = 98
-_LARGEST_SOURCE: Final = 1 << 20
+_MAX_SOURCE: Final = 1 << 20
 
 
 @cache
@@ -55,7 +55,7 @@ def _own_headers(device: Device) -> list[Path]:
 
 def _text(path: Path) -> str:
     with path.open("rb") as file:
-        return file.read(_LARGEST_SOURCE).decode("utf-8", errors="replace")
+        return file.read(_MAX_SOURCE).decode("utf-8", errors="replace")
 
 
 @cache

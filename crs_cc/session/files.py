@@ -27,7 +27,7 @@ DISK_BYTES: Final = 16 * 2**20
 DISK_FILES: Final = 1000
 """The maximum number of a robot's files, not counting the user's."""
 
-LONGEST_PART: Final = 255  # of a name, between two slashes; Linux's NAME_MAX [bytes]
+MAX_PART: Final = 255  # of a name, between two slashes; Linux's NAME_MAX [bytes]
 
 CREATE, EXCLUSIVE, TRUNCATE, NAMELESS = 0o100, 0o200, 0o1000, 0o20000000
 """Flags of `Disk.open`, with the values of Linux's O_CREAT, O_EXCL, O_TRUNC and O_TMPFILE."""
@@ -255,7 +255,7 @@ class Disk:
             return -EISDIR
         if any(b"/".join(parts[:count]) in self._names for count in range(1, len(parts))):
             return -ENOTDIR
-        if any(len(part) > LONGEST_PART for part in parts):
+        if any(len(part) > MAX_PART for part in parts):
             return -ENAMETOOLONG
         if min(path) < 32 or 127 in path:
             return -EINVAL

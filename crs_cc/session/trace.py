@@ -24,7 +24,7 @@ from crs_cc.sim.engine.step import Answer, AxisSlice, RobotSlice, Step, describe
 from crs_cc.sim.model.degradable import TURNING
 from crs_cc.sim.state.events import Event
 
-_MOST_VALUES: Final = 16  # a reply has up to 62
+_MAX_VALUES: Final = 16  # a reply has up to 62
 
 
 class Trace:
@@ -133,7 +133,7 @@ def _answer(answer: Answer) -> str:
     if not answer.result:
         text += " refused"
     for name, values in answer.values.items():
-        text += f" {name}={','.join(map(str, values[:_MOST_VALUES]))}"
-        if len(values) > _MOST_VALUES:
+        text += f" {name}={','.join(map(str, values[:_MAX_VALUES]))}"
+        if len(values) > _MAX_VALUES:
             text += f",... ({len(values)} in all)"
     return text

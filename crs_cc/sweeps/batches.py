@@ -15,14 +15,14 @@ from crs_cc.sweeps.plan import PlannedRun
 _BATCH_S: Final = 0.4
 """Real time that a batch should take: what an interruption may cost."""
 
-MOST: Final = 8
+MAX_BATCH: Final = 8
 """Runs in a batch: the sessions of all of them may be in memory."""
 
 
 class Batches:
     """Runs that follow each other and have the same parameters, in batches."""
 
-    def __init__(self, runs: Iterable[PlannedRun], most: int = MOST) -> None:
+    def __init__(self, runs: Iterable[PlannedRun], most: int = MAX_BATCH) -> None:
         """Set the runs.
 
         Args:

@@ -23,7 +23,7 @@ from crs_cc.jobs.forked import CAN_FORK
 from crs_cc.jobs.pool import Outcome, Pool, Task
 from crs_cc.recording.description import versions
 from crs_cc.recording.recording import Recording
-from crs_cc.sweeps.batches import MOST, Batches
+from crs_cc.sweeps.batches import MAX_BATCH, Batches
 from crs_cc.sweeps.experiment import Experiment, ExperimentError
 from crs_cc.sweeps.experiment_file import parse, read_text
 from crs_cc.sweeps.plan import (
@@ -350,7 +350,7 @@ class Sweep:
     @property
     def _most_in_batch(self) -> int:
         """The user's measures of several runs would meet where they are not computed apart."""
-        return MOST if CAN_FORK or self.experiment.measures is None else 1
+        return MAX_BATCH if CAN_FORK or self.experiment.measures is None else 1
 
     def _rows_of_batches(
         self, pool: RunTasks, batches: Batches, alone: list[PlannedRun] | None

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from crs_cc.workbench.feed import Feed
     from crs_cc.workbench.watcher import Watcher
 
-_LONGEST: Final = 80
+_MAX_NAME: Final = 80
 
 
 class BranchFeeds:
@@ -111,5 +111,5 @@ class BranchFeeds:
     def _known(self, name: str) -> Feed:
         found = self._left.get(name)
         if found is None:
-            raise DebugError(f"unknown run '{name[:_LONGEST]}'")
+            raise DebugError(f"unknown run '{name[:_MAX_NAME]}'")
         return found

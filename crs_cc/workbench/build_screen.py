@@ -43,7 +43,7 @@ MAX_NAMES: Final = 10_000
 _LOOKS: Final = ("properties", "form", "library", "scene")
 """Commands that change nothing."""
 
-_LONGEST: Final = 60_000
+_MAX_TEXT: Final = 60_000
 
 
 class BuildScreen:
@@ -292,7 +292,7 @@ def _area(world: WorldModel) -> dict[str, float]:
 
 def _text(given: dict[str, Any], name: str) -> str:
     value = given.get(name)
-    if not isinstance(value, str) or len(value) > _LONGEST:
+    if not isinstance(value, str) or len(value) > _MAX_TEXT:
         raise ValueError(f"{name!r} must be a string")
     return value
 

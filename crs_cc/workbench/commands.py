@@ -17,7 +17,7 @@ from crs_cc.workbench.comparing import COMPARING
 from crs_cc.workbench.messages import block_message, page_message, recording_message
 from crs_cc.workbench.page import feed_contents, page_of
 from crs_cc.workbench.panel_commands import PANEL
-from crs_cc.workbench.player import FASTEST, SLOWEST
+from crs_cc.workbench.player import MAX_SPEED, MIN_SPEED
 from crs_cc.workbench.values import values
 
 if TYPE_CHECKING:
@@ -59,8 +59,8 @@ def _seek(screen: Context, time_s: float) -> None:
 
 
 def _speed(screen: Context, speed: float) -> None:
-    if speed != 0.0 and not SLOWEST <= speed <= FASTEST:
-        raise ValueError(f"the speed must be {SLOWEST:g} to {FASTEST:g}, or 0 for no limit")
+    if speed != 0.0 and not MIN_SPEED <= speed <= MAX_SPEED:
+        raise ValueError(f"the speed must be {MIN_SPEED:g} to {MAX_SPEED:g}, or 0 for no limit")
     screen.player.set_speed(speed or math.inf)
 
 

@@ -35,7 +35,7 @@ MAX_DIFFERENCES: Final = 60
 MAX_PATHS: Final = 50
 MAX_POINTS: Final = 500
 
-_LONGEST: Final = 80
+_MAX_TEXT: Final = 80
 _STORED: Final = 1.6e-4  # of a pose [m, rad]: frames have four digits
 _BETWEEN: Final = 5e-3  # of one that lies between two frames
 
@@ -227,7 +227,7 @@ def _first(
 def _text(happening: Happening | None, first: Happening) -> str:
     if happening is None or happening[:2] != first[:2]:
         return "not then"
-    return happening[2][:_LONGEST].strip()
+    return happening[2][:_MAX_TEXT].strip()
 
 
 def _paths(feed: Feed, names: Sequence[str], begin_s: float) -> dict[str, list[list[float]]]:

@@ -28,7 +28,7 @@ MAX_FOUND: Final = 40
 
 _PIECE: Final = 200  # of timesteps of robots
 _AT_ONCE_S: Final = 0.3  # of real time
-_LONGEST: Final = 120  # characters of a value
+_MAX_TEXT: Final = 120  # characters of a value
 
 Key = tuple[str, str]
 """A robot, and what of it."""
@@ -204,4 +204,4 @@ class ComparedPart:
 
 
 def _shown(text: str) -> str:
-    return text[:_LONGEST] or "nothing"
+    return text[:_MAX_TEXT] or "nothing"

@@ -42,7 +42,7 @@ MAX_ROWS: Final = 100
 MAX_ELEMENTS: Final = 32
 """Of a reading that is shown; a laser has more."""
 
-_LONGEST: Final = 120  # characters of a value
+_MAX_TEXT: Final = 120  # characters of a value
 
 _LATEST_S: Final = 1.0  # frames are more frequent while anything moves
 
@@ -164,7 +164,7 @@ def value(
         seen = debugger.view.evaluate_pure(expression, robot=robot)
     except DebugError as error:
         return str(error), None
-    number, text = seen.number, seen.text[:_LONGEST]
+    number, text = seen.number, seen.text[:_MAX_TEXT]
     if number is None:
         return f"'{expression}' is not a number", text
     return float(number) if math.isfinite(number) else "not finite", text

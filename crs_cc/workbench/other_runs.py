@@ -34,7 +34,7 @@ MAX_FRAMES: Final = 128 * 2**20
 """Of frames of a run that are kept in memory."""
 
 _NUMBERS: Final = 2**24  # of blocks: those of each run begin at another multiple
-_LONGEST: Final = 80
+_MAX_TEXT: Final = 80
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,8 +106,8 @@ class OtherRuns:
         Raises:
             ValueError: it is no piece of a recording, or does not follow what has come.
         """
-        if not name.endswith(".mcap") or name != Path(name).name or len(name) > _LONGEST:
-            raise ValueError(f"'{name[:_LONGEST]}' is not the name of a recording (NAME.mcap)")
+        if not name.endswith(".mcap") or name != Path(name).name or len(name) > _MAX_TEXT:
+            raise ValueError(f"'{name[:_MAX_TEXT]}' is not the name of a recording (NAME.mcap)")
         try:
             content = b64decode(data, validate=True)
         except (Base64Error, ValueError):
@@ -142,7 +142,7 @@ class OtherRuns:
         with self._lock:
             sent, self._sent = self._sent, None
         if sent is None or sent[0] != name:
-            raise DebugError(f"no recording '{name[:_LONGEST]}' has been uploaded")
+            raise DebugError(f"no recording '{name[:_MAX_TEXT]}' has been uploaded")
         try:
             return self.open(sent[1], name)
         except (CrsError, DebugError) as error:
@@ -169,7 +169,7 @@ class OtherRuns:
     def close(self, name: str) -> None:
         """Close a recording; raise DebugError if there is none of this name."""
         if name not in self._runs:
-            raise DebugError(f"no recording '{name[:_LONGEST]}' is open")
+            raise DebugError(f"no recording '{name[:_MAX_TEXT]}' is open")
         self.compared.pop(name, None)
         recording = self._runs.pop(name).recording
         recording.close()

@@ -16,7 +16,7 @@ from typing import Final
 PIECE_S: Final = 0.03
 """Real time that a piece takes at most, about: so soon does the run answer."""
 
-SLOWEST, FASTEST = 0.01, 1000.0
+MIN_SPEED, MAX_SPEED = 0.01, 1000.0
 _LAG_S: Final = 0.25
 _MAX_TIMESTEPS: Final = 1000
 _RATE_S: Final = 0.5

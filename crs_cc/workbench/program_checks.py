@@ -21,7 +21,7 @@ MAX_PROGRAMS: Final = 50
 
 MAX_KEPT: Final = 500
 MAX_MESSAGES: Final = 5
-LONGEST_S: Final = 30.0
+TIMEOUT_S: Final = 30.0
 
 
 class Version(NamedTuple):
@@ -114,7 +114,7 @@ def _start(version: Version) -> subprocess.Popen[str]:
 def _errors(process: subprocess.Popen[str]) -> list[dict[str, Any]]:
     """Return the errors that a check finds; none if it is ended."""
     try:
-        text, _ = process.communicate(timeout=LONGEST_S)
+        text, _ = process.communicate(timeout=TIMEOUT_S)
     except subprocess.TimeoutExpired:
         process.kill()
         process.communicate()

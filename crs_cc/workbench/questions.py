@@ -27,7 +27,7 @@ MAX_INSTANTS: Final = 2000
 """In an answer; of more, the first, the least and the greatest of each part are kept."""
 
 _AT: Final = re.compile(r"^(?P<expression>.+?)\s+at\s+(?P<place>\S+)$")
-_LONGEST: Final = 120  # characters of a value that are shown
+_MAX_TEXT: Final = 120  # characters of a value that are shown
 
 Row = tuple[float, float | None, str, str, int]
 """Time [s], value if it is a number, text, place, and robot or -1."""
@@ -181,7 +181,7 @@ def thinned_rows(rows: list[Row]) -> list[Row]:
 
 def _row(each: Instant) -> Row:
     number = None if each.number is None or not math.isfinite(each.number) else each.number
-    text = each.text[:_LONGEST]
+    text = each.text[:_MAX_TEXT]
     return round(each.time_s, 6), number, text, position_text(each.position), each.robot
 
 

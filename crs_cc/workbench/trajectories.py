@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from crs_cc.workbench.feed import Feed
 
-MOST_FRAMES: Final = 50_000
+MAX_FRAMES: Final = 50_000
 """Frames of a trajectory; of more, every second block and so on. Chosen by us."""
 
 _STILL: Final = 1.5  # frames: a longer gap is one in which nothing moved
@@ -89,7 +89,7 @@ def trajectories(feed: Feed, names: Sequence[str], begin_s: float, end_s: float)
 
 
 def _of_frames(feed: Feed, rows: Sequence[int], begin_s: float, end_s: float) -> Trajectories:
-    stride = max(1, -(-feed.frames.frames_about // MOST_FRAMES))
+    stride = max(1, -(-feed.frames.frames_about // MAX_FRAMES))
     found = list(feed.frames.between(begin_s, end_s, stride))
     poses = np.full((len(found), 3, len(rows)), np.nan)
     counts = [(since_s, len(robots)) for since_s, robots, _ in feed.rosters()]

@@ -14,7 +14,7 @@ from docs.generate import ROOT, table
 
 SIM: Final = Path(crs_cc.sim.__file__).parent
 XS: Final = "{http://www.w3.org/2001/XMLSchema}"
-LONGEST_EXAMPLE: Final = 500  # characters
+MAX_EXAMPLE: Final = 500  # characters
 TITLES: Final = ("attribute", "type", "default", "description")
 
 _TEMPLATES: Final = SIM.parent / "cli" / "templates"
@@ -149,7 +149,7 @@ class Schema:
             for file in self._examples
             for node in file.iter(name)
         )
-        return next((_dedent(text) for text in texts if len(text) < LONGEST_EXAMPLE), "")
+        return next((_dedent(text) for text in texts if len(text) < MAX_EXAMPLE), "")
 
 
 def documentation(node: etree._Element) -> str:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from crs_cc.session.network.sockets import (
     BUFFER,
-    LONGEST_BACKLOG,
-    LONGEST_DATAGRAM,
-    MOST_SOCKETS,
+    MAX_BACKLOG,
+    MAX_DATAGRAM,
+    MAX_SOCKETS,
 )
 from docs.generate import Fillers, table
 
@@ -14,10 +14,10 @@ from docs.generate import Fillers, table
 def limits() -> str:
     """Return the table of limits."""
     rows = [
-        ("sockets of a program", f"{MOST_SOCKETS}", "`EMFILE`"),
-        ("connections queued at a listening socket", f"{LONGEST_BACKLOG}", "`ECONNREFUSED`"),
+        ("sockets of a program", f"{MAX_SOCKETS}", "`EMFILE`"),
+        ("connections queued at a listening socket", f"{MAX_BACKLOG}", "`ECONNREFUSED`"),
         ("bytes sent on a connection and not yet read", f"{BUFFER:,}", "`send` blocks"),
-        ("bytes of a datagram", f"{LONGEST_DATAGRAM:,}", "`EMSGSIZE`"),
+        ("bytes of a datagram", f"{MAX_DATAGRAM:,}", "`EMSGSIZE`"),
         ("bytes of datagrams waiting to be read", f"{BUFFER:,}", "further ones are lost"),
     ]
     return table(("quantity", "limit", "beyond it"), rows)

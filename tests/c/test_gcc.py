@@ -15,7 +15,7 @@ import pytest
 from tests import gcc
 from tests.c.execution import cases, mark, name, sources
 
-LONGEST_S = 20.0
+TIMEOUT_S = 20.0
 
 
 @pytest.mark.parametrize(
@@ -28,7 +28,7 @@ def test_what_is_stored_is_what_gcc_says(
         pytest.skip(f"gcc -m32: {gcc.why_not()}")
     options = ["-w", "-O0", *mark(path, "gcc options").split()]
     assert gcc.complaint(sources(path), tmp_path / "case", options) == ""
-    result = gcc.run(tmp_path / "case", LONGEST_S)
+    result = gcc.run(tmp_path / "case", TIMEOUT_S)
     assert result is not None, "the program does not end"
     assert result.end == f"exit {mark(path, 'exit') or 0}"
     check_gcc_golden(path.with_suffix(".out"), result.output)

@@ -21,7 +21,7 @@ from crs_cc.cli.main import main
 from tests import commands
 from tests.cli.machines import Machine, free_port, machines
 
-MOST_S: Final = 120.0
+TIMEOUT_S: Final = 120.0
 PROCYON: Final = "procyon.cis.ksu.edu"
 PLACE: Final = "edu.ksu.cis.cooprobot.simulator"
 
@@ -135,7 +135,7 @@ def outcomes(
             processes.append(process)
         for process in processes:  # all before one is waited for, whose browser looks at another
             stack.callback(process.kill)
-        said = [process.communicate(timeout=MOST_S) for process in processes]
+        said = [process.communicate(timeout=TIMEOUT_S) for process in processes]
     rows = zip(lines, processes, said, strict=True)
     return [(line, process.returncode, *texts) for (_, line), process, texts in rows]
 

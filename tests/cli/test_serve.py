@@ -42,7 +42,7 @@ int main(int argc, char **argv)
     return 7;
 }
 """
-MOST_S = 60.0
+TIMEOUT_S = 60.0
 
 
 def busy() -> float:
@@ -68,7 +68,7 @@ class Served:
 
     def wait_for(self, pattern: str) -> re.Match[str]:
         """Return where it has said something."""
-        end_s = time.monotonic() + MOST_S
+        end_s = time.monotonic() + TIMEOUT_S
         while not (found := re.search(pattern, self.text)):
             assert self.process.poll() is None, self.text
             assert time.monotonic() < end_s, self.text
@@ -77,7 +77,7 @@ class Served:
 
     def finish(self) -> tuple[int, str]:
         """Return its exit status and what it has written to standard output."""
-        out, _ = self.process.communicate(timeout=MOST_S)
+        out, _ = self.process.communicate(timeout=TIMEOUT_S)
         return self.process.returncode, out
 
 
@@ -106,7 +106,7 @@ def join(
 
 
 def outputs(hosts: Sequence[subprocess.Popen[str]]) -> list[tuple[str, str]]:
-    return [host.communicate(timeout=MOST_S) for host in hosts]
+    return [host.communicate(timeout=TIMEOUT_S) for host in hosts]
 
 
 @pytest.fixture(scope="module")
@@ -153,7 +153,7 @@ def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path)
             others[-1].send_signal(signal_)
             began_s = time.monotonic()
             while environment.text.count("is lost") == count:
-                assert time.monotonic() - began_s < MOST_S
+                assert time.monotonic() - began_s < TIMEOUT_S
                 time.sleep(0.01)
             assert time.monotonic() - began_s < 2.5 * busy()
             others.append(right())
@@ -329,7 +329,7 @@ def test_a_host_reports_that_it_reconnects(folder: Path) -> None:
     with bound_socket("127.0.0.1", 0) as closed:  # nobody listens
         at = f"127.0.0.1:{closed.getsockname()[1]}"
         host = join(folder, "left", at, "echo.c", "--retry", "0.3")
-        _, said = host.communicate(timeout=MOST_S)
+        _, said = host.communicate(timeout=TIMEOUT_S)
     refused = f"crs: {at}: Connection refused"
     assert (host.returncode, said) == (1, f"{refused}; trying again for 0.3 s\n{refused}\n")
 
@@ -353,12 +353,12 @@ def test_hosts_that_do_not_fit_are_refused_with_the_reason(folder: Path) -> None
         environment.wait_for("waiting for right\n")
         for name, source, *rest, reason in refused:
             host = join(folder, name, at, source, *rest)
-            _, said = host.communicate(timeout=MOST_S)
+            _, said = host.communicate(timeout=TIMEOUT_S)
             assert host.returncode == 2
             assert reason in said
             assert "Traceback" not in said
         host = join(folder, "left", at, "echo.c", *token, "--tls", "--retry", "0")
-        _, said = host.communicate(timeout=MOST_S)
+        _, said = host.communicate(timeout=TIMEOUT_S)
         assert host.returncode == 1
         assert "it does not encrypt as TLS does" in said
         assert "is it served without --tls?" in said
@@ -403,7 +403,7 @@ def test_pages_look_at_the_run_on_the_same_port_with_a_token_only(folder: Path) 
         hosts = [join(folder, "--all", at, "roam.c")]
         token = environment.wait_for(r"view only: http://[\d.:]+/#token=(\S+)")[1]
         with connect(f"ws://{at}/channel", subprotocols=["crs.1", f"token.{token}"]) as page:
-            hello = json.loads(page.recv(MOST_S))
+            hello = json.loads(page.recv(TIMEOUT_S))
             assert (hello["type"], hello["role"]) == ("hello", "view")
         for wrong in ("x" * 22, ""):
             with pytest.raises(InvalidStatus, match="401"):

@@ -27,7 +27,7 @@ from tests.commands import put_into
 PAGE: Final = Path(__file__).parents[2] / "docs" / "cluster.md"
 SSHD: Final = shutil.which("sshd", path=f"{os.environ['PATH']}{os.pathsep}/usr/sbin")
 NAME, ADDRESS, PORT = "procyon", "10.77.1.2", 2222
-MOST_S: Final = 90.0
+TIMEOUT_S: Final = 90.0
 
 pytestmark = pytest.mark.skipif(
     SSHD is None or shutil.which("ssh") is None or not has_namespaces(),
@@ -110,7 +110,7 @@ def run(folder: Path, machine: Machine, path: str, script: str) -> str:
             words, cwd=folder, env=environment, stdout=log, stderr=log, start_new_session=True
         )
         try:
-            status = shell.wait(MOST_S)
+            status = shell.wait(TIMEOUT_S)
         except subprocess.TimeoutExpired:
             status = None
         finally:

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 from websockets.sync.client import connect
 
-from tests.cli.test_serve import MOST_S, Served
+from tests.cli.test_serve import TIMEOUT_S, Served
 from tests.commands import crs
 from tests.net.vendor.nclient import Nclient
 from tests.net.vendor.ndirect import Ndirect, over_tcp, over_terminal
@@ -92,7 +92,7 @@ def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
         page.ask("speed", speed=2.0)
         assert left.state_call(15)
         run.process.send_signal(signal.SIGINT)
-        assert run.process.wait(MOST_S) == 130, run.text
+        assert run.process.wait(TIMEOUT_S) == 130, run.text
     words = crs("replay", "run.mcap", "--verify")
     done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert "the same run" in done.stdout + done.stderr, done.stderr

@@ -422,7 +422,7 @@ def changes_by_comparing(
 
     before = look()
     run.fleet.slots["stop_before_all"] = 1
-    while run.run() and run.begun < MOST_STATEMENTS:
+    while run.run() and run.begun < MAX_STATEMENTS:
         now = look()
         for each, old, new in zip(objects, before, now, strict=True):
             if old != new:
@@ -437,7 +437,7 @@ def changes_by_watching(
     run = Watching(program)
     run.watches.arm(objects)
     found: list[tuple[object, ...]] = []
-    while run.run() and run.begun < MOST_STATEMENTS:
+    while run.run() and run.begun < MAX_STATEMENTS:
         found += [
             (run.begun, each.watched.number, each.old[0], each.new[0])
             for each in run.watches.drain()
@@ -446,7 +446,7 @@ def changes_by_watching(
     return found
 
 
-MOST_STATEMENTS = 3000
+MAX_STATEMENTS = 3000
 
 
 def compare(program: Executable) -> int:

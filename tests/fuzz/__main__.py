@@ -29,7 +29,7 @@ MISSING = (
     "this compares with gcc -m32, which does not work here"
     " (on Debian and Ubuntu: apt install gcc-multilib)"
 )
-MOST_TRIES = 3
+MAX_TRIES = 3
 """How many programs are tried for each one to be compared; some are undefined for gcc."""
 
 
@@ -117,7 +117,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         fuzzer = Fuzzer(Path(folder), options.keep, options.reduce)
         seed = options.seed
-        tries = MOST_TRIES * options.count
+        tries = MAX_TRIES * options.count
         while fuzzer.counts["compared"] < options.count and fuzzer.tried() < tries:
             for kind in kinds:
                 getattr(fuzzer, kind)(seed)

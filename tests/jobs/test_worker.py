@@ -39,7 +39,7 @@ def test_one_process_runs_the_jobs_of_a_batch() -> None:
 
 
 def test_a_process_runs_a_limited_number_of_jobs() -> None:
-    found = pids(done(*[{"name": "a"}] * (worker._MOST + 1)))
+    found = pids(done(*[{"name": "a"}] * (worker._MAX_JOBS + 1)))
     assert len({*found[:-1]}) == 1
     assert found[-1] != found[0]
 

@@ -49,7 +49,7 @@ ROBOTS: Final = {
     "mixed": ("scout", "nomad", "pioneer", "amigo", "late"),
     "hall": ("r0", "r1", "r2", "r3"),
 }
-MOST_S: Final = 300.0
+TIMEOUT_S: Final = 300.0
 
 
 def crs(folder: Path, *words: str) -> subprocess.Popen[bytes]:
@@ -148,7 +148,7 @@ class HostedRun:
 
     def finish(self) -> list[int]:
         """Wait for the end, and return the exit statuses."""
-        return [each.wait(MOST_S) for each in (self._environment, *self._hosts)]
+        return [each.wait(TIMEOUT_S) for each in (self._environment, *self._hosts)]
 
     def close(self) -> None:
         """End all processes."""
@@ -170,7 +170,7 @@ def prepared(stack: ExitStack) -> Path:
 def local(folder: Path, name: str, world: str, options: Sequence[str]) -> bytes:
     """Return the recording of a run in one process."""
     words = "run", str(SAMPLES / f"{name}.c"), f"{world}.xml", "--record", "local.mcap"
-    status = crs(folder, *words, *options).wait(MOST_S)
+    status = crs(folder, *words, *options).wait(TIMEOUT_S)
     assert status in (0, 1), (folder / "log").read_text()
     return (folder / "local.mcap").read_bytes()
 

@@ -35,11 +35,11 @@ WORLD = b"""<world version="1"><area length="9m" width="4m"/>
 <robot id="a" x="1m" y="2m"/><robot id="b" x="4m" y="2m" heading="90deg"/></world>"""
 SLEEPS = "#include <unistd.h>\nint main(void) { return sleep(2) + 7; }\n"
 PAGE = Path(__file__).parents[2] / "docs" / "cluster.md"
-MOST_S = 120.0
+TIMEOUT_S = 120.0
 
 
 def wait_until_written(path: Path) -> str:
-    end_s = time.monotonic() + MOST_S
+    end_s = time.monotonic() + TIMEOUT_S
     while not path.is_file() or not path.read_text():
         assert time.monotonic() < end_s
         time.sleep(0.02)

@@ -66,7 +66,7 @@ int main(void)
 }
 """
 COUNT = 5
-MOST_S = 8.0
+MAX_TIME_S = 8.0
 
 TRAPS = r"""
 #include <stdio.h>
@@ -103,7 +103,7 @@ def finished(executables: Sequence[Executable], **options: Any) -> tuple[Session
     session = Session(
         world(), executables, output=lambda *each: written.append(each), seed=3, **options
     )
-    while session.time_s < MOST_S and session.advance(40):
+    while session.time_s < MAX_TIME_S and session.advance(40):
         pass
     return session, written
 

@@ -19,14 +19,14 @@ from tests.net.local_hosts import LocalHosts
 from tests.net.lossy_runs import HALL, SAMPLES
 
 NAMES: Final = ("wander", "follow_wall")
-MOST_S: Final = 2.0
+MAX_TIME_S: Final = 2.0
 
 
 def state_of(executables: Sequence[Executable], fleet: Fleet | None) -> str:
     """Return the hash of the state of a run after some time."""
     world = parse_world(HALL.encode(), "hall.xml")
     session = Session(world, executables, fleet=fleet)
-    while session.time_s < MOST_S and session.advance(20):
+    while session.time_s < MAX_TIME_S and session.advance(20):
         pass
     return session.state_hash()
 

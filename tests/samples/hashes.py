@@ -4,13 +4,13 @@ from crs_cc.runtime import executable
 from tests.conftest import fast_settings
 from tests.samples.test_samples import RUNS
 
-LONGEST_S = 4.0
+MAX_TIME_S = 4.0
 
 NOISY = ("wander", "follow_wall", "localise", "push")
 
 if __name__ == "__main__":
     executable.settings = fast_settings  # those of the tests, which keep the programs in the cache
     for run in RUNS:
-        print(run.name, run.drive(longest_s=LONGEST_S).state_hash)
+        print(run.name, run.drive(longest_s=MAX_TIME_S).state_hash)
         if run.sample in NOISY:
-            print(run.name, "noisy", run.drive("noisy", LONGEST_S).state_hash)
+            print(run.name, "noisy", run.drive("noisy", MAX_TIME_S).state_hash)

@@ -19,8 +19,8 @@ WORLDS = Path(__file__).parents[2] / "worlds"
 GOOD = sorted(WORLDS.glob("*.xml"))
 COUNT = 300
 MESSAGE = re.compile(r"(?P<file>[^:\n]+)(:\d+(:\d+)?)?: error: (?P<text>.{8,})")
-MOST = 101
-LONGEST = 600
+MAX_COUNT = 101
+MAX_TEXT = 600
 
 
 @pytest.fixture(scope="module")
@@ -51,13 +51,13 @@ def test_every_broken_world_is_reported_clearly(folder: Path, part: int) -> None
             error = wrong
         else:
             pytest.fail(f"{name}, seed {seed}: taken as it is")
-        assert 1 <= len(error.diagnostics) <= MOST, (name, seed)
+        assert 1 <= len(error.diagnostics) <= MAX_COUNT, (name, seed)
         places = set()
         for message in error.diagnostics:
             first = message.render().splitlines()[0]
             match = MESSAGE.fullmatch(first)
             assert match, (name, seed, first)
-            assert len(first) < LONGEST, (name, seed, first)
+            assert len(first) < MAX_TEXT, (name, seed, first)
             places.add(match["file"])
         assert any(place.startswith(str(folder)) for place in places), (name, seed, places)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from crs_cc.jobs.pool import Outcome
-from crs_cc.sweeps.batches import MOST, Batches
+from crs_cc.sweeps.batches import MAX_BATCH, Batches
 from crs_cc.sweeps.plan import PlannedRun
 from crs_cc.sweeps.sweep import rows_of
 
@@ -29,7 +29,7 @@ def sizes(batches: Batches, took_s: float | None) -> list[int]:
 
 def test_a_batch_has_runs_of_one_variant_and_a_length_by_what_the_last_run_took() -> None:
     runs = planned((1, 20), (2, 3), (3, 1))
-    assert sizes(Batches(runs), 0.01) == [1, MOST, MOST, 3, 3, 1]
+    assert sizes(Batches(runs), 0.01) == [1, MAX_BATCH, MAX_BATCH, 3, 3, 1]
     assert sizes(Batches(runs), 0.15) == [1, *[2] * 9, 1, 2, 1, 1]
     assert sizes(Batches(runs), 5.0) == [1] * 24
     assert sizes(Batches(runs), None) == [1] * 24

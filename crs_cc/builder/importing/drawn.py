@@ -31,7 +31,7 @@ Point: TypeAlias = tuple[float, float]
 MAX_ELEMENTS: Final = 10_000
 """Maximum number of elements of a plan."""
 
-SHORTEST_M: Final = 0.002
+MIN_LENGTH_M: Final = 0.002
 """Walls and boxes that are smaller are left out."""
 
 _SHOWN: Final = 40
@@ -73,7 +73,7 @@ class PlanElements:
         self, start: Point, end: Point, thickness_m: float, more: Mapping[str, str] | None = None
     ) -> None:
         """Add a wall [m]."""
-        if math.dist(start, end) < SHORTEST_M:
+        if math.dist(start, end) < MIN_LENGTH_M:
             self.omit("wall", "too short")
             return
         names = zip(("x1", "y1", "x2", "y2"), (*start, *end), strict=True)
@@ -92,7 +92,7 @@ class PlanElements:
         more: Mapping[str, str] | None = None,
     ) -> None:  # fmt: skip
         """Add a box [m]."""
-        if min(size) < SHORTEST_M:
+        if min(size) < MIN_LENGTH_M:
             self.omit("box", "too small")
             return
         values = {**pose(centre, heading_rad), "length": length(size[0]), "width": length(size[1])}
@@ -103,7 +103,7 @@ class PlanElements:
         self, centre: Point, radius_m: float, more: Mapping[str, str] | None = None
     ) -> None:
         """Add a cylinder [m]."""
-        if radius_m < SHORTEST_M:
+        if radius_m < MIN_LENGTH_M:
             self.omit("cylinder", "too small")
             return
         values = {**pose(centre, 0.0), "radius": length(radius_m)}

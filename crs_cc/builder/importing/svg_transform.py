@@ -15,7 +15,7 @@ from crs_cc.builder.importing.drawn import Point
 Matrix: TypeAlias = tuple[float, float, float, float, float, float]
 
 IDENTITY: Final[Matrix] = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
-_LONGEST: Final = 2000
+_MAX_TEXT: Final = 2000
 _CALL: Final = re.compile(r"[\s,]*(\w+)\s*\(([^()]*)\)")
 
 
@@ -27,7 +27,7 @@ def matrix(text: str) -> Matrix:
     """
     found, place = IDENTITY, 0
     text = text.strip()
-    if len(text) > _LONGEST:
+    if len(text) > _MAX_TEXT:
         raise ValueError("the transformation is too long")
     while place < len(text):
         call = _CALL.match(text, place)

@@ -14,7 +14,7 @@ from crs_cc.cli.grading.job import GradedRun, Job, Limits, Robots
 from crs_cc.cli.grading.processes import run_all
 from crs_cc.cli.grading.submissions import Copy, Submission, UnusableError, copy
 
-_LONGEST_NAME: Final = 40
+_MAX_NAME: Final = 40
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +102,7 @@ def file_names(number: int, submission: Submission, cases: Sequence[Case]) -> li
 
 
 def _plain(name: str) -> str:
-    return re.sub(r"[^A-Za-z0-9_]+", "_", name)[:_LONGEST_NAME].strip("_")
+    return re.sub(r"[^A-Za-z0-9_]+", "_", name)[:_MAX_NAME].strip("_")
 
 
 def _job(name: str, copied: Copy, case: Case, record: str, settings: Settings) -> Job:

@@ -89,7 +89,7 @@ class Robots:
     client: Client = "nclient"
 
 
-_LONGEST: Final = 300
+_MAX_TEXT: Final = 300
 DEFAULT_TIME_S: Final = 120.0
 
 
@@ -164,7 +164,7 @@ class GradedRun:
         """The message with its place, as one line of valid Unicode that is not too long."""
         place = f"{self.file}:{self.line}: " if self.file and self.line else ""
         text = printable(displayed(f"{place}{self.message}"))
-        return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
+        return text if len(text) <= _MAX_TEXT else f"{text[:_MAX_TEXT]}..."
 
     @property
     def earned(self) -> float:

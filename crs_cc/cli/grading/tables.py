@@ -17,7 +17,7 @@ from crs_cc.cli.messages import printable
 from crs_cc.sim.engine.goals import GoalResult
 
 _COLUMNS: Final = ("submission", "points", "of", "percent", "result", "message", "like")
-_WIDEST: Final = 28
+_MAX_WIDTH: Final = 28
 
 
 def safe(text: str) -> str:
@@ -43,7 +43,7 @@ def as_csv(grades: Sequence[Grade]) -> str:
 
 def as_lines(grades: Sequence[Grade]) -> list[str]:
     """Return a line for each submission, for a terminal."""
-    width = min(_WIDEST, max(len(grade.submission.name) for grade in grades))
+    width = min(_MAX_WIDTH, max(len(grade.submission.name) for grade in grades))
     return [_line(grade, width) for grade in grades]
 
 

@@ -28,7 +28,7 @@ _OTHERS: Final = {
 }
 """Commands that gdb has by another name, or that are in another group."""
 
-_SHORTEST: Final = 3
+_MIN_LENGTH: Final = 3
 """Shorter abbreviations of commands that do not exist are not recognised."""
 
 LACKING: Final = (
@@ -102,7 +102,7 @@ def unsupported_reason(text: str) -> str:
 
 
 def _abbreviates(word: str, name: str) -> bool:
-    return word == name or (len(word) >= _SHORTEST and name.startswith(word))
+    return word == name or (len(word) >= _MIN_LENGTH and name.startswith(word))
 
 
 def gdb_name(command: str) -> str:

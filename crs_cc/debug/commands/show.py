@@ -16,7 +16,7 @@ from crs_cc.debug.commands.formats import formatted
 from crs_cc.debug.commands.settings import SETTINGS, WITHOUT_EFFECT
 from crs_cc.debug.errors import DebugError
 
-_MOST: Final = 10
+_LISTED_LINES: Final = 10
 """How many values are shown at once."""
 
 _WORDS: Final = re.compile(r"(values|conv(?:enience)?|version)(?:\s+|$)")
@@ -54,12 +54,12 @@ def _values(context: CommandContext, text: str) -> Iterator[str]:
     if text == "+":
         first = context.shown_value + 1
     elif text:
-        first = max(1, parse_count(text) - _MOST // 2)
+        first = max(1, parse_count(text) - _LISTED_LINES // 2)
     else:
-        first = max(1, count - _MOST + 1)
+        first = max(1, count - _LISTED_LINES + 1)
     if not count:
         yield "No values have been printed."
-    for number in range(first, min(count, first + _MOST - 1) + 1):
+    for number in range(first, min(count, first + _LISTED_LINES - 1) + 1):
         value = context.debugger.view.convenience_values[str(number)]
         yield f"${number} = {formatted(value, OutputFormat())}"
         context.shown_value = number

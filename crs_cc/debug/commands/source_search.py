@@ -13,7 +13,7 @@ from crs_cc.debug.commands.context import CommandContext, Listing
 from crs_cc.debug.commands.stack import line_count, source_lines
 from crs_cc.debug.errors import DebugError
 
-_LONGEST: Final = 1000
+_MAX_LINE: Final = 1000
 """Of a longer line only so much is searched [characters]."""
 
 
@@ -32,7 +32,7 @@ def _search(context: CommandContext, text: str, *, by: int) -> Answer:
 
 
 def _matches(pattern: re.Pattern[str], line: str) -> bool:
-    return pattern.search(line[:_LONGEST]) is not None
+    return pattern.search(line[:_MAX_LINE]) is not None
 
 
 def _last_listed(context: CommandContext) -> tuple[str, int]:

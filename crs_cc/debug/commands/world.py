@@ -29,7 +29,7 @@ from crs_cc.debug.world.world_rows import world_rows
 _COLUMNS: Final = 78
 _ROWS: Final = 24
 _AROUND_M: Final = 6.0
-_LEAST_M, _MOST_M = 0.01, 100_000.0
+_MIN_M, _MAX_M = 0.01, 100_000.0
 """The size of a map, which is the same on every terminal, as scripts have it; chosen by us."""
 
 
@@ -122,8 +122,8 @@ def _across_m(text: str) -> float:
         across_m = LENGTH.parse(text)
     except ValueError as wrong:
         raise DebugError(str(wrong)) from None
-    if not _LEAST_M <= across_m <= _MOST_M:
-        raise DebugError(f"the map's height must be {_LEAST_M:g} to {_MOST_M:g} m")
+    if not _MIN_M <= across_m <= _MAX_M:
+        raise DebugError(f"the map's height must be {_MIN_M:g} to {_MAX_M:g} m")
     return across_m
 
 

@@ -19,7 +19,7 @@ from crs_cc.ir.value_type import MEMORY_SIZE, MemoryType
 SCRATCH: Final = 0x8000_0000
 """The first address of the scratch memory: no program's own memory reaches so far."""
 SCRATCH_BYTES: Final = 1 << 24
-_MOST: Final = 20_000
+_MAX_CACHED: Final = 20_000
 """So many blocks are kept taken apart."""
 
 _FORMAT: Final[dict[MemoryType, str]] = {
@@ -101,7 +101,7 @@ class InstructionSteps:
         """Return the instructions of a block; those without effect are left out."""
         found = self._known.get(block)
         if found is None:
-            if len(self._known) >= _MOST:
+            if len(self._known) >= _MAX_CACHED:
                 self._known.clear()
             steps = map(self._step, block.instructions)
             found = self._known[block] = tuple(each for each in steps if each is not None)

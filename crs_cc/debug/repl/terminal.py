@@ -36,7 +36,7 @@ _STYLES: Final[dict[LineKind, str]] = {
 }  # fmt: skip
 _THEME: Final = "ansi_dark"
 _WIDTH: Final = 10_000
-_LEAST: Final = 20
+_MIN_COLUMNS: Final = 20
 """Narrower columns are not folded into."""
 _BIDIRECTIONAL: Final = (*range(0x202A, 0x202F), *range(0x2066, 0x206A))
 _CONTROLS: Final = dict.fromkeys(
@@ -136,7 +136,7 @@ def folded(text: str, columns: int, indent: int) -> str:
     @1   gap = 5   t = 1.000 s
          gap = 2 + first
     """
-    if not indent + _LEAST <= columns < len(text):
+    if not indent + _MIN_COLUMNS <= columns < len(text):
         return text
     lines = textwrap.wrap(
         text, columns, subsequent_indent=" " * indent, replace_whitespace=False,

@@ -32,7 +32,7 @@ _BLOCK: Final = 1000
 _STDERR: Final = 2
 _MAX_ROBOTS: Final = 200
 _MAX_FRAMES: Final = 200  # a runaway recursion has ten thousand
-_LEAST_COLUMNS, _LEAST_ROWS = 10, 4
+_MIN_COLUMNS, _MIN_ROWS = 10, 4
 
 
 def build_snapshot(shell: Shell, request: BackendRequest) -> ScreenData:
@@ -91,7 +91,7 @@ def _timestep_s(debugger: Debugger) -> float:
 
 def _world_map(debugger: Debugger, columns: int, rows: int) -> Text:
     """Draw the map with the echoes of the selected robot; empty if there is no room."""
-    if columns < _LEAST_COLUMNS or rows < _LEAST_ROWS:
+    if columns < _MIN_COLUMNS or rows < _MIN_ROWS:
         return Text()
     return run_map(debugger.view, columns, rows, robot=debugger.view.robot).text
 

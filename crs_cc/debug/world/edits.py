@@ -30,7 +30,7 @@ from crs_cc.debug.world.steering_edits import STEERING
 from crs_cc.sim.files.degradation_elements import degradation
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.degradation import Degradation, degradables, described
-from crs_cc.sim.model.fields import NEVER_S, SHORTEST_EVAPORATION_S
+from crs_cc.sim.model.fields import MIN_EVAPORATION_S, NEVER_S
 from crs_cc.sim.model.world import Pose, Robot
 
 if TYPE_CHECKING:
@@ -252,10 +252,8 @@ def _evaporate(environment: Environment, words: Words) -> str:
     if len(words) != 2:
         raise _wrong_words("evaporate")
     evaporation_s = NEVER_S if words[1] == "never" else TIME.parse(words[1])
-    if evaporation_s < SHORTEST_EVAPORATION_S:
-        raise ValueError(
-            f"the evaporation time must be {TIME.show(SHORTEST_EVAPORATION_S)} or more"
-        )
+    if evaporation_s < MIN_EVAPORATION_S:
+        raise ValueError(f"the evaporation time must be {TIME.show(MIN_EVAPORATION_S)} or more")
     environment.set_evaporation(words[0], evaporation_s)
     how = "no longer evaporates" if words[1] == "never" else f"now evaporates in {words[1]}"
     return f"field {words[0]} {how}"

@@ -24,7 +24,7 @@ from crs_cc.session.network.errors import (
 )
 from crs_cc.session.network.sockets import (
     AF_INET,
-    MOST_SOCKETS,
+    MAX_SOCKETS,
     NOWHERE,
     Endpoint,
     Key,
@@ -107,7 +107,7 @@ class Network:
     def check_room(self, robot: int) -> None:
         """Raise `SocketError` if a program has too many sockets besides those to be accepted."""
         own = [self.state.sockets[key] for key in self.state.owned(robot)]
-        if len(own) - sum(len(each.waiting) for each in own) >= MOST_SOCKETS:
+        if len(own) - sum(len(each.waiting) for each in own) >= MAX_SOCKETS:
             raise SocketError(EMFILE)
 
     def add_waiting(self, robot: int, socket: Socket) -> Key:

@@ -31,8 +31,8 @@ from crs_cc.session.network.sockets import (
     BUFFER,
     DATAGRAM,
     DATAGRAM_HEAD,
-    LONGEST_BACKLOG,
-    LONGEST_DATAGRAM,
+    MAX_BACKLOG,
+    MAX_DATAGRAM,
     NOWHERE,
     STREAM,
     Endpoint,
@@ -46,7 +46,7 @@ if TYPE_CHECKING:
 TIMEOUT_S: Final = 127.0
 """How long a connection is tried: Linux's seven tries, 2^7 - 1 s (tcp_syn_retries = 6)."""
 
-MOST_SEGMENTS: Final = 4096
+MAX_SEGMENTS: Final = 4096
 """A robot of which more are on their way opens no connection; chosen by us."""
 
 _RECEIVE, _SEND, _BOTH = range(3)  # SHUT_RD, SHUT_WR, SHUT_RDWR
@@ -85,7 +85,7 @@ def listen(network: Network, key: Key, backlog: int) -> None:
         raise SocketError(EINVAL)
     if socket.local is None:
         network.bind(key, NOWHERE)
-    socket.condition, socket.backlog = "listening", min(max(backlog, 1), LONGEST_BACKLOG)
+    socket.condition, socket.backlog = "listening", min(max(backlog, 1), MAX_BACKLOG)
 
 
 def connect(network: Network, key: Key, to: Endpoint, at_s: float) -> None:
@@ -99,7 +99,7 @@ def connect(network: Network, key: Key, to: Endpoint, at_s: float) -> None:
         socket.until = 0  # who asks for the first time after it has been made is told so
         return
     _check_can_connect(socket)
-    if sum(each.source[0] == key[0] for each in network.state.segments.values()) >= MOST_SEGMENTS:
+    if sum(each.source[0] == key[0] for each in network.state.segments.values()) >= MAX_SEGMENTS:
         raise SocketError(ENOBUFS)
     if socket.family == AF_INET and not to[1]:
         raise SocketError(EADDRNOTAVAIL)
@@ -161,7 +161,7 @@ def send_datagram(
         raise SocketError(take_error(socket))
     if socket.cannot_send:
         raise SocketError(EPIPE)
-    if len(content) > LONGEST_DATAGRAM:
+    if len(content) > MAX_DATAGRAM:
         raise SocketError(EMSGSIZE)
     to = to or socket.remote
     if to is None:

@@ -28,8 +28,8 @@ from crs_cc.session.network.sockets import (
 if TYPE_CHECKING:
     from crs_cc.session.network.network import Network
 
-MOST_MACHINES: Final = 64
-MOST_CONNECTIONS: Final = 256
+MAX_MACHINES: Final = 64
+MAX_CONNECTIONS: Final = 256
 """Connections of the real network at a time; chosen by us."""
 
 _ESCAPE: Final = re.compile(rb"\\(?:x([0-9A-Fa-f]{2})|(.))")
@@ -48,8 +48,8 @@ def add_machine(network: Network, name: str, port: int) -> None:
         raise ValueError(f"a computer {name!r} already exists")
     if Machine(name, port) in machines:
         raise ValueError(f"{name}:{port} is already reachable")
-    if len(machines) == MOST_MACHINES:
-        raise ValueError(f"too many computers of the real network (maximum: {MOST_MACHINES})")
+    if len(machines) == MAX_MACHINES:
+        raise ValueError(f"too many computers of the real network (maximum: {MAX_MACHINES})")
     network.state.machines = (*machines, Machine(name, port))
 
 
@@ -59,8 +59,8 @@ def open_connection(network: Network, robot: int, port: int, at_s: float) -> int
     Raises:
         ValueError: there are too many.
     """
-    if len(network.state.owned(OUTSIDE)) >= MOST_CONNECTIONS:
-        raise ValueError(f"too many connections (maximum: {MOST_CONNECTIONS})")
+    if len(network.state.owned(OUTSIDE)) >= MAX_CONNECTIONS:
+        raise ValueError(f"too many connections (maximum: {MAX_CONNECTIONS})")
     number = network.state.numbers.get(OUTSIDE, 0)
     to = network.addresses.own(robot), port
     origin = HOST, FIRST_PORT + number % PORTS

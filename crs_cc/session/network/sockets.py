@@ -21,16 +21,16 @@ BUFFER: Final = 65_536
 """The most bytes that are sent on a connection and not yet received, and that wait in a datagram
 socket; chosen by us: the largest TCP window without scaling (RFC 9293) and one more."""
 
-LONGEST_DATAGRAM: Final = 16_384
+MAX_DATAGRAM: Final = 16_384
 """Longer ones are refused; chosen by us."""
 
-MOST_SOCKETS: Final = 60
+MAX_SOCKETS: Final = 60
 """Sockets of a program: its other descriptors need some of the 64, too."""
 
 DATAGRAM_HEAD: Final = 28
 """What a datagram takes of a buffer besides its bytes: heads of IP and UDP [bytes]."""
 
-LONGEST_BACKLOG: Final = 32
+MAX_BACKLOG: Final = 32
 """Connections that may wait to be accepted; chosen by us."""
 
 OUTSIDE: Final = -1

@@ -10,7 +10,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, Int32Array, Int64Array, Records
 from crs_cc.sim.model.communication import HEAD_BYTES, Communication
 
-_FARTHEST_M: Final = 1e5  # no world is larger
+_MAX_RANGE_M: Final = 1e5  # no world is larger
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class Channels:
         channels = communication.channels
         return cls(
             tuple(channel.name for channel in channels),
-            np.array([min(channel.range_m, _FARTHEST_M) for channel in channels]),
+            np.array([min(channel.range_m, _MAX_RANGE_M) for channel in channels]),
             np.array([channel.walls for channel in channels]),
             np.array([channel.delay_s for channel in channels]),
             np.array([channel.jitter_s for channel in channels]),

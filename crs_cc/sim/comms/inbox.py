@@ -1,7 +1,7 @@
 """The receiver's side: messages in transit, and the robots' inboxes.
 
 An inbox holds `INBOX` messages; a message that arrives when it is full is lost. At most
-`COMING_MOST` messages are in transit to one robot or in its inbox: further ones are lost at once,
+`MAX_INCOMING` messages are in transit to one robot or in its inbox: further ones are lost at once,
 as if the inbox were full.
 """
 
@@ -27,7 +27,7 @@ from crs_cc.sim.geometry.cell_list import expand
 from crs_cc.sim.state.messages import ARRIVED, COMING, GONE, MessageState
 
 INBOX: Final = 64
-COMING_MOST: Final = 256
+MAX_INCOMING: Final = 256
 
 _SHORT: Final = 1 << 16
 _NONE: Final = np.zeros(0, dtype=np.intp)
@@ -50,7 +50,7 @@ class Transit:
 
     def full(self) -> BoolArray:
         """Return which robots have the largest possible number of pending messages, (robots,)."""
-        return np.asarray(self.held >= COMING_MOST)
+        return np.asarray(self.held >= MAX_INCOMING)
 
     def add(self, packets: Records, coming: Records) -> None:
         """Add messages.
@@ -62,8 +62,8 @@ class Transit:
         """
         receiver: Int32Array = coming["receiver"]
         more = np.bincount(receiver, minlength=len(self.held))
-        if (self.held + more > COMING_MOST).any():
-            many = self.held[receiver] + _rank(receiver) >= COMING_MOST
+        if (self.held + more > MAX_INCOMING).any():
+            many = self.held[receiver] + _rank(receiver) >= MAX_INCOMING
             late, coming = coming[many], coming[~many]
             note(self._messages, Fate.INBOX, packets, late["arrives_s"], late["receiver"],
                  which=late["packet"])  # fmt: skip

@@ -6,9 +6,9 @@ at
     b_i = max(p_i, b_(i-1) + (size_(i-1) + 12) / bandwidth)
 
 The channel's queue bounds the number of messages that wait for their transmission: when it is full,
-a further one replaces the oldest or is dropped itself. At most `MOST` messages of a robot are here
-in total, including those whose transmission began in this cycle: further ones are dropped, however
-fast the channel is, so that a program that sends in a loop cannot cause unbounded work.
+a further one replaces the oldest or is dropped itself. A robot has at most `MAX_MESSAGES`
+messages here, including those whose transmission began in this cycle: further ones are dropped,
+however fast the channel is, so that a program that sends in a loop cannot cause unbounded work.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.comms.message_log import Fate, note
 from crs_cc.sim.state.messages import PACKET, MessageState
 
-MOST: Final = 64
+MAX_MESSAGES: Final = 64
 
 
 def post(messages: MessageState, channels: Channels, packets: Records) -> BoolArray:
@@ -42,7 +42,7 @@ def post(messages: MessageState, channels: Channels, packets: Records) -> BoolAr
     messages.sent[senders] += 1
     note(messages, Fate.SENT, packets, packets["sent_s"])
     held = np.bincount(messages.outbox["sender"], minlength=len(messages.sent))[senders]
-    full = held >= MOST
+    full = held >= MAX_MESSAGES
     limited = np.isfinite(channels.bandwidth_bps[channel]) & ~full
     if limited.any():
         full |= _make_room(messages, channels, packets, limited)

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
 
-_NEAREST_M = 0.1
+_MIN_DISTANCE_M = 0.1
 """Nearer sources are sensed as if they were at this distance; chosen by us."""
 
 _SLACK_M = 1e-6
@@ -121,7 +121,7 @@ def sense(
     return Sensed(
         robot,
         source,
-        np.maximum(distance_m, _NEAREST_M),
+        np.maximum(distance_m, _MIN_DISTANCE_M),
         direction_rad - mounts[robot, 2],
         in_sight,
     )

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
 
-_SHORTEST_REACH_M: Final = 1.0
+_MIN_REACH_M: Final = 1.0
 
 
 class RayCaster:
@@ -61,7 +61,7 @@ class RayCaster:
         moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
         self._scene = scene
         self.surfaces = Surfaces.of(scene)
-        reach_m = max(reach_m, _SHORTEST_REACH_M)
+        reach_m = max(reach_m, _MIN_REACH_M)
         self._obstacles = Obstacles(scene.fixed, moving, reach_m, start_m)
         self._pieces = Pieces(scene, start_m)
         self._outlook = Outlook(scene, self._obstacles, reach_m) if is_needed(scene) else None

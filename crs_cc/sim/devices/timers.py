@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 _MS: Final = 0.001
-_LONGEST_MS: Final = 3_600_000
+_MAX_PERIOD_MS: Final = 3_600_000
 _NEVER: Final = -1
 
 
@@ -79,7 +79,7 @@ class Timers:
                 good[place] = False
                 continue
             least_s = float(timed.interval_s[context.constants.numbers[name][robot]])
-            period_s = max(min(period_ms, _LONGEST_MS) * _MS, least_s) if period_ms else 0.0
+            period_s = max(min(period_ms, _MAX_PERIOD_MS) * _MS, least_s) if period_ms else 0.0
             context.state.timers.set(robot, sensor, period_s, float(context.at_s[place]))
         return good
 

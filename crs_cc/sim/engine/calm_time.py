@@ -26,7 +26,7 @@ from crs_cc.sim.kernels.calm import (
     CODES,
     FACE_SIZE,
     FRAME,
-    MOST,
+    MAX_ROWS,
     RECORD_SIZE,
     ROUND_SIZE,
     CalmKernel,
@@ -130,8 +130,8 @@ class CalmTime:
         self._equipment, self._places = equipment, b""
         self._find_sensors()
         self._was_simple = (
-            len(state.bodies.angle_rad) <= MOST
-            and len(data.constants.kinds.table) <= MOST
+            len(state.bodies.angle_rad) <= MAX_ROWS
+            and len(data.constants.kinds.table) <= MAX_ROWS
             and bool(data.simple)
             and self._instruments.are_simple
             and data.constants.inclines is None

@@ -12,8 +12,8 @@ from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.communication import (
     ANY,
-    LONGEST_QUEUE,
     MAX_CHANNELS,
+    MAX_QUEUE,
     PLAIN_COMMUNICATION,
     PREDEFINED,
     Channel,
@@ -22,7 +22,7 @@ from crs_cc.sim.model.communication import (
 )
 
 MAX_SHUTS: Final = 1000
-LONGEST_DELAY_S: Final = 60.0
+MAX_DELAY_S: Final = 60.0
 
 
 def communication(root: Element, robots: Sequence[str], reader: Reader) -> Communication:
@@ -67,7 +67,7 @@ def _channel(element: Element, before: Channel, reader: Reader) -> Channel:
         delay_s=_delay(element, "delay", before.delay_s, reader),
         jitter_s=_delay(element, "jitter", before.jitter_s, reader),
         bandwidth_bps=_bandwidth(element, before.bandwidth_bps, reader),
-        queue=reader.whole(element, "queue", 1, LONGEST_QUEUE, before.queue),
+        queue=reader.whole(element, "queue", 1, MAX_QUEUE, before.queue),
         drops_oldest=before.drops_oldest if drop is None else drop == "oldest",
         loss=reader.fraction(element, "loss", before.loss),
         burst_begin=reader.fraction(element, "burst-begin", before.burst_begin),
@@ -79,8 +79,8 @@ def _channel(element: Element, before: Channel, reader: Reader) -> Channel:
 
 def _delay(element: Element, name: str, absent: float, reader: Reader) -> float:
     value_s = reader.not_negative(element, name, TIME, absent)
-    if value_s > LONGEST_DELAY_S:
-        reader.refuse(element, f"{name}: must be {LONGEST_DELAY_S:g}s or less")
+    if value_s > MAX_DELAY_S:
+        reader.refuse(element, f"{name}: must be {MAX_DELAY_S:g}s or less")
         return absent
     return value_s
 

@@ -31,7 +31,7 @@ __all__ = ["LENGTH", "Element", "Reader"]
 MAX_MESSAGES: Final = 100
 _SHARE: Final = replace(RATIO, name="a share", example="0.5")
 _WHOLE_DIGITS: Final = 9
-_LONGEST: Final = 400  # values in messages may be of any length
+_MAX_VALUE: Final = 400  # values in messages may be of any length
 
 
 @dataclass(slots=True)
@@ -87,8 +87,8 @@ class Reader:
 
     def error(self, element: Element, text: str, hint: str = "") -> None:
         """Report an error at an element."""
-        if len(text) > _LONGEST:
-            text = f"{text[: _LONGEST // 2]} ... {text[-_LONGEST // 2 :]}"
+        if len(text) > _MAX_VALUE:
+            text = f"{text[: _MAX_VALUE // 2]} ... {text[-_MAX_VALUE // 2 :]}"
         count = len(self.diagnostics.messages)
         if count < MAX_MESSAGES:
             place = Location(element.file or self.file, element.line)

@@ -8,18 +8,18 @@ from typing import Final
 from crs_cc.core.quantity import AMOUNT, DIFFUSIVITY, LENGTH, TIME
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.fields import (
+    MAX_AMOUNT,
     MAX_CELLS,
     MAX_FIELDS,
-    MOST,
+    MIN_EVAPORATION_S,
     NEVER_S,
-    SHORTEST_EVAPORATION_S,
     STABLE,
     Field,
 )
 from crs_cc.sim.model.world import Area
 
 _USUAL: Final = Field("")
-_SHORTEST_M: Final = 0.001
+_MIN_M: Final = 0.001
 
 
 def fields_of(root: Element, area: Area, timestep_s: float, reader: Reader) -> tuple[Field, ...]:
@@ -45,10 +45,10 @@ def _field(element: Element, area: Area, timestep_s: float, reader: Reader) -> F
         reader.positive(element, "cell", LENGTH, _USUAL.cell_m),
         _evaporation_s(element, reader),
         reader.not_negative(element, "diffusion", DIFFUSIVITY),
-        reader.positive(element, "saturation", AMOUNT, MOST),
+        reader.positive(element, "saturation", AMOUNT, MAX_AMOUNT),
     )
     cells = math.ceil(area.length_m / field.cell_m) * math.ceil(area.width_m / field.cell_m)
-    if field.cell_m < _SHORTEST_M or cells > MAX_CELLS:
+    if field.cell_m < _MIN_M or cells > MAX_CELLS:
         reader.refuse(element, f"cell: too small: {cells} cells in the area (most: {MAX_CELLS})")
     elif field.share(timestep_s) > STABLE:
         most = STABLE * field.cell_m * field.cell_m / timestep_s
@@ -63,7 +63,7 @@ def _field(element: Element, area: Area, timestep_s: float, reader: Reader) -> F
 def _evaporation_s(element: Element, reader: Reader) -> float:
     """Return the evaporation time of a field's element."""
     value_s = reader.positive(element, "evaporation", TIME, NEVER_S)
-    if value_s < SHORTEST_EVAPORATION_S:
+    if value_s < MIN_EVAPORATION_S:
         reader.refuse(element, "evaporation: must be 100ms or more")
         return NEVER_S
     return value_s

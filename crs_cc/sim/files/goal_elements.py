@@ -21,9 +21,9 @@ from crs_cc.core.quantity import HEAT, LENGTH, TIME
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.goals import (
-    LONGEST_NAME,
     MAX_CELLS,
     MAX_GOALS,
+    MAX_NAME,
     MAX_PLACES,
     MAX_POINTS,
     Approach,
@@ -41,7 +41,7 @@ from crs_cc.sim.model.goals import (
 )
 from crs_cc.sim.model.world import WorldModel, is_pushable
 
-_SHORTEST_CELL_M: Final = 0.05
+_MIN_CELL_M: Final = 0.05
 _POINTS_DECIMALS: Final = 6
 
 
@@ -87,8 +87,8 @@ class _GoalReader:
         if isinstance(condition, Bring | Cool) and "robots" in element.attributes:
             self.reader.refuse(element, f"robots: does not apply to <{child.tag}>")
         name = element.attributes.get("name", "").strip()
-        if len(name) > LONGEST_NAME or not name.isprintable():
-            self.reader.refuse(element, f"name: must be at most {LONGEST_NAME} printable letters")
+        if len(name) > MAX_NAME or not name.isprintable():
+            self.reader.refuse(element, f"name: must be at most {MAX_NAME} printable letters")
         goal = Goal(
             element.attributes["id"],
             condition,
@@ -139,7 +139,7 @@ class _GoalReader:
         """Return the condition `<cover>`."""
         cell_m = self.reader.positive(element, "cell", LENGTH)
         area = self.world.area
-        if cell_m < _SHORTEST_CELL_M:
+        if cell_m < _MIN_CELL_M:
             self.reader.refuse(element, "cell: must be 5cm or more")
         elif math.prod(cells_of(cell_m, area.length_m, area.width_m)) > MAX_CELLS:
             self.reader.refuse(element, f"cell: more than {MAX_CELLS} cells in the world's area")

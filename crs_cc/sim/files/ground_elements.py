@@ -14,12 +14,12 @@ from crs_cc.sim.files.image import picture
 from crs_cc.sim.model.ground import Ground, HeightMap, Patch
 from crs_cc.sim.model.world import Area
 
-HIGHEST_M: Final = 100.0
+MAX_HEIGHT_M: Final = 100.0
 MAX_PIXELS: Final = 128
 """On each side of an image of heights."""
 
-_LEAST_PIXELS: Final = 2
-_LEAST_M: Final = 0.01
+_MIN_PIXELS: Final = 2
+_MIN_M: Final = 0.01
 _SHOWN: Final = 80
 
 
@@ -77,11 +77,11 @@ def _heightmap(
 
 def _table(element: Element, area: Area, pixel_m: float, reader: Reader) -> HeightMap | None:
     """Return the ground whose heights are given as numbers."""
-    columns = reader.whole(element, "columns", _LEAST_PIXELS, MAX_PIXELS, _LEAST_PIXELS)
+    columns = reader.whole(element, "columns", _MIN_PIXELS, MAX_PIXELS, _MIN_PIXELS)
     words = element.attributes["heights"].split()[: MAX_PIXELS * MAX_PIXELS + 1]
     rows, rest = divmod(len(words), columns)
-    if rest or not _LEAST_PIXELS <= rows <= MAX_PIXELS:
-        form = f"{_LEAST_PIXELS} to {MAX_PIXELS} rows of {columns}"
+    if rest or not _MIN_PIXELS <= rows <= MAX_PIXELS:
+        form = f"{_MIN_PIXELS} to {MAX_PIXELS} rows of {columns}"
         reader.refuse(element, f"heights: {len(words)} numbers (expected {form})")
         return None
     x_m = reader.quantity(element, "x", LENGTH, area.x_min_m)
@@ -91,29 +91,29 @@ def _table(element: Element, area: Area, pixel_m: float, reader: Reader) -> Heig
     except ValueError as wrong:
         reader.refuse(element, f"heights: {wrong}")
         return None
-    if not 0.0 <= heights_m.min() <= heights_m.max() <= HIGHEST_M:
-        reader.refuse(element, f"heights: must be 0 to {HIGHEST_M:g}m")
+    if not 0.0 <= heights_m.min() <= heights_m.max() <= MAX_HEIGHT_M:
+        reader.refuse(element, f"heights: must be 0 to {MAX_HEIGHT_M:g}m")
     return HeightMap(x_m, y_m, pixel_m, columns, tuple(heights_m[::-1].ravel().tolist()))
 
 
 def _grey(image: str, folder: Path | None) -> FloatArray:
     grey = picture(folder, image)
-    if min(grey.shape) < _LEAST_PIXELS or max(grey.shape) > MAX_PIXELS:
+    if min(grey.shape) < _MIN_PIXELS or max(grey.shape) > MAX_PIXELS:
         size = f"{grey.shape[1]} x {grey.shape[0]}"
-        raise ValueError(f"must have {_LEAST_PIXELS} to {MAX_PIXELS} pixels per side, not {size}")
+        raise ValueError(f"must have {_MIN_PIXELS} to {MAX_PIXELS} pixels per side, not {size}")
     return grey
 
 
 def _height(element: Element, name: str, reader: Reader) -> float:
     value_m = reader.not_negative(element, name, LENGTH)
-    if value_m > HIGHEST_M:
-        reader.refuse(element, f"{name}: must be {HIGHEST_M:g}m or less")
+    if value_m > MAX_HEIGHT_M:
+        reader.refuse(element, f"{name}: must be {MAX_HEIGHT_M:g}m or less")
     return value_m
 
 
 def _size(element: Element, name: str, reader: Reader) -> float:
     value_m = reader.positive(element, name, LENGTH)
-    if value_m < _LEAST_M:
+    if value_m < _MIN_M:
         reader.refuse(element, f"{name}: must be 1cm or more")
-        return _LEAST_M
+        return _MIN_M
     return value_m

@@ -19,7 +19,7 @@ from crs_cc.core.file_names import from_text
 from crs_cc.core.host_system import open_beneath
 from crs_cc.core.input_files import note
 
-_LONGEST: Final = 4096
+_MAX_NAME: Final = 4096
 _LINK: Final = "symbolic links are not allowed: copy the file into the world's folder"
 
 
@@ -31,7 +31,7 @@ def read_below(folder: Path, name: str, ending: str, most: int) -> bytes:
     """
     path = PurePosixPath(from_text(name))
     outside = path.is_absolute() or ".." in path.parts or path.suffix.lower() != ending
-    if outside or "\0" in name or len(name) > _LONGEST:
+    if outside or "\0" in name or len(name) > _MAX_NAME:
         raise ValueError(
             f"must be a relative path to a file ({ending}) in the world's folder or below"
         )

@@ -9,7 +9,7 @@ from crs_cc.core.quantity import ANGLE, FREQUENCY, TIME
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.sensors import USUAL_BOARD, SensorBoard
 
-_SHORTEST_S: Final = 0.001  # bounds the work that one robot's measurements cause
+_MIN_PERIOD_S: Final = 0.001  # bounds the work that one robot's measurements cause
 _ROUNDING: Final = 1e-9
 
 
@@ -25,7 +25,7 @@ def half_angle_rad(element: Element, reader: Reader) -> float:
 def period_s(element: Element, reader: Reader) -> float:
     """Return a sensor's measuring period by timer, 0 for none [s]."""
     value_s = reader.not_negative(element, "period", TIME)
-    if 0.0 < value_s < _SHORTEST_S:
+    if 0.0 < value_s < _MIN_PERIOD_S:
         reader.refuse(element, "period: must be 0, or 1ms or more")
     if "rate" in element.attributes and value_s > 0.0:
         least_s = 1.0 / reader.positive(element, "rate", FREQUENCY)

@@ -25,7 +25,7 @@ from crs_cc.sim.model.world import (
 )
 
 MAX_CORNERS: Final = 250
-SHORTEST_M: Final = 0.001
+MIN_LENGTH_M: Final = 0.001
 """Minimum size of objects."""
 
 _FRAME: Final = frozenset({"x", "y", "heading"})
@@ -148,7 +148,7 @@ class SolidElements:
     def size(self, element: Element, name: str) -> float:
         """Return a length [m] that is valid for an object."""
         value_m = self.reader.positive(element, name, LENGTH)
-        if value_m < SHORTEST_M:
+        if value_m < MIN_LENGTH_M:
             self.reader.refuse(element, f"{name}: must be 1mm or more")
         return value_m
 

@@ -21,7 +21,7 @@ from crs_cc.sim.files.include import Included
 from crs_cc.sim.files.material_elements import Materials
 from crs_cc.sim.files.object_ids import name_objects
 from crs_cc.sim.files.scatter_elements import extract_scatters
-from crs_cc.sim.files.solid_elements import SHORTEST_M, SolidElements
+from crs_cc.sim.files.solid_elements import MIN_LENGTH_M, SolidElements
 from crs_cc.sim.geometry.placement import misplaced, overlapping_objects
 from crs_cc.sim.model.beacons import TONES, Light, Sound
 from crs_cc.sim.model.world import Area, Box, Cylinder, Polygon, Solid, Wall, WorldModel
@@ -54,8 +54,8 @@ def sounds(root: Element, reader: Reader) -> tuple[Sound, ...]:
     )
 
 
-SHORTEST_TIMESTEP_S: Final = 0.001
-LONGEST_TIMESTEP_S: Final = 0.1
+MIN_TIMESTEP_S: Final = 0.001
+MAX_TIMESTEP_S: Final = 0.1
 MAX_SEED: Final = 999_999_999
 
 
@@ -159,7 +159,7 @@ def _area(element: Element, reader: Reader, materials: Materials) -> Area:
     length_m = reader.positive(element, "length", LENGTH)
     width_m = reader.positive(element, "width", LENGTH)
     edge_m = reader.not_negative(element, "edge", LENGTH, 0.1)
-    if 0.0 < edge_m < SHORTEST_M:
+    if 0.0 < edge_m < MIN_LENGTH_M:
         reader.refuse(element, "edge: must be 0, or 1mm or more")
     material = materials.of(element)
     if element.attributes.get("origin") == "centre":
@@ -169,7 +169,7 @@ def _area(element: Element, reader: Reader, materials: Materials) -> Area:
 
 def _timestep(root: Element, reader: Reader) -> float:
     value_s = reader.positive(root, "timestep", TIME, 0.05)
-    if not SHORTEST_TIMESTEP_S <= value_s <= LONGEST_TIMESTEP_S:
+    if not MIN_TIMESTEP_S <= value_s <= MAX_TIMESTEP_S:
         reader.refuse(root, "timestep: must be from 1ms to 100ms")
         return 0.05
     return value_s

@@ -49,7 +49,7 @@ from crs_cc.sim.model.world import TALL_M
 
 Segments: TypeAlias = "tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]"
 
-_SHORTEST_M: Final = 1e-6  # shorter sides of a clipped patch are dropped
+_MIN_LENGTH_M: Final = 1e-6  # shorter sides of a clipped patch are dropped
 _ON_M: Final = 1e-9
 _BEYOND_M: Final = 100.0  # extent of the floor beyond the world's area
 
@@ -298,7 +298,7 @@ def _cut(viewers: IndexArray, corners: ComplexArray, over_m: FloatArray) -> Segm
     end = np.concatenate([end[side, which], crossing[cut, enters[cut].argmax(axis=1)]])
     viewers = np.concatenate([viewers[side], viewers[cut]])
     length_m = exact.magnitude(end - start)
-    kept = np.flatnonzero(length_m > _SHORTEST_M)
+    kept = np.flatnonzero(length_m > _MIN_LENGTH_M)
     return viewers[kept], start[kept], end[kept], length_m[kept]
 
 

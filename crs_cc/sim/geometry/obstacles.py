@@ -21,10 +21,10 @@ from crs_cc.sim.geometry.cell_list import CellList, are_few, blocks, expand, few
 from crs_cc.sim.geometry.scene import Outlines
 from crs_cc.sim.kernels import exact
 
-_MOST_CELLS: Final = 128  # along each side of the grid
+_MAX_CELLS: Final = 128  # along each side of the grid
 _CELLS_PER_REACH: Final = 8
 _SHAPES_AT_ONCE: Final = 64  # while the grid is built
-_MOST_LISTED: Final = 8_000_000  # limit of pairs of cell and shape; above it, cells are enlarged
+_MAX_LISTED: Final = 8_000_000  # limit of pairs of cell and shape; above it, cells are enlarged
 _SLACK_M: Final = 1e-6
 
 
@@ -309,8 +309,8 @@ class Grid:
         high = np.maximum(ends_m[:, 0:2], ends_m[:, 2:4]) + around_m
         self._corner_m = low.min(axis=0, initial=np.inf) if self.count else np.zeros(2)
         extent_m = high.max(axis=0) - self._corner_m if self.count else np.zeros(2)
-        self._cell_m = max(reach_m / _CELLS_PER_REACH, float(extent_m.max()) / _MOST_CELLS, 1e-3)
-        while self._listed(low, high) > _MOST_LISTED and self._cell_m < extent_m.max():
+        self._cell_m = max(reach_m / _CELLS_PER_REACH, float(extent_m.max()) / _MAX_CELLS, 1e-3)
+        while self._listed(low, high) > _MAX_LISTED and self._cell_m < extent_m.max():
             self._cell_m *= 2
         self._size = np.floor(extent_m / self._cell_m).astype(np.intp) + 1
         found = [

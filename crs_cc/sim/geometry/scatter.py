@@ -37,9 +37,9 @@ STREAM: Final = 30
 _X, _Y, _HEADING = range(3)
 
 _FIRST_TRIES: Final = 64
-_MOST_AT_ONCE: Final = 1 << 14
+_MAX_BATCH: Final = 1 << 14
 _GROWTH: Final = 4
-_MOST_TRIES: Final = 200_000
+_MAX_TRIES: Final = 200_000
 _TRIES_EACH: Final = 10
 """Candidates: so many at first, then more and more at once, up to a number in all that bounds the
 work, or until none of the most at once is free."""
@@ -104,8 +104,8 @@ class Taken:
             uniform: the random numbers.
             key: the key of this group of discs.
         """
-        found, most = _Apart(2.0 * radius_m), _MOST_TRIES + _TRIES_EACH * count
-        tried, tries = 0, min(max(_FIRST_TRIES, 2 * count), _MOST_AT_ONCE)
+        found, most = _Apart(2.0 * radius_m), _MAX_TRIES + _TRIES_EACH * count
+        tried, tries = 0, min(max(_FIRST_TRIES, 2 * count), _MAX_BATCH)
         while len(found.places_m) < count and tried < most:
             numbers = np.arange(tried, min(tried + tries, most))
             candidates = region.draw(uniform, key, numbers)
@@ -113,9 +113,9 @@ class Taken:
             candidates = candidates[self._is_free(candidates, radius_m)]
             before = len(found.places_m)
             found.add(candidates.tolist(), count)
-            if len(found.places_m) == before and tries == _MOST_AT_ONCE:
+            if len(found.places_m) == before and tries == _MAX_BATCH:
                 break
-            tried, tries = tried + tries, min(tries * _GROWTH, _MOST_AT_ONCE)
+            tried, tries = tried + tries, min(tries * _GROWTH, _MAX_BATCH)
         places_m = np.array(found.places_m).reshape(-1, 2)
         discs = np.column_stack([places_m, np.full(len(places_m), radius_m)])
         self._discs = np.concatenate([self._discs, discs])

@@ -25,7 +25,7 @@ from crs_cc.sim.kernels import exact
 Run = tuple[int, int]
 """Indices of the first and the last point of a segment."""
 
-_FEWEST: Final = 2  # points on a line
+_MIN_POINTS: Final = 2  # points on a line
 _NEAR: Final = 1e-12
 
 
@@ -44,7 +44,7 @@ def segments(points: FloatArray, threshold: float, min_points: int, gap: float) 
     found: list[Run] = []
     for run in _runs(points, gap):
         found += _merged(points, _split(points, run, threshold), threshold)
-    least = max(min_points, _FEWEST)
+    least = max(min_points, _MIN_POINTS)
     long = [run for run in found if run[1] - run[0] + 1 >= least]
     return np.array([_ends(points, run) for run in long], dtype=np.float64).reshape(-1, 4)
 
@@ -64,7 +64,7 @@ def _split(points: FloatArray, run: Run, threshold: float) -> list[Run]:
     waiting = [run]
     while waiting:
         first, last = waiting.pop()
-        if last - first < _FEWEST or _error(points, (first, last)) <= threshold:
+        if last - first < _MIN_POINTS or _error(points, (first, last)) <= threshold:
             done.append((first, last))
             continue
         corner = first + 1 + int(np.argmax(_from_chord(points, (first, last))))

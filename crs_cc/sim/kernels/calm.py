@@ -27,7 +27,7 @@ from crs_cc.sim.kernels.tables import (
 if TYPE_CHECKING:
     from crs_cc.runtime.kernel_instance import KernelInstance
 
-MOST: Final = 64
+MAX_ROWS: Final = 64
 """Robots and bodies at most."""
 CODES: Final = 256
 """Codes of requests are smaller."""
@@ -127,10 +127,15 @@ class CalmKernel:
     def __init__(self, instance: KernelInstance) -> None:
         """Take an instance that has just been started."""
         place, memory = int(instance.message[0]), instance.memory.data
-        _SETUP.pack_into(memory, place, SETUP, _THIRD, MOST, MOST, MOST)
+        _SETUP.pack_into(memory, place, SETUP, _THIRD, MAX_ROWS, MAX_ROWS, MAX_ROWS)
         instance.resume()
         self.turn, *tables = _PLACES.unpack_from(memory, place)
-        sizes = ROBOT_SIZE * MOST, BODY_SIZE * MOST, BATTERY_SIZE * MOST, KIND_SIZE * MOST
+        sizes = (
+            ROBOT_SIZE * MAX_ROWS,
+            BODY_SIZE * MAX_ROWS,
+            BATTERY_SIZE * MAX_ROWS,
+            KIND_SIZE * MAX_ROWS,
+        )
         self.robots, self.bodies, self.batteries, self.kinds, self.sonars = (
             instance.memory[begin : begin + size * _NUMBER].data
             for begin, size in zip(tables, (*sizes, RING_SIZE * RINGS), strict=True)

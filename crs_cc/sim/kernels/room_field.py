@@ -19,7 +19,7 @@ from crs_cc.sim.kernels.sorted_shapes import grid_of, sort_shapes
 from crs_cc.sim.kernels.tables import ROOM
 
 _WORK: Final = 400_000  # numbers of the arena for discs and what is found
-_MOST: Final = 40_000
+_MAX_DISCS: Final = 40_000
 """Discs, or shapes, that are in the memory at once."""
 _NONE: Final = np.zeros((0, 7)), np.zeros((0, 5)), np.zeros((0, 14))
 
@@ -57,9 +57,9 @@ class RoomField:
             the room of each, at most what is of interest, (k,), and the shapes that are near any.
         """
         room_m, near = np.empty(len(which)), np.zeros(len(self._rows), dtype=np.bool_)
-        for first in range(0, len(which), _MOST):
-            some = which[first : first + _MOST]
-            room_m[first : first + _MOST] = self._measure_some(discs, some, need_m, near)
+        for first in range(0, len(which), _MAX_DISCS):
+            some = which[first : first + _MAX_DISCS]
+            room_m[first : first + _MAX_DISCS] = self._measure_some(discs, some, need_m, near)
         return room_m, np.flatnonzero(near)
 
     def _measure_some(
@@ -80,8 +80,8 @@ class RoomField:
             kernels.call(ROOM, count, out, marks, _WORK)
             found = kernels.arena[marks:].view(np.int32)[: block.stop - block.start]
             near[block] |= found != 0
-        for first in range(0, len(discs), _MOST):
-            self._sort(discs[first : first + _MOST], first)
+        for first in range(0, len(discs), _MAX_DISCS):
+            self._sort(discs[first : first + _MAX_DISCS], first)
             kernels.call(ROOM, count, out, marks, self._end)
         return kernels.arena[out:marks].copy()
 
@@ -96,7 +96,7 @@ class RoomField:
     def _divided(self, block: slice) -> Iterator[slice]:
         """Yield parts of the shapes that have room in the memory, and leave some."""
         few = block.stop - block.start
-        if few > 1 and (few > _MOST or not self._lay(block)):
+        if few > 1 and (few > _MAX_DISCS or not self._lay(block)):
             middle = block.start + few // 2
             yield from self._divided(slice(block.start, middle))
             yield from self._divided(slice(middle, block.stop))

@@ -26,11 +26,11 @@ Tables: TypeAlias = tuple[FloatArray, FloatArray, FloatArray]
 Grid: TypeAlias = tuple[float, ...]
 """x and y of its corner, the size of its cells [m], the numbers of its columns and rows."""
 
-_MOST_CELLS: Final = 128  # along each side of a grid, see `survey.c`
+_MAX_CELLS: Final = 128  # along each side of a grid, see `survey.c`
 _HEAD: Final = struct.Struct("<9d")
 
 
-def grid_of(points_m: FloatArray, cell_m: float, most: int = _MOST_CELLS * _MOST_CELLS) -> Grid:
+def grid_of(points_m: FloatArray, cell_m: float, most: int = _MAX_CELLS * _MAX_CELLS) -> Grid:
     """Return a grid over points.
 
     Args:
@@ -43,7 +43,7 @@ def grid_of(points_m: FloatArray, cell_m: float, most: int = _MOST_CELLS * _MOST
     left_m, low_m = np.minimum.reduce(points_m).tolist()
     right_m, high_m = np.maximum.reduce(points_m).tolist()
     wide_m, tall_m = right_m - left_m, high_m - low_m
-    size_m = max(cell_m, max(wide_m, tall_m) / _MOST_CELLS, math.sqrt(wide_m * tall_m / most))
+    size_m = max(cell_m, max(wide_m, tall_m) / _MAX_CELLS, math.sqrt(wide_m * tall_m / most))
     return left_m, low_m, size_m, wide_m // size_m + 1.0, tall_m // size_m + 1.0
 
 

@@ -27,7 +27,7 @@ NAMED: Final = {
 """The 16 names of HTML 4.01 (section 6.5) and four common ones of CSS, as 0xrrggbb."""
 
 _NUMBER: Final = re.compile(r"#[0-9A-Fa-f]{6}")
-_LONGEST: Final = 40
+_MAX_TEXT: Final = 40
 
 
 def rgb(text: str) -> Colour:
@@ -36,7 +36,7 @@ def rgb(text: str) -> Colour:
     number = int(name[1:], 16) if _NUMBER.fullmatch(name) else NAMED.get(name.lower())
     if number is None:
         raise ValueError(
-            f"unknown colour {name[:_LONGEST]!r} (use #rrggbb or one of {', '.join(NAMED)})"
+            f"unknown colour {name[:_MAX_TEXT]!r} (use #rrggbb or one of {', '.join(NAMED)})"
         )
     return number >> 16, number >> 8 & 0xFF, number & 0xFF
 

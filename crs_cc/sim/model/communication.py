@@ -27,7 +27,7 @@ ANY: Final = -1
 """Any channel or robot."""
 
 MAX_CHANNELS: Final = 16
-LONGEST_QUEUE: Final = 64
+MAX_QUEUE: Final = 64
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,8 +34,8 @@ from crs_cc.sim.model.degradable import Degradable, numbered
 from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.robot import RobotModel
 
-LONGEST_DELAY_S: Final = 60.0
-LONGEST_S: Final = 1e7
+MAX_DELAY_S: Final = 60.0
+MAX_DURATION_S: Final = 1e7
 """Upper limits of times."""
 
 HOLD: Final = "hold"
@@ -224,11 +224,11 @@ def out_of_range(degradation: Degradation) -> Iterator[str]:
         ("noise", degradation.noise, 0.0, LENGTH.limit),
         ("step", degradation.step, 0.0, LENGTH.limit),
         (f"stuck must be {HOLD!r}, or it", fixed, -LENGTH.limit, LENGTH.limit),
-        ("delay", degradation.delay_s, 0.0, LONGEST_DELAY_S),
+        ("delay", degradation.delay_s, 0.0, MAX_DELAY_S),
         ("dropouts", degradation.dropouts, 0.0, 1.0),
-        ("onset", degradation.onset_s, 0.0, LONGEST_S),
-        ("duration", 1.0 if duration_s is None else duration_s, 0.0, LONGEST_S),
-        ("recovery", degradation.recovery_s, 0.0, LONGEST_S),
+        ("onset", degradation.onset_s, 0.0, MAX_DURATION_S),
+        ("duration", 1.0 if duration_s is None else duration_s, 0.0, MAX_DURATION_S),
+        ("recovery", degradation.recovery_s, 0.0, MAX_DURATION_S),
     )
     for name, value, least, most in limits:
         if not _is_between(value, least, most):

@@ -9,14 +9,14 @@ from typing import Final
 NEVER_S: Final = math.inf
 """Evaporation time of what never evaporates."""
 
-MOST: Final = 1e6
+MAX_AMOUNT: Final = 1e6
 """Largest amount in a cell; our choice, so that sums of amounts are exact (`state.fields`)."""
 
 MAX_FIELDS: Final = 4
 MAX_CELLS: Final = 2**25
 """Largest number of fields in a world, and of cells in one; our choice, 256 MiB for each field."""
 
-SHORTEST_EVAPORATION_S: Final = 0.1
+MIN_EVAPORATION_S: Final = 0.1
 """Shortest evaporation time: the longest timestep."""
 
 STABLE: Final = 0.25
@@ -42,7 +42,7 @@ class Field:
     cell_m: float = 0.05
     evaporation_s: float = NEVER_S
     diffusion_m2ps: float = 0.0
-    saturation: float = MOST
+    saturation: float = MAX_AMOUNT
 
     def share(self, timestep_s: float) -> float:
         """Return the share of a difference between two cells that moves in a timestep."""

@@ -23,7 +23,7 @@ MAX_CELLS: Final = 40_000
 """Cells of one `Cover`."""
 
 MAX_POINTS: Final = 1e6
-LONGEST_NAME: Final = 80
+MAX_NAME: Final = 80
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,7 @@ from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.kernels import exact
 
-SHORTEST_M: Final = 1e-3
+MIN_LENGTH_M: Final = 1e-3
 """Minimum length of a side, and minimum distance between sides that are not neighbours."""
 
 _FLAT_M2: Final = 1e-12  # twice the area of a degenerate triangle
@@ -91,7 +91,7 @@ def validation_error(corners_m: FloatArray) -> str:
     ends_m = np.roll(corners_m, -1, axis=0)
     sides_m = ends_m - corners_m
     length_m = exact.hypot(sides_m[:, 0], sides_m[:, 1])
-    if length_m.min() < SHORTEST_M:
+    if length_m.min() < MIN_LENGTH_M:
         corner = int(length_m.argmin())
         return f"corners {corner + 1} and {_next(corner, count) + 1} are less than 1mm apart"
     if (pair := _meeting(corners_m, ends_m)) is not None:
@@ -168,7 +168,7 @@ def _meeting(starts_m: FloatArray, ends_m: FloatArray) -> tuple[int, int] | None
         if _folds(a, b, c):
             return side, _next(side, count)
         far = slice(side + 2, count - 1 if side == 0 else count)
-        near = np.flatnonzero(_apart_m(a, b, starts_m[far], ends_m[far]) < SHORTEST_M)
+        near = np.flatnonzero(_apart_m(a, b, starts_m[far], ends_m[far]) < MIN_LENGTH_M)
         if len(near):
             return side, side + 2 + int(near[0])
     return None
@@ -179,7 +179,7 @@ def _folds(a: FloatArray, b: FloatArray, c: FloatArray) -> bool:
     if ((a - b) * (c - b)).sum() <= 0:
         return False
     ends = (a, c) if exact.hypot(*(a - b)) < exact.hypot(*(c - b)) else (c, a)
-    return float(_to_segment_m(ends[0], b, ends[1])) < SHORTEST_M
+    return float(_to_segment_m(ends[0], b, ends[1])) < MIN_LENGTH_M
 
 
 def _apart_m(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray) -> FloatArray:

@@ -44,7 +44,7 @@ from crs_cc.sim.model.mass_properties import FLOOR_FRICTION, GRAVITY_MPS2
 from crs_cc.sim.model.world import WorldModel
 
 _MARGIN_M: Final = 0.01
-_LEAST_N: Final = 1e-3
+_MIN_FORCE_N: Final = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,7 +138,7 @@ class Inclines:
         sloping = np.asarray(mine.any(axis=1))
         down_n = weight_n[robots] * np.sqrt(1.0 - grip2)
         seen_n = exact.hypot(pull_n[robots, 0], pull_n[robots, 1])
-        seen = np.divide(seen_n, down_n, out=np.ones_like(down_n), where=down_n > _LEAST_N)
+        seen = np.divide(seen_n, down_n, out=np.ones_like(down_n), where=down_n > _MIN_FORCE_N)
         hold = np.sqrt(grip2) * seen
         along, across = np.sqrt(along2), np.sqrt(grip2 / along2)
         steep = 1.0 / grip[self._robots :] - 1.0 > FLOOR_FRICTION * FLOOR_FRICTION

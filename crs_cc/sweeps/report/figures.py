@@ -39,7 +39,7 @@ _JITTER: Final = 0x4A49
 _DECADES: Final = 50.0
 """The ratio of the largest to the smallest value from which an axis is logarithmic."""
 
-MOST_GROUPS: Final = 24
+MAX_GROUPS: Final = 24
 """Combinations in one figure; more cannot be told apart."""
 
 
@@ -81,7 +81,7 @@ def _levels(results: Results, name: str) -> list[Value]:
 
 def box_and_strip(results: Results) -> str:
     """Return boxes with all values beside them, for each combination."""
-    groups = results.groups[:MOST_GROUPS]
+    groups = results.groups[:MAX_GROUPS]
 
     def draw(axes: Axes) -> None:
         axes.boxplot(
@@ -102,7 +102,7 @@ def box_and_strip(results: Results) -> str:
                 alpha=0.5,
                 markersize=3,
             )
-        labels = [_wrapped(each) for each in results.labels[:MOST_GROUPS]]
+        labels = [_wrapped(each) for each in results.labels[:MAX_GROUPS]]
         axes.set_yticks(range(1, len(groups) + 1), labels)
         _heighten(axes, _LINE_IN * sum(1 + each.count("\n") for each in labels) - 3.0)
         axes.invert_yaxis()

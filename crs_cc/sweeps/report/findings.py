@@ -13,7 +13,7 @@ from crs_cc.sweeps.report.results import Group, Results
 from crs_cc.sweeps.report.statistics import adjusted_p_values, comparison, kruskal_wallis_p, summary
 from crs_cc.sweeps.rows import Row, failures
 
-MOST_COMPARED: Final = 10
+MAX_COMPARED: Final = 10
 """Combinations that are compared in pairs: more give tables that nobody reads."""
 
 
@@ -39,7 +39,7 @@ def tables(results: Results) -> Iterator[Table]:
     yield medians(results)
     if _scales(results):
         yield scaling(results)
-    if 2 <= len(results.groups) <= MOST_COMPARED:
+    if 2 <= len(results.groups) <= MAX_COMPARED:
         yield comparisons(results)
 
 

@@ -248,7 +248,7 @@ def test_worlds_and_submissions_of_equal_names_are_told_apart(
         Path(name).write_text(WORLD)
     Path("late").mkdir()
     Path("late/anna.c").write_text(good())
-    monkeypatch.setattr("crs_cc.cli.grading.grading._LONGEST_NAME", 4)
+    monkeypatch.setattr("crs_cc.cli.grading.grading._MAX_NAME", 4)
     files = ["in/anna.c", "late/anna.c", "easy/room.xml", "hard/room.xml"]
     options = ["--max-time", "1", "--jobs", "1", "--runs", "runs", "--csv", "g.csv"]
     assert main(["grade", *files, *options]) == 0

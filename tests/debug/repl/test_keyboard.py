@@ -28,7 +28,7 @@ int main(void)
             fputs("on its way\\n", stderr);
 }
 """
-MOST_S = 60.0
+TIMEOUT_S = 60.0
 
 
 class Session:
@@ -58,7 +58,7 @@ class Session:
 
     def wait_for(self, wanted: str) -> str:
         """Return what is shown up to some words, and forgets it."""
-        end = time.monotonic() + MOST_S
+        end = time.monotonic() + TIMEOUT_S
         while wanted not in self._text:
             if not select.select([self._own], [], [], max(0.0, end - time.monotonic()))[0]:
                 pytest.fail(f"{wanted!r} is not shown, but {self._text!r}")
@@ -72,7 +72,7 @@ class Session:
 
     def end(self) -> int:
         """Return the exit status."""
-        return self._process.wait(MOST_S)
+        return self._process.wait(TIMEOUT_S)
 
     def kill(self) -> None:
         """End it whatever it does."""

@@ -10,7 +10,7 @@ from crs_cc.requests import CODES, MESSAGE
 from crs_cc.session.host import HostRequest
 from crs_cc.session.network.network import Network
 from crs_cc.session.network.service import NETWORK_CODES, NetworkService
-from crs_cc.session.network.sockets import BUFFER, MOST_SOCKETS
+from crs_cc.session.network.sockets import BUFFER, MAX_SOCKETS
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world
 from tests.session.network.network_runs import NetworkRun, served_clients
@@ -97,7 +97,7 @@ def test_no_request_can_break_the_network_or_fill_it() -> None:
 
 def assert_bounded(network: Network) -> None:
     own = [socket for key, socket in network.state.sockets.items() if key[0] == 0]
-    assert len(own) - sum(len(each.waiting) for each in own) <= MOST_SOCKETS
+    assert len(own) - sum(len(each.waiting) for each in own) <= MAX_SOCKETS
     for socket in own:
         assert len(socket.received) <= BUFFER
         assert 0 <= socket.unread <= BUFFER + 20_000

@@ -39,10 +39,10 @@ def of_all_pairs(ends_m, thick_m, discs, which, need_m):
     return np.minimum(room_m, LOOK_M), np.flatnonzero((far_m < need_m).any(axis=0))
 
 
-@pytest.mark.parametrize("most", [room_field._MOST, 7])
+@pytest.mark.parametrize("most", [room_field._MAX_DISCS, 7])
 @pytest.mark.parametrize("shapes", [60, 0])
 def test_room_is_that_of_all_pairs(monkeypatch, most, shapes):
-    monkeypatch.setattr(room_field, "_MOST", most)
+    monkeypatch.setattr(room_field, "_MAX_DISCS", most)
     sizes = set()
     for seed in range(4):
         ends_m, thick_m, discs = scene(seed, shapes)
@@ -65,7 +65,7 @@ def test_shapes_without_room_for_all_are_divided(monkeypatch):
     which = np.arange(DISCS)
     expected = of_all_pairs(ends_m, thick_m, discs, which, 0.3)
     monkeypatch.setattr(room_field, "_WORK", 3 * program._ARENA[0] // 2 - 120)
-    monkeypatch.setattr(room_field, "_MOST", 100)
+    monkeypatch.setattr(room_field, "_MAX_DISCS", 100)
     field = RoomField(ends_m, thick_m, LOOK_M)
     assert 1 < len(field._blocks) < len(ends_m)
     for found, wanted in zip(field.measure(discs, which, 0.3), expected, strict=True):

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from crs_cc.cli.main import main
-from crs_cc.sim.comms.inbox import COMING_MOST, INBOX
-from crs_cc.sim.comms.outbox import MOST
+from crs_cc.sim.comms.inbox import INBOX, MAX_INCOMING
+from crs_cc.sim.comms.outbox import MAX_MESSAGES
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.model.communication import HEAD_BYTES, LONGEST_QUEUE, PREDEFINED
+from crs_cc.sim.model.communication import HEAD_BYTES, MAX_QUEUE, PREDEFINED
 
 ROOT = Path(__file__).parents[3]
 PAGE = (ROOT / "docs" / "communication.md").read_text()
@@ -31,10 +31,10 @@ def test_predefined_channels_are_lossless() -> None:
 
 def test_numbers_on_the_page_match_the_code() -> None:
     assert f"An inbox holds {INBOX} messages" in PAGE
-    assert f"At most {COMING_MOST} messages can be in transit" in PAGE
-    assert f"at most {MOST} messages waiting" in PAGE
+    assert f"At most {MAX_INCOMING} messages can be in transit" in PAGE
+    assert f"at most {MAX_MESSAGES} messages waiting" in PAGE
     assert f"{HEAD_BYTES} is the size of the header" in PAGE
-    assert MOST == LONGEST_QUEUE
+    assert MAX_MESSAGES == MAX_QUEUE
 
 
 def test_program_on_the_page_prints_the_documented_output(

@@ -43,8 +43,8 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-_MOST: Final = 4  # antennae; our choice
-_WIDTH: Final = MAX_FIELDS * _MOST
+_MAX_ANTENNAE: Final = 4  # antennae; our choice
+_WIDTH: Final = MAX_FIELDS * _MAX_ANTENNAE
 _FLAT: Final = 1e-9  # antennae in a line, relative to their distance
 
 
@@ -52,7 +52,9 @@ _FLAT: Final = 1e-9  # antennae in a line, relative to their distance
 class Antennae:
     """Antennae in front of the mount."""
 
-    number: int = attribute("number", Count(1, _MOST), "2", f"Number of antennae, 1 to {_MOST}.")
+    number: int = attribute(
+        "number", Count(1, _MAX_ANTENNAE), "2", f"Number of antennae, 1 to {_MAX_ANTENNAE}."
+    )
     reach_m: float = attribute(
         "reach", LENGTH, "25cm", "Distance of their ends from the centre of the robot."
     )
@@ -117,7 +119,7 @@ class _AllAntennae:
             self._weights[: model.number, :, number] = plane_weights(ends_m)
         if len(set(models)) == 1:  # one for all takes less time
             self._ends_m = self._ends_m[:, :, :1]
-        self._width = _MOST * max(len(self._fields.names), 1)
+        self._width = _MAX_ANTENNAE * max(len(self._fields.names), 1)
         self._sensor = Sensor(
             row, world, seed, self.measure, self._width, columns=self._width, missing=0.0
         )
@@ -134,8 +136,8 @@ class _AllAntennae:
             mine = simplest(now.constants.numbers["antennae"][now.rows], len(self._numbers))
             ends_m = ends_m[:, :, mine]
         amounts = np.zeros((len(now.rows), self._width))
-        fields = self._width // _MOST
-        smelled = amounts.reshape(-1, fields, _MOST).transpose(1, 2, 0)[:, : len(ends_m)]
+        fields = self._width // _MAX_ANTENNAE
+        smelled = amounts.reshape(-1, fields, _MAX_ANTENNAE).transpose(1, 2, 0)[:, : len(ends_m)]
         self._fields.smell(now.state, now.constants, now.rows, ends_m, smelled)
         if self._thresholds:
             amounts[amounts < now.settings["threshold"][:, None]] = 0.0
@@ -155,7 +157,7 @@ class _AllAntennae:
             mine, field, antenna = mine[good], field[good], antenna[good]
             gradients = gradients[good]
         readings = self._sensor.readings(context.state).value.ravel()
-        first = mine * _WIDTH + _MOST * field
+        first = mine * _WIDTH + _MAX_ANTENNAE * field
         context.put("amount", np.maximum(readings.take(first + antenna), 0.0), where)
         wants = np.flatnonzero(gradients)
         if len(wants):
@@ -171,7 +173,7 @@ class _AllAntennae:
 def _elements(antennae: Antennae) -> tuple[str, ...]:
     """Return the names of readings: field and antenna."""
     there = range(antennae.number)
-    places = (divmod(column, _MOST) for column in range(_WIDTH))
+    places = (divmod(column, _MAX_ANTENNAE) for column in range(_WIDTH))
     return tuple(f"{field}.{place}" if place in there else "" for field, place in places)
 
 

@@ -33,7 +33,7 @@ from crs_cc.core.distinct import distinct
 from crs_cc.sim.devices.battery.state import motors_of
 from crs_cc.sim.devices.battery.supplies import (
     CAPACITY,
-    LEAST,
+    MIN_CHARGE,
     POWER,
     START,
     Voltages,
@@ -81,7 +81,7 @@ class Batteries:
         if self.last:
             return np.zeros(len(rows), dtype=np.bool_)
         charge = self.left(state, constants, rows, at_s)
-        return np.asarray(charge[:, 1] < self._supply[self._kind[rows], LEAST])
+        return np.asarray(charge[:, 1] < self._supply[self._kind[rows], MIN_CHARGE])
 
     def left(
         self, state: EnvState, constants: RobotConstants, rows: IndexArray, at_s: FloatArray

@@ -21,12 +21,12 @@ _FACTORS: Final = COMPUTERS, MOTORS
 _STEPS: Final = 1_000  # of charge, in the tables
 _SIZE: Final = _STEPS + 1
 
-START, POWER, CAPACITY, LEAST = 0, 2, 4, 6
-"""Places in a row of `supply_table`: of numbers for computers and motors; of the least charge."""
+START, POWER, CAPACITY, MIN_CHARGE = 0, 2, 4, 6
+"""Positions in a row of `supply_table`: of values for computers and motors; minimum charge."""
 
 
 def supply_table(kinds: Sequence[RobotModel]) -> FloatArray:
-    """Return what kernels know of the batteries of kinds of robots, (kinds, 14)."""
+    """Return the battery parameters of kinds of robots for kernels, (kinds, 14)."""
     rows = [_row(model) for model in kinds]
     return np.array(rows, dtype=np.float64).reshape(-1, 14)
 

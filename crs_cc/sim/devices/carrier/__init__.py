@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
 
-_MOST: Final = 1000  # items; our choice
+_MAX_ITEMS: Final = 1000  # items; our choice
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class Carrier:
     """A carrier."""
 
     capacity: int = attribute(
-        "capacity", Count(1, _MOST), "1", f"Number of items that it holds, 1 to {_MOST}."
+        "capacity", Count(1, _MAX_ITEMS), "1", f"Number of items that it holds, 1 to {_MAX_ITEMS}."
     )
 
 

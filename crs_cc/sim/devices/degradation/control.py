@@ -51,7 +51,7 @@ PHASES: Final = {WAITS: "waits", ACTS: "acts", FADES: "fades", OVER: "over"}
 """The names of the phases."""
 
 _TURNS: Final = {ACTS: "began", FADES: "began to fade", OVER: "ended"}
-_LONGEST_ID: Final = 64
+_MAX_ID: Final = 64
 
 
 class DegradationControl:
@@ -194,8 +194,8 @@ class DegradationControl:
     def _check(self, degradation: Degradation) -> None:
         if degradation.robot not in self._robots:
             raise ValueError(unknown("robot", str(degradation.robot), self._robots))
-        if len(degradation.id) > _LONGEST_ID:
-            raise ValueError(f"a degradation's id has at most {_LONGEST_ID} characters")
+        if len(degradation.id) > _MAX_ID:
+            raise ValueError(f"a degradation's id has at most {_MAX_ID} characters")
         wrong = validation_error(degradation, self._model(degradation.robot))
         if wrong:
             raise ValueError(wrong)

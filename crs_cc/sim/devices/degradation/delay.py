@@ -17,7 +17,7 @@ from crs_cc.sim.devices.degradation.pipeline import Pass
 from crs_cc.sim.state.degradation import width_of
 
 _SPARE: Final = 2  # values kept in addition to those that a delay needs
-_LEAST_S: Final = 1e-3  # minimum time over which a delayed speed is averaged
+_MIN_AVERAGING_S: Final = 1e-3  # minimum time over which a delayed speed is averaged
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +132,7 @@ def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> Flo
             ways = speeds[some] * (to_s - since_s)
             rings.memory[rings.sum_at[rings.touched]] += ways[rings.touched]
             rings.keep(rings.memory[rings.sum_at], to_s, rings.touched)
-        for_s = np.maximum(to_s - since_s, _LEAST_S)
+        for_s = np.maximum(to_s - since_s, _MIN_AVERAGING_S)
         ago_s = to_s - passing.of("delay_s")[some]
         reported[some] = (_sum(rings, ago_s) - _sum(rings, ago_s - for_s)) / for_s
     return reported

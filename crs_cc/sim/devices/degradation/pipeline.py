@@ -14,7 +14,7 @@ from crs_cc.sim.model.degradation import degradables
 from crs_cc.sim.state.degradation import ALL_ELEMENTS, FIXED, FREE, HOLDS, DegradationState
 
 _FINEST: Final = 1e-9  # rounding to smaller steps changes nothing
-_LARGEST: Final = 1e6
+_MAX_VALUE: Final = 1e6
 _TURN: Final = 2 * np.pi
 
 
@@ -80,7 +80,7 @@ def distorted(passing: Pass, values: FloatArray, normal: FloatArray) -> FloatArr
         size = np.where(rounds, size, 1.0)
         new = np.where(rounds, np.rint(new / size) * size, new)
     changes = np.isfinite(values) & (passing.s > 0.0)
-    return np.where(changes, np.clip(new, -_LARGEST, _LARGEST), values)
+    return np.where(changes, np.clip(new, -_MAX_VALUE, _MAX_VALUE), values)
 
 
 def stuck_at(passing: Pass, values: FloatArray, before: BoolArray, number: int) -> FloatArray:

@@ -22,8 +22,8 @@ from crs_cc.sim.kernels import exact
 
 _RATE: Final = 15  # times 4 ms: the usual argument of `conf_sn`
 _MAX_RATE: Final = 255
-_LEAST_INTERVAL_S: Final = 0.04  # an echo from 255 in takes 37.7 ms, and the clock ticks in 4 ms
-_SHORTEST_S: Final = 0.001  # bounds the work that one robot's firing causes
+_MIN_INTERVAL_S: Final = 0.04  # an echo from 255 in takes 37.7 ms, and the clock ticks in 4 ms
+_MIN_PERIOD_S: Final = 0.001  # bounds the work that one robot's firing causes
 _THINNEST_RAD: Final = math.radians(0.01)
 
 
@@ -64,8 +64,8 @@ def _sonar(element: Element, reader: Reader) -> Sonar:
 
 def _board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard:
     """Return the properties common to the sonars of a definition."""
-    least_s = reader.positive(element, "least-interval", TIME, _LEAST_INTERVAL_S)
-    if least_s < _SHORTEST_S:
+    least_s = reader.positive(element, "least-interval", TIME, _MIN_INTERVAL_S)
+    if least_s < _MIN_PERIOD_S:
         reader.refuse(element, "least-interval: must be 1ms or more")
     rate = reader.whole(element, "rate", 0, _MAX_RATE, absent=_RATE)
     usual = SonarBoard(
