@@ -8,12 +8,12 @@ from typing import Any
 
 from tests.cli.test_serve import WORLD, join, served
 from tests.session.programs import ROAM
-from tests.workbench.in_browser import is_fault, wait
+from tests.workbench.in_browser import is_fault, new_page, wait
 from tests.workbench.test_panel_page import click
 
 
 def opened(browser: Any, address: str, wrong: list[str]) -> Any:
-    page = browser.new_page(viewport={"width": 1200, "height": 800})
+    page = new_page(browser, 1200, 800)
     page.on("pageerror", lambda error: wrong.append(str(error)))
     page.on("console", lambda line: wrong.extend([line.text] if is_fault(line) else []))
     page.set_default_timeout(60_000)  # the machine may be busy with other tests

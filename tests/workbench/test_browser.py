@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from crs_cc.workbench.screen import Screen
-from tests.workbench.in_browser import page_in, running, wait
+from tests.workbench.in_browser import new_page, page_in, running, wait
 
 PROGRAM = """\
 #include <Nclient.h>
@@ -254,7 +254,7 @@ def heat_is_a_colour_and_there_is_a_flat_map(page: Any) -> None:
 def who_may_only_look_cannot_steer_and_hears_the_end(
     browser: Any, page: Any, screen: Screen
 ) -> None:
-    looker = browser.new_page(viewport={"width": 700, "height": 500})
+    looker = new_page(browser, 700, 500)
     looker.goto(screen.server.address("view") + "&flat=1")
     looker.wait_for_selector(".robot b")
     wait(looker, "document.querySelector('.transport .primary').disabled")

@@ -19,7 +19,7 @@ from crs_cc.workbench.page import html_page
 from crs_cc.workbench.page_comparison import OtherRecording
 from crs_cc.workbench.screen import Screen
 from tests.recording.test_compare import PROGRAM
-from tests.workbench.in_browser import page_at, page_in, played, wait
+from tests.workbench.in_browser import new_page, page_at, page_in, played, wait
 from tests.workbench.test_page import run_in
 
 WORLD = """<world version="1" timestep="50ms">
@@ -126,7 +126,7 @@ def test_two_recordings_are_seen_side_by_side(browser: Any, screen: Screen, runs
         an_end_removes_it(page)
         a_file_is_dropped_on_the_page(page, (runs / "far.mcap").read_bytes())
     address = screen.server.address("view")
-    looks = browser.new_page()
+    looks = new_page(browser)
     looks.goto(address)
     a_page_that_looks_only_compares_too(looks)
     looks.close()

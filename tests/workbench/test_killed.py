@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from tests.workbench.in_browser import FLAGS, running, wait
+from tests.workbench.in_browser import FLAGS, new_page, running, wait
 
 PROGRAM = """#include "Nclient.h"
 int main(void) { connect_robot(1); vm(20, 20, 0); for (;;) get_sn(); }
@@ -56,7 +56,7 @@ def test_a_page_reports_a_killed_server_and_one_of_the_next_server_works(
     browser: Any, tmp_path: Path
 ) -> None:
     with served(tmp_path) as (process, address):
-        page = browser.new_page()
+        page = new_page(browser)
         page.goto(address + "&flat=1")
         wait(page, "crs.model.isConnected && crs.model.state.t > 0.5")
         process.kill()
@@ -67,7 +67,7 @@ def test_a_page_reports_a_killed_server_and_one_of_the_next_server_works(
         )
     port = int(address.split(":")[2].split("/")[0])
     with served(tmp_path, port) as (_, anew):
-        opened = browser.new_page()
+        opened = new_page(browser)
         opened.goto(anew + "&flat=1")
         wait(opened, "crs.model.isConnected && crs.model.state.t > 0.5")
         # The token of the page before is that of the killed server: it cannot steer this one.

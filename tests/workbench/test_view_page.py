@@ -19,7 +19,7 @@ from crs_cc.cli.view_recording import recording_screen
 from crs_cc.recording import topics
 from crs_cc.recording.recording import Recording
 from crs_cc.workbench.screen import Screen
-from tests.workbench.in_browser import page_at, page_in, played, wait
+from tests.workbench.in_browser import new_page, page_at, page_in, played, wait
 
 SAMPLE = Path(__file__).parents[2] / "samples" / "scout_c" / "hand"
 BRIGHTNESS = """() => {
@@ -163,7 +163,7 @@ def a_video_and_a_page_are_saved(browser: Any, page: Any, folder: Path) -> None:
     with page.expect_download() as saved:
         page.click(".menu >> text=Web page")
     saved.value.save_as(folder / "run.html")
-    alone = browser.new_page()
+    alone = new_page(browser)
     alone.goto((folder / "run.html").as_uri() + "#flat=1&t=1")
     wait(alone, "crs.model.scene && Math.abs(crs.model.scene.time - 1) < 0.03")
     assert alone.locator(".robot b").inner_text() == "robot0"
@@ -193,7 +193,7 @@ def a_picture_is_saved_and_a_link_leads_here(browser: Any, page: Any, folder: Pa
     with Image.open(folder / "view.png") as picture:
         assert len(picture.convert("RGB").getcolors(1 << 24)) > 50
     page.keyboard.press("k")
-    other = browser.new_page()
+    other = new_page(browser)
     other.goto(page.url)
     here = page.evaluate("[crs.model.scene.time, crs.views.cameras()]")
     wait(other, f"Math.abs(crs.model.scene?.time - {here[0]}) < 0.01")
