@@ -18,7 +18,7 @@ from crs_cc.cli.run_plot import in_world_m
 from crs_cc.plot.picture import PlotDrawing
 from crs_cc.plot.raster import Raster, blank, draw, flat, palette, save_film, smaller
 from crs_cc.recording import topics
-from crs_cc.recording.marks import at_time, marked_in
+from crs_cc.recording.marks import at_time, drawn_marks
 from crs_cc.recording.mcap_records import NS
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ class _Film:
         self._shown: FloatArray | None = None  # what odometry believed in the last picture
         self._dashes = 0
         self._palette: Raster | None = None
-        self._marked = marked_in(recording)
+        self._marks = drawn_marks(recording)
 
     def pictures(self) -> Iterator[Raster]:
         """Yield the pictures."""
@@ -146,7 +146,7 @@ class _Film:
         roster = self._recording.roster_at(frame.time_ns)
         image = canvas.copy()
         with self._drawing.layer() as page:
-            self._drawing.marks(at_time(self._marked, at_s)[-MAX_MARKS:])
+            self._drawing.marks(at_time(self._marks, at_s)[-MAX_MARKS:])
             robots = len(roster.robots)
             for thing, _ in movables_at(self._world, roster.objects, frame, robots):
                 self._drawing.standing(thing)
@@ -165,7 +165,7 @@ class _Film:
         image = canvas.copy()
         with self._drawing.layer() as page:
             self._drawing.contact(*self._drawing.low.tolist())
-            self._drawing.marks([each.drawing for each in self._marked[-MAX_MARKS:]])
+            self._drawing.marks([each.drawing for each in self._marks[-MAX_MARKS:]])
             for thing in self._drawing.movable():
                 self._drawing.standing(thing)
         draw(page, image)

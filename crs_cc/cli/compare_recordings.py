@@ -17,7 +17,7 @@ from crs_cc.core.source import Diagnostics, Location
 from crs_cc.debug.branch_comparison import Difference, Facts, facts, variables
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.first_difference import FirstDifference
-from crs_cc.recording.hashes import same_until
+from crs_cc.recording.hashes import common_until
 from crs_cc.recording.mcap_records import NS
 from crs_cc.workbench.exact_comparison import ComparedPart, difference_rows
 
@@ -73,7 +73,7 @@ def compare(here: Recording, there: Recording, *, onward: bool = False) -> Compa
         raise RecordingError.at(Location(str(there.path)), text, "only runs with the same compare")
     last = min(_timesteps(here), _timesteps(there))
     with rerun(here) as left, rerun(there) as right:
-        search = FirstDifference(left, right, same_until(here.hashes(), there.hashes()))
+        search = FirstDifference(left, right, common_until(here.hashes(), there.hashes()))
         while search.search(last, _PIECE):
             pass
         known = left.variables()

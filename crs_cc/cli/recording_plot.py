@@ -17,7 +17,7 @@ from crs_cc.core.quantity import round_length
 from crs_cc.plot.picture import Picture, RobotPath
 from crs_cc.plot.tracks import Tracks
 from crs_cc.recording import topics
-from crs_cc.recording.marks import at_time, marked_in
+from crs_cc.recording.marks import at_time, drawn_marks
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import Pose
 
@@ -60,7 +60,7 @@ def recorded_picture(recording: Recording) -> Picture:
         for thing, is_moved in movables_at(world, roster.objects, last, len(roster.robots))
         if is_moved
     ]
-    drawings = at_time(marked_in(recording), math.inf)
+    drawings = at_time(drawn_marks(recording), math.inf)
     return Picture(title, subtitle, world, paths.paths(), contacts.contacts, pushed, drawings)
 
 

@@ -1,6 +1,6 @@
 """Data of a run that is collected until it is encoded.
 
-A block is written as one chunk. What a second brings can be saved before, as it is.
+A block is written as one chunk. Before that, the new data of each second can be saved as it is.
 """
 
 from __future__ import annotations
@@ -11,15 +11,15 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from crs_cc.core.arrays import Int64Array
-from crs_cc.recording import beliefs, frames, topics
+from crs_cc.recording import frames, odometry, topics
 from crs_cc.recording.columns import Columns, Part
 from crs_cc.recording.content import as_fields
-from crs_cc.recording.courses import Course
 from crs_cc.recording.entries import Entries
-from crs_cc.recording.gathered import Frames, GatheredFrames, Shape
-from crs_cc.recording.gathered_readings import GatheredReadings
+from crs_cc.recording.frame_buffer import FrameBuffer, Frames, Shape
 from crs_cc.recording.hashes import Hash, entry_of
 from crs_cc.recording.mcap_records import Channel
+from crs_cc.recording.odometry_prediction import OdometryPrediction
+from crs_cc.recording.reading_buffer import ReadingBuffer
 from crs_cc.recording.readings import MAX_ROWS, ReadingEncoder
 from crs_cc.recording.saved import COLUMNS, Output, Second, unpacked
 
@@ -27,7 +27,7 @@ Encoded = tuple[Channel, int, bytes]
 """A message: its channel, time [ns] and content."""
 
 ODOMETRY_FRAMES: Final = 5
-"""Every so many frames, what the robots believe is recorded, too."""
+"""The number of frames between two that have odometry."""
 
 _ROW: Final = 12  # bytes of a body in a frame
 _READING: Final = 32  # bytes of a reading when encoded, roughly
@@ -36,30 +36,30 @@ _PIECE: Final = 54  # bytes of a piece of output besides its text
 
 
 class Block:
-    """What has been gathered since the last chunk.
+    """The data that was collected since the last chunk.
 
     Attributes:
-        begin_s: when it begins [s].
-        seconds: how many whole seconds it has; the recorder counts them.
+        begin_s: its start [s].
+        seconds: the number of complete seconds; counted by the recorder.
         frames: its frames.
         readings: its readings of `State`.
-        entries_size: the bytes of everything in JSON but hashes, roughly.
-        is_whole: whether its messages have to be in the same chunk; known when they are made.
-        shape: who is in its frames.
+        entries_size: the approximate size of all JSON entries except hashes [bytes].
+        is_whole: whether its messages must be in the same chunk; known once they are encoded.
+        shape: the robots and objects in its frames.
     """
 
     def __init__(self, begin_s: float, shape: Shape, frames_before: int = 0) -> None:
-        """Create an empty one.
+        """Create an empty block.
 
         Args:
-            begin_s: when it begins [s].
-            shape: who is in its frames.
-            frames_before: how many frames the recording has before it.
+            begin_s: its start [s].
+            shape: the robots and objects in its frames.
+            frames_before: the number of earlier frames in the recording.
         """
         self.begin_s = begin_s
         self.seconds, self.is_whole = 0, False
-        self.frames = GatheredFrames(shape)
-        self._gather()
+        self.frames = FrameBuffer(shape)
+        self._reset_buffers()
         self.shape, self._frames_before = shape, frames_before
         self._output: list[Output] = []
         self._hashes: list[tuple[int, Hash]] = []
@@ -69,15 +69,15 @@ class Block:
 
     @property
     def size(self) -> int:
-        """Return how many bytes it takes when encoded, roughly."""
-        believed = self.shape.robots / ODOMETRY_FRAMES
-        poses = _ROW * (self.shape.robots + self.shape.objects + believed) * len(self.frames)
+        """The approximate encoded size [bytes]."""
+        estimates = self.shape.robots / ODOMETRY_FRAMES
+        poses = _ROW * (self.shape.robots + self.shape.objects + estimates) * len(self.frames)
         rest = _READING * self.readings.count + _HASH * len(self._hashes)
         return round(poses) + rest + self.entries_size
 
     @property
     def frames_after(self) -> int:
-        """Return how many frames the recording has with those of this block."""
+        """The number of frames in the recording up to the end of this block."""
         return self._frames_before + len(self.frames)
 
     def add_output(self, time_ns: int, robot: int, stream: int, content: bytes) -> None:
@@ -86,11 +86,11 @@ class Block:
         self.entries_size += _PIECE + len(content)
 
     def add_entry(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> None:
-        """Add an entry of anything in JSON but output and hashes."""
+        """Add a JSON entry other than output and hashes."""
         self.entries_size += self._entries.add(channel, time_ns, data)
 
     def add_hash(self, time_ns: int, found: Hash) -> None:
-        """Add the hash of an instant, in the place of one that it has."""
+        """Add the hash at a time, replacing an earlier one at the same time."""
         if self._hashes and self._hashes[-1][0] == time_ns:
             self._hashes.pop()
             self._saved_hashes = min(self._saved_hashes, len(self._hashes))
@@ -99,7 +99,7 @@ class Block:
     def unsaved(self) -> Second:
         """Return the data that is new since the last call; all data stays in the block.
 
-        Nothing must be added to the block as long as it is used.
+        Nothing may be added to the block while the data is in use.
         """
         self.frames.settle()
         self.readings.settle()
@@ -116,7 +116,7 @@ class Block:
         self._saved_frames = len(self.frames)
         output, self._saved_output = self._output[self._saved_output :], len(self._output)
         hashes, self._saved_hashes = self._hashes[self._saved_hashes :], len(self._hashes)
-        entries = list(self._entries.unmarked()) if self._entries.are_new else []
+        entries = list(self._entries.unsaved()) if self._entries.are_new else []
         return Second(self.shape, before, tails, output, hashes, entries)
 
     def put(self, second: Second) -> None:
@@ -136,42 +136,42 @@ class Block:
             self._entries.put(channel, time_us, text)
 
     def messages(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
-        """Yield the messages of all that is in the block; the encoder knows the readings before.
+        """Yield all messages of the block; the encoder knows the earlier readings.
 
-        Where its frames are a group, readings depend on them: `is_whole` is true.
+        If its frames are a group, readings depend on them: `is_whole` is true.
         """
-        course = None
+        prediction = None
         if len(self.frames):
-            found = _Whole.of(self.frames.frames(), self._first_believed)
+            found = _QuantizedFrames.of(self.frames.frames(), self._first_odometry)
             yield from found.messages()
             if self.readings.count:
-                course = found.course()
-                self.is_whole = course is not None
-        yield from _reading_messages(encoder, self.readings, course)
+                prediction = found.prediction()
+                self.is_whole = prediction is not None
+        yield from _reading_messages(encoder, self.readings, prediction)
         self._encode_output()
         yield from self._entries.messages()
         yield from _hash_messages(self._hashes)
 
     def take(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
-        """Yield the messages of readings and entries, and remove these; nothing must be saved."""
+        """Yield the messages of readings and entries, and remove these, if none were saved."""
         yield from _reading_messages(encoder, self.readings)
         self._encode_output()
         yield from self._entries.messages()
-        self._gather()
+        self._reset_buffers()
 
     def _columns(self) -> tuple[Columns, ...]:
         """Return all columns: single frames, heads and frames of passages, and readings."""
         frames, readings = self.frames, self.readings
         return frames.single, frames.heads, frames.passed, readings.single, readings.passed
 
-    def _gather(self) -> None:
-        """Begin to gather readings and entries."""
-        self.readings, self._entries, self.entries_size = GatheredReadings(), Entries(), 0
+    def _reset_buffers(self) -> None:
+        """Create empty buffers of readings and entries."""
+        self.readings, self._entries, self.entries_size = ReadingBuffer(), Entries(), 0
         self._content = [column for columns in self._columns() for column in columns.content()]
 
     @property
-    def _first_believed(self) -> int:
-        """The number of the first frame with which it is recorded what robots believe."""
+    def _first_odometry(self) -> int:
+        """The number of the first frame that has odometry."""
         return -self._frames_before % ODOMETRY_FRAMES
 
     def _encode_output(self) -> None:
@@ -191,59 +191,57 @@ def saved_messages(data: bytes) -> Iterator[Encoded]:
     block.put(second)
     for message in block.messages(ReadingEncoder()):
         if not 0 <= message[1] < 2**63:
-            raise ValueError("a time that was saved is not valid")
+            raise ValueError("a saved time is not valid")
         yield message
 
 
-class _Whole(NamedTuple):
-    """Frames as they are written, see `frames.whole_numbers`.
+class _QuantizedFrames(NamedTuple):
+    """Frames in stored units, see `frames.quantized`.
 
     Attributes:
-        times_ns: when, (k,).
-        true: where everything is, robots first, (k, columns, rows).
-        some_ns: the times of those with which it is written what robots believe, (m,).
-        believed: that, (m, 3, robots).
+        times_ns: the times, (k,).
+        true: the true poses, robots first, (k, columns, rows).
+        some_ns: the times of the frames with odometry, (m,).
+        odometry: the odometry at these times, (m, 3, robots).
     """
 
     times_ns: Int64Array
     true: frames.Numbers
     some_ns: Int64Array
-    believed: frames.Numbers
+    odometry: frames.Numbers
 
     @classmethod
-    def of(cls, found: Frames, first_believed: int) -> _Whole:
-        """Return frames; each fifth from one on has what robots believe."""
-        some = slice(first_believed, None, ODOMETRY_FRAMES)
-        believed = frames.whole_numbers(found.believed[some])
-        return cls(
-            found.times_ns, frames.whole_numbers(found.poses), found.times_ns[some], believed
-        )
+    def of(cls, found: Frames, first_odometry: int) -> _QuantizedFrames:
+        """Quantize frames; every fifth one from a number on has odometry."""
+        some = slice(first_odometry, None, ODOMETRY_FRAMES)
+        estimates = frames.quantized(found.odometry[some])
+        return cls(found.times_ns, frames.quantized(found.poses), found.times_ns[some], estimates)
 
     def messages(self) -> Iterator[Encoded]:
-        """Yield the messages of the frames, and of what the robots believe in some of them."""
+        """Yield the messages of the frames, and of the odometry in some of them."""
         for time_ns, data in frames.messages_of(self.times_ns, self.true):
             yield topics.FRAME, time_ns, data
         if len(self.some_ns):
             last = np.searchsorted(self.times_ns, self.some_ns, side="right") - 1  # of that time
-            for time_ns, data in beliefs.messages_of(self.some_ns, self.believed, self.true[last]):
+            for time_ns, data in odometry.messages_of(self.some_ns, self.odometry, self.true[last]):
                 yield topics.ODOMETRY, time_ns, data
 
-    def course(self) -> Course | None:
+    def prediction(self) -> OdometryPrediction | None:
         """Return what the frames say of odometry at any time, None if they do not."""
-        if not (frames.are_grouped(self.true) and self.believed.size):
+        if not (frames.is_grouped(self.true) and self.odometry.size):
             return None
-        return Course(self.times_ns, self.true, self.some_ns, self.believed)
+        return OdometryPrediction(self.times_ns, self.true, self.some_ns, self.odometry)
 
 
 def _reading_messages(
-    encoder: ReadingEncoder, gathered: GatheredReadings, course: Course | None = None
+    encoder: ReadingEncoder, gathered: ReadingBuffer, prediction: OdometryPrediction | None = None
 ) -> Iterator[Encoded]:
     """Yield the messages of readings."""
     if gathered.count:
         time_ns, rows = gathered.rows()
         for begin in range(0, len(rows.robots), MAX_ROWS):
             part = rows.of(slice(begin, begin + MAX_ROWS))
-            yield topics.STATE, time_ns, encoder.encode(part, time_ns, course)
+            yield topics.STATE, time_ns, encoder.encode(part, time_ns, prediction)
 
 
 def _hash_messages(found: Sequence[tuple[int, Hash]]) -> Iterator[Encoded]:

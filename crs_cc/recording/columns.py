@@ -18,10 +18,10 @@ class Columns:
     """Some columns with the same number of rows."""
 
     def __init__(self, *row_bytes: int) -> None:
-        """Create them without rows.
+        """Create columns without rows.
 
         Args:
-            row_bytes: how many bytes each column has for a row, at least 1.
+            row_bytes: the bytes per row of each column, at least 1.
         """
         self._row_bytes = row_bytes
         self._columns = tuple(bytearray() for _ in row_bytes)
@@ -31,12 +31,12 @@ class Columns:
         return len(self._columns[0]) // self._row_bytes[0]
 
     def append(self, *parts: bytes) -> None:
-        """Add to each column the bytes of as many rows."""
+        """Add the bytes of the same number of rows to each column."""
         for column, part in zip(self._columns, parts, strict=True):
             column.extend(part)
 
     def content(self) -> tuple[bytearray, ...]:
-        """Return the columns, which must not grow as long as they are looked at."""
+        """Return the columns, which must not grow while they are in use."""
         return self._columns
 
     def extend(self, columns: Parts) -> None:

@@ -21,7 +21,7 @@ def as_fields(content: bytes) -> dict[str, str]:
 
 
 def content_of(data: Mapping[str, Any]) -> bytes:
-    """Return the bytes in a message; raise ValueError if there are none."""
+    """Return the bytes in a message; raise ValueError if it has none."""
     text, coded = data.get("text"), data.get("base64")
     if isinstance(text, str):
         return text.encode("utf-8", "replace")

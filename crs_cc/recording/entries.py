@@ -1,7 +1,7 @@
 """Events as entries in JSON: a message has those of an interval.
 
-A message has 31 bytes of head in its chunk and 16 in the chunk's index, more than most of what it
-would say if each entry were one.
+A message has 31 bytes of header in its chunk and 16 in the chunk's index, which is more than most
+entries have.
 
 >>> from crs_cc.recording.topics import EVENT
 >>> gathered = Entries()
@@ -24,29 +24,29 @@ from typing import Any, Final
 from crs_cc.recording.mcap_records import NS, Channel
 
 SPAN_NS: Final = 120 * NS
-"""A message's time is that of its last entry; the others are at most so much earlier."""
+"""A message's time is that of its last entry; the others are at most this much earlier."""
 
 _US: Final = 1000  # nanoseconds
 _COMPACT: Final = json.JSONEncoder(separators=(",", ":"))
-_quoted: Final = json.encoder.encode_basestring_ascii  # what `encode` calls in the end
+_quoted: Final = json.encoder.encode_basestring_ascii  # which `encode` calls
 _Entry = tuple[int, bytes]  # its time [us] and its JSON
 
 
 class Entries:
-    """The entries that wait to be written.
+    """The entries that are still to be written.
 
     Attributes:
-        are_new: whether any were added since `unmarked`.
+        are_new: whether any were added since `unsaved`.
     """
 
     def __init__(self) -> None:
-        """Create one without entries."""
+        """Create an empty collection."""
         self._found: dict[Channel, list[_Entry]] = {}
-        self._marked: dict[Channel, int] = {}
+        self._saved_counts: dict[Channel, int] = {}
         self.are_new = False
 
     def add(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> int:
-        """Add an entry; return how many bytes it takes."""
+        """Add an entry; return its size [bytes]."""
         time_us = round(time_ns / _US)
         content = _COMPACT.encode({"time_us": time_us, **data}).encode()
         self.put(channel, time_us, content)
@@ -62,7 +62,7 @@ class Entries:
         self.put(channel, time_us, content.encode())
 
     def put(self, channel: Channel, time_us: int, content: bytes) -> None:
-        """Add an entry that is in JSON already."""
+        """Add an entry that is already JSON."""
         self._found.setdefault(channel, []).append((time_us, content))
         self.are_new = True
 
@@ -71,17 +71,17 @@ class Entries:
         for channel, found in self._by_channel():
             yield channel, *_message(found)
 
-    def unmarked(self) -> Iterator[tuple[str, int, bytes]]:
-        """Yield the entries that were added since the last time, each with topic and time [us]."""
+    def unsaved(self) -> Iterator[tuple[str, int, bytes]]:
+        """Yield the entries that were added since the last call, with topics and times [us]."""
         self.are_new = False
         for channel, found in self._by_channel():
-            begin = self._marked.get(channel, 0)
-            self._marked[channel] = len(found)
+            begin = self._saved_counts.get(channel, 0)
+            self._saved_counts[channel] = len(found)
             for time_us, content in found[begin:]:
                 yield channel.topic, time_us, content
 
     def _by_channel(self) -> list[tuple[Channel, list[_Entry]]]:
-        """Return the entries in an order that is independent of that of their addition."""
+        """Return the entries in an order that does not depend on when they were added."""
         return sorted(self._found.items(), key=lambda each: each[0].topic)
 
 
@@ -96,7 +96,7 @@ def entries_of(message: bytes) -> list[tuple[int, dict[str, Any]]]:
     """Return the entries in a message, each with its time [ns].
 
     Raises:
-        ValueError: it is no such message.
+        ValueError: the message is invalid.
         RecursionError: it is nested too deeply.
     """
     content = json.loads(message)

@@ -1,14 +1,15 @@
 """Pheromone fields in low resolution, as fractions of the largest amount.
 
-A sketch stands alone, so any instant can be shown without those before it. Between two of them a
-field evaporates as the earlier one says; the later one is there because something else happened.
+A sketch does not depend on earlier ones, so any time can be shown without them. Between two
+sketches, a field evaporates as the earlier one states; the later one was recorded because something
+else happened.
 
 >>> amounts = np.array([[0.0, 2.0], [0.5, 4.0]])
 >>> sketch = FieldSketch.made("trail", amounts, (0.0, 0.0), 0.1, 40.0)
 >>> sketch.shares.tolist(), sketch.most
 ([[0, 128], [32, 255]], 4.0)
 >>> again = FieldSketch.of(sketch.entry())
->>> again.shares.tolist(), round(again.most_after(40.0), 3)
+>>> again.shares.tolist(), round(again.maximum_after(40.0), 3)
 ([[0, 128], [32, 255]], 1.472)
 """
 
@@ -33,11 +34,11 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.environment import Environment
 
 MAX_SIDE: Final = 96
-"""Squares along the longer side of the area; chosen by us."""
+"""Squares along the longer side of the area. Chosen by us."""
 
 TOLERANCE: Final = 0.01
-"""A field is recorded anew when an amount differs by so much of the largest from what the sketch
-before leads one to expect; chosen by us, it is hardly seen."""
+"""A field is recorded again when an amount differs from the prediction by the last sketch by this
+fraction of the largest amount. Chosen by us; it is hardly visible."""
 
 FULL: Final = 255
 """The share of a square that has the largest amount."""
@@ -54,7 +55,7 @@ class FieldSketch:
         x_m: the lower left corner of the area.
         y_m: the same.
         square_m: side of a square.
-        evaporation_s: evaporation time from the instant on, infinite for never.
+        evaporation_s: the evaporation time from then on; infinite for none.
         most: the largest amount.
         shares: the largest amount in each square as a share of that, rounded up, 255 for all of
             it, (rows, columns); the first row is the one with the smallest y.
@@ -121,12 +122,12 @@ class FieldSketch:
             "shares": b64encode(self.shares.tobytes()).decode("ascii"),
         }
 
-    def most_after(self, time_s: float) -> float:
+    def maximum_after(self, time_s: float) -> float:
         """Return the remaining fraction of the largest amount after a time [s]."""
         return self.most * exact.exp(-(time_s / self.evaporation_s))
 
 
-def sketched(environment: Environment, field: int) -> tuple[FieldSketch, FloatArray]:
+def field_sketch(environment: Environment, field: int) -> tuple[FieldSketch, FloatArray]:
     """Return the sketch of a field as it is now, and the amounts in its squares."""
     world = environment.world
     name = world.fields[field].name
@@ -137,21 +138,21 @@ def sketched(environment: Environment, field: int) -> tuple[FieldSketch, FloatAr
 
 
 @dataclass(slots=True)
-class _Known:
-    """What a recording says of a field.
+class _RecordedField:
+    """The last recorded state of a field.
 
     Attributes:
         time_s: when it was recorded [s].
-        evaporation_s: its evaporation time then.
-        amounts: what was in its squares then.
+        evaporation_s: its evaporation time at that time.
+        amounts: the amounts in its squares at that time.
     """
 
     time_s: float
     evaporation_s: float
     amounts: FloatArray
 
-    def leads_to(self, time_s: float, evaporation_s: float, amounts: FloatArray) -> bool:
-        """Return whether amounts are what one expects at a time."""
+    def predicts(self, time_s: float, evaporation_s: float, amounts: FloatArray) -> bool:
+        """Return whether amounts are as predicted for a time."""
         if evaporation_s != self.evaporation_s or ((amounts > 0.0) != (self.amounts > 0.0)).any():
             return False
         expected = self.amounts * exact.exp(-((time_s - self.time_s) / evaporation_s))
@@ -159,20 +160,20 @@ class _Known:
 
 
 class ChangedFields:
-    """What a recording has yet to say of the fields of a run."""
+    """The changes of fields that are still to be recorded."""
 
     def __init__(self) -> None:
-        """Create one for a recording that says nothing of them."""
-        self._known: dict[int, _Known] = {}
+        """Start without any recorded field."""
+        self._known: dict[int, _RecordedField] = {}
 
     def entries(self, environment: Environment) -> Iterator[dict[str, Any]]:
-        """Yield the entries of the fields that are not what one expects by now."""
+        """Yield entries for the fields that differ from their prediction."""
         time_s = environment.time_s
         for field in range(len(environment.world.fields)):
-            sketch, amounts = sketched(environment, field)
+            sketch, amounts = field_sketch(environment, field)
             known = self._known.get(field)
-            if known is None or not known.leads_to(time_s, sketch.evaporation_s, amounts):
-                self._known[field] = _Known(time_s, sketch.evaporation_s, amounts)
+            if known is None or not known.predicts(time_s, sketch.evaporation_s, amounts):
+                self._known[field] = _RecordedField(time_s, sketch.evaporation_s, amounts)
                 yield sketch.entry()
 
 
@@ -193,7 +194,7 @@ def sketches_in(recording: Recording) -> Iterator[tuple[int, FieldSketch]]:
 
 
 def _number(value: Any) -> float:
-    """Return a finite number; raise ValueError if it is none."""
+    """Return a finite number; raise ValueError if it is invalid."""
     if type(value) not in (int, float) or not math.isfinite(value):
         raise ValueError("a field has invalid numbers")
     return float(value)

@@ -1,11 +1,11 @@
 """Frames: the positions of everything, as columns of integers of 0.1 mm and 0.1 mrad.
 
-A frame is a key frame, or the difference to the frame before, or to what the two before it lead
-one to expect, since things mostly go on as they do; the first frame of each recorded second is a
-key frame. Numbers are folded so that small ones of either sign are small (`zigzag`), and their
-bytes are written apart: all low bytes first. What hardly changes is mostly zeros then, which zstd
-shortens well. A message in a recording is a frame, or, when they are small, a group of them, with
-the low bytes of all frames first.
+A frame is a key frame, or the difference from the previous frame, or from the linear extrapolation
+of the two previous ones, since most objects keep their velocity; the first frame of each recorded
+second is a key frame. Numbers are encoded as `zigzag`, so that small negative ones are small, too,
+and in byte planes: all low bytes first. Data that hardly changes is then mostly zeros, which zstd
+compresses well. A message in a recording is a frame, or a group of small frames, with the low bytes
+of all frames first.
 
 >>> block = np.array([[[0.0, 1.5]], [[0.0001, np.nan]]])  # two frames, one column, two rows
 >>> [len(each) for each in encode(block)]
@@ -32,8 +32,7 @@ HEAD: Final = struct.Struct("<BBHI")
 """Kind, number of columns, version, number of rows."""
 
 KEY, DIFFERENCE, EXTRAPOLATION, GROUP = range(4)
-"""The kinds: the values themselves, less those of the frame before, less twice those of the frame
-before plus those of the one before that; several frames."""
+"""The kinds: the values; their first difference; their second difference; a group of frames."""
 
 VERSION: Final = 1
 COLUMNS: Final = ("x", "y", "heading", "turret")
@@ -44,9 +43,9 @@ NOWHERE: Final = -(2**31)
 """The x of a robot that is not in the world."""
 
 MAX_ROWS: Final = 1_000_000
-_MAX_GROUP_BYTES: Final = 2**20  # that is read
+_MAX_GROUP_BYTES: Final = 2**20  # limit when reading
 MAX_GROUP: Final = 2**18
-"""The frames of a chunk are a group if they take at most so much [bytes]."""
+"""The frames of a chunk are a group if they are not larger than this [bytes]."""
 
 _COUNT: Final = struct.Struct("<I")  # of the frames of a group
 _TIME: Final = 8  # bytes of a frame's time in a group
@@ -59,87 +58,93 @@ Times = Sequence[int] | Int64Array
 
 
 def encode(block: FloatArray) -> list[bytes]:
-    """Return frames, the first of them a key frame.
+    """Encode frames, the first as a key frame.
 
     Args:
-        block: numbers [m, rad], NaN for what is not in the world, shape (frames, columns, rows).
+        block: values [m, rad], NaN for absent objects, of shape (frames, columns, rows).
     """
-    return _alone(_steps(whole_numbers(block)), (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(block)))
+    return _single_messages(
+        _steps(quantized(block)), (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(block))
+    )
 
 
 def messages(times_ns: Times, block: FloatArray) -> list[tuple[int, bytes]]:
-    """Return the messages with some frames, each with its time: a group, or many if they are large.
+    """Return the messages of frames, with their times: one group, or one each if they are large.
 
     Args:
         times_ns: the frames' times.
         block: see `encode`.
     """
-    return messages_of(times_ns, whole_numbers(block))
+    return messages_of(times_ns, quantized(block))
 
 
 def messages_of(times_ns: Times, whole: Numbers) -> list[tuple[int, bytes]]:
-    """Return the same of frames whose numbers are whole already."""
-    return written(times_ns, _steps(whole), (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(whole)))
+    """Return the messages of quantized frames."""
+    return encoded_messages(
+        times_ns, _steps(whole), (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(whole))
+    )
 
 
-def written(times_ns: Times, steps: Numbers, kinds: Sequence[int]) -> list[tuple[int, bytes]]:
-    """Return such messages of frames of which the differences are known.
+def encoded_messages(
+    times_ns: Times, steps: Numbers, kinds: Sequence[int]
+) -> list[tuple[int, bytes]]:
+    """Return the messages of frames, given their differences.
 
     Args:
         times_ns: the frames' times.
-        steps: what each says, given those before it, (frames, columns, rows).
-        kinds: what the differences are to, where each frame is a message, for each of them.
+        steps: the differences, (frames, columns, rows).
+        kinds: the kind of each frame, if each is a message of its own.
     """
-    if not are_grouped(steps):
-        return list(zip(map(int, times_ns), _alone(steps, kinds), strict=True))
+    if not is_grouped(steps):
+        return list(zip(map(int, times_ns), _single_messages(steps, kinds), strict=True))
     frames, columns, rows = steps.shape
     head = HEAD.pack(GROUP, columns, VERSION, rows) + _COUNT.pack(frames)
     after_ns = np.diff(times_ns, prepend=times_ns[0]).astype("<u8")
-    content = _planes(steps).transpose(3, 1, 0, 2).tobytes()
+    content = _byte_planes(steps).transpose(3, 1, 0, 2).tobytes()
     return [(int(times_ns[0]), head + after_ns.tobytes() + content)]
 
 
-def are_grouped(block: npt.NDArray[Any]) -> bool:
-    """Return whether some frames make one message."""
+def is_grouped(block: npt.NDArray[Any]) -> bool:
+    """Return whether frames are one message."""
     return len(block) > 1 and block.size * _BYTES <= MAX_GROUP
 
 
-def _alone(steps: Numbers, kinds: Sequence[int]) -> list[bytes]:
+def _single_messages(steps: Numbers, kinds: Sequence[int]) -> list[bytes]:
     """Return a message for each frame."""
-    content = np.ascontiguousarray(_planes(steps).swapaxes(2, 3)).reshape(len(steps), -1)
+    content = np.ascontiguousarray(_byte_planes(steps).swapaxes(2, 3)).reshape(len(steps), -1)
     _, columns, rows = steps.shape
     heads = (HEAD.pack(kinds[frame], columns, VERSION, rows) for frame in range(len(steps)))
     return [head + each.tobytes() for head, each in zip(heads, content, strict=True)]
 
 
 def _steps(whole: Numbers) -> Numbers:
-    """Return what frames say, the first a key frame, the others as the differences to it."""
+    """Return the differences of frames: the first is a key frame."""
     steps = whole.copy()
     steps[1:] -= whole[:-1]
     steps[2:] -= steps[1:-1].copy()
     return steps
 
 
-def _planes(steps: Numbers) -> npt.NDArray[np.uint8]:
-    """Return the bytes of what is written, (frames, columns, rows, 4)."""
-    return folded(steps).view(np.uint8).reshape(*steps.shape, _BYTES)
+def _byte_planes(steps: Numbers) -> npt.NDArray[np.uint8]:
+    """Return the bytes of encoded differences, (frames, columns, rows, 4)."""
+    return zigzag(steps).view(np.uint8).reshape(*steps.shape, _BYTES)
 
 
 def difference(before: Numbers, now: Numbers) -> bytes:
-    """Return a frame as its difference to the one before.
+    """Encode a frame as the difference from the previous one.
 
     Args:
-        before: the numbers of that, see `whole_numbers`.
-        now: those of this frame, of the same shape (columns, rows).
+        before: the previous frame, see `quantized`.
+        now: this frame, of the same shape (columns, rows).
     """
     columns, rows = now.shape
-    planes = folded(now - before).view(np.uint8).reshape(columns, rows, _BYTES).swapaxes(1, 2)
+    planes = zigzag(now - before).view(np.uint8).reshape(columns, rows, _BYTES).swapaxes(1, 2)
     return HEAD.pack(DIFFERENCE, columns, VERSION, rows) + planes.tobytes()
 
 
-def whole_numbers(values: FloatArray) -> Numbers:
-    """Return numbers [m, rad] as they are written: rounded, `NOWHERE` for NaN."""
-    with np.errstate(over="ignore", invalid="ignore"):  # of a file that somebody has changed
+def quantized(values: FloatArray) -> Numbers:
+    """Return values [m, rad] in stored units: rounded to integers, `NOWHERE` for NaN."""
+    with np.errstate(over="ignore", invalid="ignore"):  # of an invalid file
         scaled = np.rint(values * PER_UNIT)
     np.minimum(scaled, _MAX_VALUE, out=scaled)  # np.clip takes longer for few numbers
     np.maximum(scaled, -_MAX_VALUE, out=scaled)
@@ -150,7 +155,7 @@ def whole_numbers(values: FloatArray) -> Numbers:
 
 
 def count_in(message: bytes) -> int:
-    """Return the number of frames in a message; raise ValueError if it is none."""
+    """Return the number of frames in a message; raise ValueError if it is invalid."""
     if not is_group(message):
         return 1
     if len(message) < HEAD.size + _COUNT.size:
@@ -167,31 +172,31 @@ class FrameDecoder:
         self._step: Numbers | None = None  # from the frame before that to the last one
 
     def frames(self, time_ns: int, message: bytes) -> Iterator[tuple[int, FloatArray]]:
-        """Yield the frames in a message of a time, with their times; see `decode`.
+        """Yield the frames in a message, with their times; see `decode`.
 
         Raises:
-            ValueError: it is no such message, or the frame before is missing.
+            ValueError: the message is invalid, or the previous frame is missing.
         """
         if not is_group(message):
             yield time_ns, self.decode(message)
             return
-        self.forget()
+        self.reset()
         after_ns, steps = group_in(message)
         steps[1:] = steps[1:].cumsum(axis=0, dtype=np.uint32)
-        values = values_of(steps.cumsum(axis=0, dtype=np.uint32))
+        values = dequantized(steps.cumsum(axis=0, dtype=np.uint32))
         for each_ns, each in zip(after_ns.tolist(), values, strict=True):
             yield time_ns + each_ns, each
 
     def decode(self, data: bytes) -> FloatArray:
-        """Return the numbers [m, rad], (columns, rows), NaN for objects that are not in the world.
+        """Return the values [m, rad], (columns, rows), NaN for absent objects.
 
         Raises:
-            ValueError: it is no frame, or the frame before is missing.
+            ValueError: the frame is invalid, or the previous frame is missing.
         """
         kind, found = frame_in(data)
-        return values_of(self._whole(found, kind))
+        return dequantized(self._decoded(found, kind))
 
-    def _whole(self, found: Numbers, kind: int) -> Numbers:
+    def _decoded(self, found: Numbers, kind: int) -> Numbers:
         """Return the numbers of a frame, given its content."""
         last, step = self._last, self._step
         if kind == KEY:
@@ -208,16 +213,16 @@ class FrameDecoder:
         self._last = found
         return found
 
-    def forget(self) -> None:
-        """Forget the frame before: the next one must be a key frame."""
+    def reset(self) -> None:
+        """Discard the previous frame: the next one must be a key frame."""
         self._last = self._step = None
 
 
 def group_in(message: bytes) -> tuple[Int64Array, Numbers]:
-    """Return the frames of a group: when each is after the first [ns], and what it says.
+    """Return the frames of a group: their times after the first [ns], and their differences.
 
     Raises:
-        ValueError: it is no such message.
+        ValueError: the message is invalid.
     """
     count, begin = count_in(message), HEAD.size + _COUNT.size
     _, columns, version, rows = HEAD.unpack_from(message)
@@ -236,7 +241,7 @@ def group_in(message: bytes) -> tuple[Int64Array, Numbers]:
     planes = np.frombuffer(message, np.uint8, offset=begin + count * _TIME)
     planes = planes.reshape(_BYTES, columns, count, rows).transpose(2, 1, 3, 0)
     content = np.ascontiguousarray(planes).view("<u4").reshape(count, columns, rows)
-    return after_ns, unfolded(content)
+    return after_ns, unzigzag(content)
 
 
 def frame_in(data: bytes) -> tuple[int, Numbers]:
@@ -255,7 +260,7 @@ def frame_in(data: bytes) -> tuple[int, Numbers]:
         raise ValueError("a frame has the wrong length")
     planes = np.frombuffer(data, np.uint8, offset=HEAD.size).reshape(columns, _BYTES, rows)
     content = np.ascontiguousarray(planes.swapaxes(1, 2)).view("<u4").reshape(columns, rows)
-    return kind, unfolded(content)
+    return kind, unzigzag(content)
 
 
 def is_group(message: bytes) -> bool:
@@ -268,18 +273,18 @@ def is_key(message: bytes) -> bool:
     return message[:1] in (bytes([KEY]), bytes([GROUP]))
 
 
-def values_of(whole: Numbers) -> FloatArray:
-    """Return the numbers [m, rad] that are written as whole ones, NaN for `NOWHERE`."""
+def dequantized(whole: Numbers) -> FloatArray:
+    """Return values [m, rad] from stored units, NaN for `NOWHERE`."""
     signed = whole.view(np.int32)
     return np.where(signed == NOWHERE, np.nan, signed / PER_UNIT)
 
 
-def folded(values: npt.NDArray[Any]) -> Numbers:
-    """Return 32-bit numbers folded (`zigzag`): 0, -1, 1, -2, ... as 0, 1, 2, 3, ..."""
+def zigzag(values: npt.NDArray[Any]) -> Numbers:
+    """Encode signed 32-bit numbers as unsigned ones: 0, -1, 1, -2, ... as 0, 1, 2, 3, ..."""
     signed = values.view(np.int32)
     return ((signed << 1) ^ (signed >> 31)).view(np.uint32)
 
 
-def unfolded(values: npt.NDArray[Any]) -> Numbers:
-    """Return what has been folded."""
+def unzigzag(values: npt.NDArray[Any]) -> Numbers:
+    """Decode numbers that were encoded by `zigzag`."""
     return (values >> 1).view(np.uint32) ^ (-(values & 1).astype(np.int32)).view(np.uint32)

@@ -14,24 +14,24 @@ from itertools import accumulate
 from typing import Any, Final, NamedTuple
 
 DIGITS: Final = 4
-"""Hexadecimal digits of a digest, and of the hash of all output: a run that differs does so in all
-seconds that follow, and the hash of all state at the end is longer."""
+"""Hexadecimal digits of a digest, and of the hash of all output: a run that differs also differs in
+all later seconds, and the hash of all state at the end is longer."""
 
 DIGEST_BITS: Final = 16**DIGITS - 1
-"""The bits that are recorded of the CRC-32 of what moves, and of that of all output."""
+"""The recorded bits of the CRC-32 of the motion, and of that of all output."""
 
 STATE_DIGITS: Final = 16
-"""So many digits of a hash of all state are recorded: enough to see that a run is another one."""
+"""The recorded digits of a hash of all state: enough to detect that a run differs."""
 
 
 class Hash(NamedTuple):
-    """What a run is compared by, after some timesteps.
+    """The hashes of a run after a number of timesteps.
 
     Attributes:
-        timesteps: how many.
-        digest: of what moves and of all clocks.
+        timesteps: the number.
+        digest: of the motion and all clocks.
         output: the lowest bits of the CRC-32 of all output, see `DIGEST_BITS`.
-        state: of all state; empty if it was not taken.
+        state: of all state; empty if it was not computed.
     """
 
     timesteps: int
@@ -67,10 +67,10 @@ def hashes_in(entry: Mapping[str, Any]) -> Iterator[Hash]:
         yield Hash(timesteps, str(digests[digits]), int(outputs[digits], 16), state)
 
 
-def same_until(here: Iterable[Hash], there: Iterable[Hash]) -> int:
+def common_until(here: Iterable[Hash], there: Iterable[Hash]) -> int:
     """Return a timestep up to which runs of the same programs are known to be the same.
 
-    >>> same_until([Hash(20, "0f3a", 7, "28")], [Hash(20, "0f3a", 7, "28"), Hash(40, "7a", 9, "")])
+    >>> common_until([Hash(20, "0f", 7, "28")], [Hash(20, "0f", 7, "28"), Hash(40, "7a", 9, "")])
     20
     """
     same = 0

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from crs_cc.recording.recording import Recording
 
 MAX_ERASED: Final = 50_000
-"""Marks that were erased again are known up to so many."""
+"""Limit of the stored erased marks."""
 
 _INT32: Final = range(-(2**31), 2**31)
 _FIELDS: Final = 8
@@ -26,12 +26,12 @@ _Key = tuple[int, Mark]
 
 
 @dataclass(frozen=True, slots=True)
-class Marked:
-    """A mark in the picture.
+class DrawnMark:
+    """A mark, and when it was visible.
 
     Attributes:
         since_s: when it was drawn [s].
-        until_s: when it was erased [s]; infinity for never.
+        until_s: when it was erased [s]; infinity if it was not.
         drawing: the mark.
     """
 
@@ -40,7 +40,7 @@ class Marked:
     drawing: Drawing
 
 
-def marked_in(recording: Recording) -> list[Marked]:
+def drawn_marks(recording: Recording) -> list[DrawnMark]:
     """Return all marks by the time at which they were drawn.
 
     Raises:
@@ -61,7 +61,7 @@ def marked_in(recording: Recording) -> list[Marked]:
 
 
 def _mark(numbers: Any) -> Mark:
-    """Return a mark; raise ValueError if it is none."""
+    """Return a mark; raise ValueError if it is invalid."""
     is_list = isinstance(numbers, list) and len(numbers) == _FIELDS
     if not is_list or not all(type(each) is int and each in _INT32 for each in numbers):
         raise ValueError("a mark is not valid")
@@ -71,15 +71,15 @@ def _mark(numbers: Any) -> Mark:
 
 
 class _Picture:
-    """What is drawn, as in `sim.engine.server.drawing`, and since when."""
+    """The visible marks, as in `sim.engine.server.drawing`, and when they were drawn."""
 
     def __init__(self) -> None:
         self._since_s: dict[_Key, float] = {}  # the oldest first
         self._own: dict[int, dict[_Key, None]] = {}
-        self._erased: list[Marked] = []
+        self._erased: list[DrawnMark] = []
 
     def put(self, time_s: float, robot: int, mark: Mark) -> None:
-        """Add a mark on top; an equal one below is removed, and with exclusive or both are."""
+        """Add a mark on top; an equal one is removed, and in exclusive-or mode both are."""
         key, own = (robot, mark), self._own.setdefault(robot, {})
         if key in own:
             if is_xor(mark[0], mark[-1]):
@@ -100,16 +100,18 @@ class _Picture:
         for key in list(self._since_s):
             self._erase(key, time_s)
 
-    def found(self) -> list[Marked]:
+    def found(self) -> list[DrawnMark]:
         """Return all marks."""
-        there = [Marked(since_s, math.inf, _drawing(key)) for key, since_s in self._since_s.items()]
+        there = [
+            DrawnMark(since_s, math.inf, _drawing(key)) for key, since_s in self._since_s.items()
+        ]
         return sorted([*self._erased, *there], key=lambda each: each.since_s)
 
     def _erase(self, key: _Key, time_s: float) -> None:
         since_s = self._since_s.pop(key)
         del self._own[key[0]][key]
         if len(self._erased) < MAX_ERASED and since_s < time_s:
-            self._erased.append(Marked(since_s, time_s, _drawing(key)))
+            self._erased.append(DrawnMark(since_s, time_s, _drawing(key)))
 
 
 def _drawing(key: _Key) -> Drawing:
@@ -117,8 +119,8 @@ def _drawing(key: _Key) -> Drawing:
     return Drawing.of(robot, mark)
 
 
-def at_time(marked: Sequence[Marked], time_s: float) -> list[Drawing]:
-    """Return what is in the picture at a time; at infinity, at the end."""
+def at_time(marked: Sequence[DrawnMark], time_s: float) -> list[Drawing]:
+    """Return the visible marks at a time; infinity means the end."""
     return [
         each.drawing
         for each in marked

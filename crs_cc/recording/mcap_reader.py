@@ -46,7 +46,7 @@ _SKIPPED: Final = frozenset(op for op in Op) - {Op.CHUNK, Op.ATTACHMENT, Op.META
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class FileRange:
     """The position of a record's content in the file.
 
     Attributes:
@@ -63,7 +63,7 @@ class Chunk:
     """A chunk of messages.
 
     Attributes:
-        place: its content.
+        extent: its content.
         first_ns: the log time of its first message.
         last_ns: that of its last.
         size: its size when uncompressed.
@@ -71,7 +71,7 @@ class Chunk:
         is_saved: whether it is what a run saved that was killed, see `crs_cc.recording.saved`.
     """
 
-    place: Place
+    extent: FileRange
     first_ns: int
     last_ns: int
     size: int
@@ -102,7 +102,7 @@ class McapReader:
         """
         self.path = path
         self.chunks: list[Chunk] = []
-        self.attachments: dict[str, Place] = {}
+        self.attachments: dict[str, FileRange] = {}
         self.metadata: dict[str, dict[str, str]] = {}
         self.is_complete = False
         self.intact_bytes = 0
@@ -131,12 +131,12 @@ class McapReader:
         Raises:
             RecordingError: there is none, or it is damaged.
         """
-        place = self.attachments.get(name)
-        if place is None:
+        extent = self.attachments.get(name)
+        if extent is None:
             raise self.error(f"no attachment {name[:80]!r}")
-        if place.size > MAX_FILE_BYTES + 2**16:
+        if extent.size > MAX_FILE_BYTES + 2**16:
             raise self.error(f"the attachment {name[:80]!r} is larger than 64 MiB")
-        body = self._read(place)
+        body = self._read(extent)
         try:
             cursor = _Cursor(body, 16)
             cursor.text()
@@ -168,19 +168,19 @@ class McapReader:
             else:
                 yield from self._messages(self._content(chunk))
         except (ValueError, struct.error, zstandard.ZstdError) as wrong:
-            text = f"the chunk at byte {chunk.place.at} is damaged: {wrong}"
+            text = f"the chunk at byte {chunk.extent.at} is damaged: {wrong}"
             raise self.error(text, "crs replay --recover writes what can be read") from None
 
     def _saved(self, chunk: Chunk) -> Iterator[Message]:
-        if chunk.place.size > MAX_CHUNK_BYTES:
-            raise ValueError(f"it has {chunk.place.size} bytes (at most {MAX_CHUNK_BYTES})")
-        content = self._read(chunk.place)[CHUNK_HEAD.size :]
+        if chunk.extent.size > MAX_CHUNK_BYTES:
+            raise ValueError(f"it has {chunk.extent.size} bytes (at most {MAX_CHUNK_BYTES})")
+        content = self._read(chunk.extent)[CHUNK_HEAD.size :]
         for channel, time_ns, data in saved_messages(content):
             yield Message(channel.topic, time_ns, data)
 
-    def raw(self, place: Place) -> bytes:
+    def raw(self, extent: FileRange) -> bytes:
         """Return the content of a record."""
-        return self._read(place)
+        return self._read(extent)
 
     def _messages(self, content: bytes) -> Iterator[Message]:
         at = 0
@@ -205,7 +205,7 @@ class McapReader:
             at += size
 
     def _content(self, chunk: Chunk) -> bytes:
-        cursor = _Cursor(self._read(chunk.place), CHUNK_HEAD.size)
+        cursor = _Cursor(self._read(chunk.extent), CHUNK_HEAD.size)
         compression = cursor.text()
         packed = cursor.take(cursor.number("<Q"))
         if chunk.size > MAX_CHUNK_BYTES:
@@ -223,9 +223,9 @@ class McapReader:
             raise ValueError("wrong checksum")
         return content
 
-    def _read(self, place: Place) -> bytes:
-        self._file.seek(place.at)
-        return self._file.read(place.size)
+    def _read(self, extent: FileRange) -> bytes:
+        self._file.seek(extent.at)
+        return self._file.read(extent.size)
 
     def _walk(self) -> None:
         if self._file.read(len(MAGIC)) != MAGIC:
@@ -237,30 +237,30 @@ class McapReader:
             if len(head) < PREFIX.size:
                 return
             op, size = PREFIX.unpack(head)
-            place = Place(at + PREFIX.size, size)
-            if size > self.size - place.at or not self._note(op, place):
+            extent = FileRange(at + PREFIX.size, size)
+            if size > self.size - extent.at or not self._note(op, extent):
                 return
-            at = self.intact_bytes = place.at + size
+            at = self.intact_bytes = extent.at + size
             if op == Op.FOOTER:
                 self.is_complete = (
                     self._file.seek(at) == at and self._file.read(len(MAGIC) + 1) == MAGIC
                 )
                 return
 
-    def _note(self, op: int, place: Place) -> bool:
+    def _note(self, op: int, extent: FileRange) -> bool:
         """Note a record; return whether it is intact as far as can be seen."""
         try:
             if op in (Op.CHUNK, SAVED):
-                self._note_chunk(place, is_saved=op == SAVED)
+                self._note_chunk(extent, is_saved=op == SAVED)
             elif op == Op.ATTACHMENT:
-                cursor = _Cursor(self._read(Place(place.at, min(place.size, 2**16))), 16)
+                cursor = _Cursor(self._read(FileRange(extent.at, min(extent.size, 2**16))), 16)
                 name = cursor.text()
                 is_packed = cursor.text() == ZSTD
-                self.attachments[name.removesuffix(ZSTD_NAME) if is_packed else name] = place
+                self.attachments[name.removesuffix(ZSTD_NAME) if is_packed else name] = extent
             elif op == Op.METADATA:
-                if place.size > MAX_METADATA_BYTES:
+                if extent.size > MAX_METADATA_BYTES:
                     return False
-                cursor = _Cursor(self._read(place), 0)
+                cursor = _Cursor(self._read(extent), 0)
                 name = cursor.text()
                 self.metadata[name] = cursor.text_map()
             elif op not in _SKIPPED and op < _PRIVATE:
@@ -269,10 +269,10 @@ class McapReader:
             return False
         return True
 
-    def _note_chunk(self, place: Place, *, is_saved: bool) -> None:
-        head = self._read(Place(place.at, CHUNK_HEAD.size))
+    def _note_chunk(self, extent: FileRange, *, is_saved: bool) -> None:
+        head = self._read(FileRange(extent.at, CHUNK_HEAD.size))
         first_ns, last_ns, size, crc = CHUNK_HEAD.unpack(head)
-        self.chunks.append(Chunk(place, first_ns, last_ns, size, crc, is_saved))
+        self.chunks.append(Chunk(extent, first_ns, last_ns, size, crc, is_saved))
 
 
 class _Cursor:

@@ -1,13 +1,13 @@
 """Readings: the `State` vectors sent to programs, in the vendor's units.
 
-A message has all readings of a span of time, a row for each answer, by robot and then in the order
-of time. A vector is written as its differences from the one before of the same robot: those of
-elements that often change, such as odometry, for all rows, one element after the other; of the
-others, such as sonars of which one fires at a time, those that are not 0, each with its row and
-element. What odometry says is written as the difference to what the frames of the same block lead
-one to expect, see `courses`, where there are such frames. Most numbers are small, and zstd shortens
-their bytes well. At least each ten seconds a message begins anew, from zeros, so that a reader need
-not begin with the file; others begin where the one before ended.
+A message has all readings of an interval, with a row for each answer, by robot and then by time. A
+vector is stored as its differences from the previous one of the same robot: those of elements that
+often change, such as odometry, for all rows, element by element; of other elements, such as sonars,
+of which one fires at a time, only those that are not 0, with their rows and elements. Odometry is
+stored as the difference from its prediction by the frames of the same block, if there are any, see
+`odometry_prediction`. Most numbers are small, and zstd compresses them well. At least every ten
+seconds a message starts from zeros, so that a reader need not start at the beginning of the file;
+others continue from the previous message.
 
 >>> states = np.zeros((2, STATE), np.int32)
 >>> states[:, 3] = -7
@@ -28,26 +28,26 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array
-from crs_cc.recording.courses import Course
-from crs_cc.recording.frames import folded, unfolded
+from crs_cc.recording.frames import unzigzag, zigzag
 from crs_cc.recording.mcap_records import NS
+from crs_cc.recording.odometry_prediction import OdometryPrediction
 
 HEAD: Final = struct.Struct("<HHIIQq")
-"""Version, number of the message since one that begins anew, rows, changes that are written one by
-one, a bit for each element that is written for all rows, the time of the frames that say where
-odometry has the robots [ns], `ALONE` if none do."""
+"""Version, number of the message since one that starts from zeros, rows, changes that are stored
+individually, a bit for each element that is stored for all rows, the time of the frames from which
+odometry is predicted [ns], or `NO_FRAMES`."""
 
 VERSION: Final = 4
-ALONE: Final = -1
-PLACE: Final = slice(34, 37)
-"""The elements that say where odometry has the robot."""
+NO_FRAMES: Final = -1
+ODOMETRY_ELEMENTS: Final = slice(34, 37)
+"""The elements with the odometry."""
 
-OFTEN: Final = 5
-"""Elements that change in more than each so many rows are written for all rows."""
+FREQUENT_ROWS: Final = 5
+"""Elements that change in more than one in this many rows are stored for all rows."""
 
 STATE: Final = 45
 PERIOD_NS: Final = 10 * NS
-"""In each such period differences begin anew, or sooner."""
+"""The period after which differences start from zeros, at the latest."""
 
 MAX_ROWS: Final = 200_000
 _US: Final = 1_000_000
@@ -75,8 +75,8 @@ class Readings(NamedTuple):
         return Readings(self.codes[rows], self.robots[rows], self.clock_s[rows], states)
 
 
-class _Memory:
-    """The last vector of each robot, and where in its period a recording is."""
+class _LastStates:
+    """The last vector of each robot, and the position of a message in its period."""
 
     def __init__(self) -> None:
         self._period, self._number = -1, 0
@@ -103,7 +103,7 @@ class _Memory:
         return found
 
     def keep(self, robots: IndexArray, states: Int32Array) -> None:
-        """Remember vectors; each robot is there once, rising."""
+        """Store vectors; robots are unique and in ascending order."""
         if len(self._robots) and not np.array_equal(robots, self._robots):
             old = ~np.isin(self._robots, robots)
             robots = np.concatenate([self._robots[old], robots])
@@ -117,15 +117,17 @@ class ReadingEncoder:
     """Encodes the readings of a recording in their order."""
 
     def __init__(self) -> None:
-        self._memory = _Memory()
+        self._memory = _LastStates()
 
-    def encode(self, rows: Readings, time_ns: int, course: Course | None = None) -> bytes:
+    def encode(
+        self, rows: Readings, time_ns: int, prediction: OdometryPrediction | None = None
+    ) -> bytes:
         """Return a message.
 
         Args:
             rows: the readings, at most `MAX_ROWS`.
-            time_ns: the message's time, not after any of theirs.
-            course: where odometry should have the robots, if frames tell.
+            time_ns: the message's time, not after any reading.
+            prediction: the predicted odometry, if there are frames.
         """
         number = self._memory.begin(time_ns)
         if (rows.robots[1:] < rows.robots[:-1]).any():
@@ -136,15 +138,15 @@ class ReadingEncoder:
         ends = np.append(first[1:], len(robots)) - 1
         self._memory.keep(robots[ends], states[ends])
         after_us = np.rint((rows.clock_s - time_ns / NS) * _US).astype(np.int64)
-        missed, frames_ns = b"", ALONE
-        if course is not None:
-            frames_ns = course.begin_ns
-            off = states[:, PLACE].T - course.at(robots, _at_us(time_ns, after_us))
+        missed, frames_ns = b"", NO_FRAMES
+        if prediction is not None:
+            frames_ns = prediction.begin_ns
+            off = states[:, ODOMETRY_ELEMENTS].T - prediction.at(robots, _at_us(time_ns, after_us))
             missed = b"".join(map(sparse, off))
-            changes.leave_out(PLACE)
-        row, element = changes.places()
+            changes.exclude(ODOMETRY_ELEMENTS)
+        row, element = changes.positions()
         count = np.bincount(element, minlength=STATE)
-        is_often = count * OFTEN > len(states)
+        is_often = count * FREQUENT_ROWS > len(states)
         often = np.flatnonzero(is_often).tolist()
         is_seldom = ~is_often[element]
         row, element = row[is_seldom], element[is_seldom]
@@ -172,19 +174,19 @@ class _Changes:
         Args:
             states: the vectors, by robots (k, 45).
             first: the first row of each robot.
-            last: each robot's vector before that.
+            last: the previous vector of each robot.
         """
         self._states, self._first, self._last = states, first, last
         self._differs = np.empty(states.shape, np.bool_)
         np.not_equal(states[1:], states[:-1], out=self._differs[1:])
         self._differs[first] = states[first] != last
 
-    def leave_out(self, columns: slice) -> None:
-        """Take elements for unchanged."""
+    def exclude(self, columns: slice) -> None:
+        """Treat elements as unchanged."""
         self._differs[:, columns] = False
 
-    def places(self) -> tuple[IndexArray, IndexArray]:
-        """Return where there are changes: rows and elements."""
+    def positions(self) -> tuple[IndexArray, IndexArray]:
+        """Return the rows and elements of all changes."""
         row, element = np.divmod(np.flatnonzero(self._differs), STATE)
         return row, element
 
@@ -197,7 +199,7 @@ class _Changes:
         return changes
 
     def at(self, row: IndexArray, element: IndexArray) -> Int32Array:
-        """Return the changes at places."""
+        """Return the changes at rows and elements."""
         changes: Int32Array = self._states[row, element] - self._states[row - 1, element]
         place = np.searchsorted(self._first, row).clip(max=len(self._first) - 1)
         is_first = self._first[place] == row
@@ -210,20 +212,23 @@ class ReadingDecoder:
     """Decodes the readings of a recording in their order."""
 
     def __init__(self) -> None:
-        self._memory = _Memory()
+        self._memory = _LastStates()
 
     def decode(
-        self, data: bytes, time_ns: int, course_of: Callable[[int], Course] | None = None
+        self,
+        data: bytes,
+        time_ns: int,
+        prediction_of: Callable[[int], OdometryPrediction] | None = None,
     ) -> Readings | None:
-        """Return the readings in a message of a time; None if one before it is missing.
+        """Return the readings in a message; None if an earlier message is missing.
 
         Args:
             data: the message.
             time_ns: its time.
-            course_of: returns what the frames of a time [ns] lead to, or raises ValueError.
+            prediction_of: returns the prediction by the frames of a time [ns]; raises ValueError.
 
         Raises:
-            ValueError: it is no such message.
+            ValueError: the message is invalid.
         """
         if len(data) < HEAD.size:
             raise ValueError("readings are too short")
@@ -231,9 +236,9 @@ class ReadingDecoder:
         if version != VERSION or count > MAX_ROWS or bits >> STATE or seldom > count * STATE:
             raise ValueError("readings have an unknown form")
         if number == 0:
-            self._memory = _Memory()
+            self._memory = _LastStates()
         if number != self._memory.begin(time_ns):
-            self._memory = _Memory()
+            self._memory = _LastStates()
             return None
         often = [column for column in range(STATE) if bits >> column & 1]
         found = _Numbers(data, HEAD.size)
@@ -244,8 +249,8 @@ class ReadingDecoder:
         row, value = np.cumsum(found.packed(seldom)), found.packed(seldom)
         off = (
             []
-            if frames_ns == ALONE
-            else [found.sparse(count) for _ in range(*PLACE.indices(STATE))]
+            if frames_ns == NO_FRAMES
+            else [found.sparse(count) for _ in range(*ODOMETRY_ELEMENTS.indices(STATE))]
         )
         is_valid = found.at == len(data) and _are_within(element, STATE) and _are_within(row, count)
         if not is_valid or not _are_within(robots, 2**32):
@@ -254,21 +259,21 @@ class ReadingDecoder:
         for column, values in zip(often, by_element, strict=True):
             changes[:, column] = values
         changes[row, element] = value
-        place = None
+        odometry = None
         if off and count:
-            if course_of is None:
+            if prediction_of is None:
                 raise ValueError("the frames of readings are missing")
             found_us = _at_us(time_ns, after_us)
-            expected = course_of(frames_ns).at(robots, found_us)
-            place = expected + np.stack(off, dtype=np.int32, casting="same_kind")
-        states = self._summed(robots, changes, place)
+            expected = prediction_of(frames_ns).at(robots, found_us)
+            odometry = expected + np.stack(off, dtype=np.int32, casting="same_kind")
+        states = self._summed(robots, changes, odometry)
         clock_s = time_ns / NS + after_us / _US
         return Readings(codes, robots, clock_s, states).of(np.argsort(clock_s, kind="stable"))
 
     def _summed(
-        self, robots: IndexArray, changes: Int32Array, place: Int32Array | None
+        self, robots: IndexArray, changes: Int32Array, odometry: Int32Array | None
     ) -> Int32Array:
-        """Return the vectors, of which `PLACE` may be known, and remember each robot's last."""
+        """Return the vectors, with the odometry if known, and store the last one of each robot."""
         if not len(robots):
             return changes
         if (np.diff(robots) < 0).any():
@@ -280,15 +285,15 @@ class ReadingDecoder:
         before = np.zeros((len(first), STATE), np.int32)
         before[1:] = sums[first[1:] - 1]
         states = sums - np.repeat(before, lengths, axis=0)
-        if place is not None:
-            states[:, PLACE] = place.T
+        if odometry is not None:
+            states[:, ODOMETRY_ELEMENTS] = odometry.T
         ends = first + lengths - 1
         self._memory.keep(robots[ends], states[ends])
         return states
 
 
 def _at_us(time_ns: int, after_us: Int64Array) -> Int64Array:
-    """Return the instants of readings [us], the same for those who write and read them."""
+    """Return the times of readings [us], computed alike when writing and reading."""
     return time_ns // _NS_PER_US + after_us
 
 
@@ -300,28 +305,28 @@ def _firsts(robots: IndexArray) -> IndexArray:
 
 
 def _steps(values: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """Return the differences of numbers to those before them, to 0 for the first."""
+    """Return the differences between consecutive numbers, starting from 0."""
     steps = values.copy()
     steps[1:] -= values[:-1]
     return steps
 
 
 def packed(values: npt.NDArray[Any]) -> bytes:
-    """Return numbers as the lowest bytes of all, then the second ones, ...
+    """Return numbers in byte planes: the lowest bytes of all, then the second ones, ...
 
-    Bytes that are 0 in all numbers are left out; before them is how many bytes each number has.
+    High bytes that are 0 in all numbers are omitted; the number of bytes per number comes first.
 
     >>> packed(np.array([1, -2, 3])).hex()
     '01020306'
     """
-    u = folded(values.astype(np.int32))
+    u = zigzag(values.astype(np.int32))
     count = max(1, -(-int(u.max(initial=0)).bit_length() // 8))
     planes = ((u >> 8 * plane).astype(np.uint8).tobytes() for plane in range(count))
     return bytes([count]) + b"".join(planes)
 
 
 def sparse(values: npt.NDArray[Any]) -> bytes:
-    """Return numbers of which most are 0: a bit for each, 1 for those that follow, `packed`.
+    """Return mostly zero numbers: a bit for each that is not 0, followed by these, `packed`.
 
     >>> sparse(np.array([0, 0, 0, -1, 0, 0, 0, 0, 2])).hex()
     '0801010104'
@@ -331,32 +336,32 @@ def sparse(values: npt.NDArray[Any]) -> bytes:
 
 
 class _Numbers:
-    """Reads arrays one after the other, and raises ValueError where there are no more.
+    """Reads arrays in sequence, and raises ValueError at the end of the data.
 
     Attributes:
-        at: where the next one begins.
+        at: the offset of the next array.
     """
 
     def __init__(self, data: bytes, at: int) -> None:
         self._data, self.at = data, at
 
     def plain(self, form: str, count: int) -> Int64Array:
-        """Return numbers of a form of numpy."""
+        """Return numbers of a numpy type."""
         size = np.dtype(form).itemsize * count
         return np.frombuffer(self._take(size), form).astype(np.int64)
 
     def packed(self, count: int) -> Int64Array:
-        """Return numbers that were `packed`."""
+        """Decode numbers that were encoded by `packed`."""
         planes = self._take(1)[0]
         if not 1 <= planes <= _PLANES:
             raise ValueError("readings have an unknown form")
         content = np.frombuffer(self._take(planes * count), np.uint8).reshape(planes, count)
         u = np.zeros((count, _PLANES), np.uint8)
         u[:, :planes] = content.T
-        return unfolded(u.view("<u4").ravel()).view(np.int32).astype(np.int64)
+        return unzigzag(u.view("<u4").ravel()).view(np.int32).astype(np.int64)
 
     def sparse(self, count: int) -> Int64Array:
-        """Return numbers that were written by `sparse`."""
+        """Decode numbers that were encoded by `sparse`."""
         bits = np.frombuffer(self._take(-(-count // 8)), np.uint8)
         is_there = np.unpackbits(bits, count=count, bitorder="little").astype(np.bool_)
         values = np.zeros(count, np.int64)
@@ -371,5 +376,5 @@ class _Numbers:
 
 
 def _are_within(values: Int64Array, end: int) -> bool:
-    """Return whether numbers are from 0 up to an end, which is not included."""
+    """Return whether numbers are from 0 up to an end, exclusive."""
     return not len(values) or bool(values.min() >= 0 and values.max() < end)

@@ -1,7 +1,7 @@
 """Records a run while it is running.
 
-What happens is gathered, of a passage of many timesteps at once where the session tells it so, and
-written each second of simulated time, see `recording_file`.
+Data is collected, for many timesteps at once where the session reports a passage, and written every
+second of simulated time, see `recording_file`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from crs_cc.recording import topics
 from crs_cc.recording.content import as_fields
 from crs_cc.recording.digest import digest
 from crs_cc.recording.field_sketches import ChangedFields
-from crs_cc.recording.gathered import GatheredFrames, Shape
+from crs_cc.recording.frame_buffer import FrameBuffer, Shape
 from crs_cc.recording.hashes import DIGEST_BITS, STATE_DIGITS, Hash
 from crs_cc.recording.mcap_records import Channel, ns
 from crs_cc.recording.recording_file import RecordingFile
@@ -40,10 +40,10 @@ if TYPE_CHECKING:
 Sensors = Literal["none", "read", "all"]
 
 FULL_HASH_SECONDS: Final = 120
-"""How often the hash of all state is recorded: of 10,000 robots it takes 0.7 s, of one 0.5 ms."""
+"""The period of the hash of all state: it takes 0.7 s for 10,000 robots, and 0.5 ms for one."""
 
 FIRST_FULL_HASH_SECONDS: Final = 90
-"""When it is recorded first: many runs last whole minutes, and there is one at the end."""
+"""The time of the first one: many runs last whole minutes, and there is one at the end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +55,7 @@ class RecorderOptions:
         sensors: `State` vectors: `none`, those that programs `read`, or `all`, with each frame.
         foxglove: whether messages by Foxglove's schemas are added.
         foxglove_robots: the robots whose laser scans and pictures are among them.
-        for_debugger: whether the run is compared in programs that were compiled for the debugger.
+        for_debugger: whether hashes are compared with those of debug builds.
     """
 
     every_s: float = 0.05
@@ -69,7 +69,7 @@ class Recorder:
     """Writes the recording of one session.
 
     Attributes:
-        needs_each: whether it has to sample each timestep in which something moves.
+        needs_each: whether it must sample every timestep with motion.
     """
 
     def __init__(
@@ -110,7 +110,7 @@ class Recorder:
 
     @property
     def written_s(self) -> float:
-        """Up to when the run has been written [s]."""
+        """The time up to which the run has been written [s]."""
         return self._file.written_s
 
     def begin(self, session: Session) -> None:
@@ -148,7 +148,7 @@ class Recorder:
             return
         timesteps = self._state.timesteps
         if not self._moved:
-            self._last = timesteps - 1  # until then nothing moved
+            self._last = timesteps - 1  # nothing moved before that
             self._moved = True
         if len(step.contacts.robot) or step.events:
             for event in events_of(step):
@@ -164,7 +164,7 @@ class Recorder:
         self._note_frame(timesteps)
 
     def passed(self, passage: Passage) -> None:
-        """Record a passage of timesteps in which robots moved and had answers, and nothing else."""
+        """Record a passage of timesteps in which robots only moved and received answers."""
         if self.failed is not None:
             return
         if self._options.sensors != "none":
@@ -189,7 +189,7 @@ class Recorder:
         self._moved, self._last = last % stride != 0, last
 
     def _note_frame(self, timesteps: int) -> None:
-        """Record where everything is after a timestep, if it has moved and a frame is due."""
+        """Record a frame after a timestep, if there was motion and one is due."""
         if self._environment.names is not self._names:
             self._note_roster()
         if self._moved and timesteps // self._stride != self._last // self._stride:
@@ -197,7 +197,7 @@ class Recorder:
         self._last = timesteps
 
     def _note_served(self, step: Step, served: Served) -> None:
-        """Record what became of requests that do not reply `State`."""
+        """Record the effects of requests that do not reply `State`."""
         for event in marks_of(served):
             self._add_json(topics.EVENT, ns(event.pop("time_s")), event)
         if served.replies is not None and self._options.sensors != "none":
@@ -210,7 +210,7 @@ class Recorder:
         if self.failed is not None:
             return
         self._output_crc = zlib.crc32(content, self._output_crc)
-        time_ns = self._nowns(robot)
+        time_ns = self._time_ns(robot)
         self._file.block.add_output(time_ns, robot, stream, content)
         self._limit()
         if self._foxglove is not None:
@@ -222,7 +222,7 @@ class Recorder:
     def read(self, robot: int, content: bytes) -> None:
         """Record a piece of a program's standard input."""
         data = {"kind": "stdin", "robot": robot, **as_fields(content)}
-        self._add_json(topics.INPUT, self._nowns(robot), data)
+        self._add_json(topics.INPUT, self._time_ns(robot), data)
 
     def waiting(self, robot: int, clock_s: float, answer: tuple[int, float]) -> None:
         """Record the reply to a program about available input."""
@@ -237,7 +237,7 @@ class Recorder:
             self._add_json(topics.INPUT, ns(self._session.time_s), data)
 
     def seconds_left(self) -> float:
-        """Return how much time may be simulated before the next call of `sample` [s]."""
+        """Return the maximum simulated time until the next call of `sample` [s]."""
         timesteps = self._session.timesteps
         left = self._next_hash - timesteps
         if self._moved:
@@ -296,11 +296,11 @@ class Recorder:
         if self._foxglove is not None:
             self._add_scene(self._foxglove, time_s, state)
         if self._options.sensors == "all":
-            self._file.block.readings.add([self._unasked()])
+            self._file.block.readings.add([self._all_readings()])
 
     def _add_scene(self, view: FoxgloveView, time_s: float, state: EnvState) -> None:
         """Add a frame for Foxglove."""
-        alone = GatheredFrames(self._file.block.shape)
+        alone = FrameBuffer(self._file.block.shape)
         alone.add(time_s, state)
         names, time_ns = (self._robot_ids, self._object_names), ns(time_s)
         channel, data = view.frame(time_ns, alone.frames().poses[0], *names)
@@ -312,7 +312,7 @@ class Recorder:
         for entry in self._fields.entries(session.environment):
             self._file.block.add_entry(topics.FIELD, ns(session.time_s), entry)
 
-    def _unasked(self) -> Served:
+    def _all_readings(self) -> Served:
         """Return the current readings of all sensors of all robots, without a request."""
         environment = self._session.environment
         robots = np.flatnonzero(environment.last_state.presence.present)
@@ -378,7 +378,7 @@ class Recorder:
         self._file.block.add_entry(channel, time_ns, data)
         self._limit()
 
-    def _nowns(self, robot: int) -> int:
+    def _time_ns(self, robot: int) -> int:
         clock_s: float = self._state.clock_s.item(robot)
         return ns(clock_s if math.isfinite(clock_s) else self._session.time_s)
 

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, Final, Self
 from crs_cc.recording import readings, topics
 from crs_cc.recording.description import RunDescription
 from crs_cc.recording.entries import SPAN_NS, entries_of
-from crs_cc.recording.frame_reader import Courses, FrameReader
+from crs_cc.recording.frame_reader import FrameReader, OdometryPredictions
 from crs_cc.recording.frames import COLUMNS, MAX_ROWS, is_key
 from crs_cc.recording.hashes import Hash, hashes_in
 from crs_cc.recording.mcap_reader import McapReader
@@ -229,12 +229,12 @@ class Recording:
         for chunk in self._mcap.chunks:
             if chunk.last_ns >= begin_ns and chunk.first_ns <= until_ns:
                 messages = list(self._mcap.messages(chunk))
-                courses = Courses(messages)
+                predictions = OdometryPredictions(messages)
                 for message in messages:
                     is_wanted = begin_ns <= message.time_ns <= until_ns
                     if message.topic == topics.STATE.topic and is_wanted:
                         with self.errors():
-                            found = decoder.decode(message.data, message.time_ns, courses.of)
+                            found = decoder.decode(message.data, message.time_ns, predictions.of)
                         if found is not None and message.time_ns >= second_ns:
                             yield found
 

@@ -1,9 +1,9 @@
 """The file of a recording while it is written: a block that grows, and chunks that are complete.
 
-Each second of simulated time is written, so a run that is killed loses its last second at most. Of
-a small world, a second is so little that most of a chunk would be its head and its index: it is
-saved as it is, and all that has been saved in two minutes is then replaced by one chunk. When the
-disk is full, the recording ends and the run goes on.
+Every second of simulated time is written, so a run that is killed loses at most its last second. In
+a small world, a second has so little data that most of a chunk would be its header and index. So it
+is saved as it is, and the data of up to two minutes is then replaced by one chunk. If the disk is
+full, the recording ends and the run continues.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ from typing import Any, BinaryIO, Final
 from crs_cc.recording import topics
 from crs_cc.recording.block import Block, Encoded
 from crs_cc.recording.entries import SPAN_NS
-from crs_cc.recording.gathered import Shape
+from crs_cc.recording.frame_buffer import Shape
 from crs_cc.recording.mcap_records import NS, Channel, ns
 from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
 from crs_cc.recording.readings import ReadingEncoder
 
 BLOCK_S: Final = SPAN_NS / NS
-"""A chunk holds at most so much simulated time: more would save little. What a second brings is
-saved before, so that a killed run loses no more."""
+"""The maximum simulated time in a chunk: longer ones would save little. The data of each second is
+saved before that, so that a killed run loses no more."""
 
 MAX_ROWS: Final = 20_000
-"""Readings that are gathered at most before they are encoded; some megabytes."""
+"""Limit of the readings that are collected before they are encoded; some megabytes."""
 
 
 class RecordingFile:
@@ -35,8 +35,8 @@ class RecordingFile:
 
     Attributes:
         failed: the error that ended it, if any.
-        written_s: up to when the run has been written [s].
-        block: what has been gathered since the last chunk.
+        written_s: the time up to which the run has been written [s].
+        block: the data that was collected since the last chunk.
     """
 
     def __init__(
@@ -51,7 +51,7 @@ class RecordingFile:
         self.written_s = 0.0
         self.block = Block(0.0, Shape(0, 0, has_turret=False))
         self._file: BinaryIO = path.open("wb", buffering=0)
-        self._writer = McapWriter(_Whole(self._file))
+        self._writer = McapWriter(_UnbufferedFile(self._file))
         self._writer.define(topics.TOPICS.values())
         self._writer.metadata(topics.RUN, run)
         for name, content in attachments.items():
@@ -60,7 +60,7 @@ class RecordingFile:
         self._encoder = ReadingEncoder()
 
     def add(self, channel: Channel, time_ns: int, data: bytes) -> None:
-        """Add a message that is not gathered in the block."""
+        """Add a message directly, not to the block."""
         self._writer.add(channel, time_ns, data)
 
     def metadata(self, name: str, values: Mapping[str, str]) -> None:
@@ -82,8 +82,8 @@ class RecordingFile:
         )
 
     def shorten(self, now_s: float) -> None:
-        """Write what has been gathered, before the second is over, at a time [s]."""
-        if self.block.seconds:  # which may be saved
+        """Write the collected data at a time before the end of a second [s]."""
+        if self.block.seconds:  # which may have been saved
             self.complete(now_s)
             return
         self._write(self.block.take(self._encoder))
@@ -91,7 +91,7 @@ class RecordingFile:
             self._cut(now_s, LEVEL)
 
     def end_second(self, now_s: float, second_s: float) -> None:
-        """Write what the second has brought that ends at a time, and lasted so long [s]."""
+        """Write the data of a second, given its end and its length [s]."""
         block = self.block
         lasted_s = now_s - block.begin_s
         size = block.size + self._writer.pending
@@ -140,8 +140,8 @@ class RecordingFile:
                 self.failed = error
 
 
-class _Whole:
-    """A file without buffer that is written as a whole, or raises."""
+class _UnbufferedFile:
+    """An unbuffered file, of which each write is complete or raises."""
 
     def __init__(self, file: BinaryIO) -> None:
         self._file = file

@@ -1,8 +1,8 @@
 r"""The data of a second, saved as collected, until a chunk replaces it.
 
-It is part of a file only while a run goes on, or if it was killed. Nothing is encoded for it: a
-second of one robot takes a few copies. The form is little-endian, see `HEAD`, and no other program
-knows it; `crs replay --recover` makes chunks of it.
+It is part of a file only during a run, or if the run was killed. It is not encoded: a second of one
+robot takes a few copies. The format is little-endian, see `HEAD`, and private; `crs replay
+--recover` converts it to chunks.
 
 >>> hashes = [(9, Hash(20, "0f3a", 7, ""))]
 >>> columns = [b""] * COLUMNS
@@ -18,8 +18,8 @@ from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
 from crs_cc.recording.columns import Part, Parts
+from crs_cc.recording.frame_buffer import Shape
 from crs_cc.recording.frames import MAX_ROWS
-from crs_cc.recording.gathered import Shape
 from crs_cc.recording.hashes import DIGITS, Hash
 
 Output = tuple[int, int, int, bytes]
@@ -43,9 +43,9 @@ class Second(NamedTuple):
     """The content of a recording that is new since it was last saved.
 
     Attributes:
-        shape: who is in its frames.
-        before: how many frames there were before.
-        columns: what was gathered in columns, `COLUMNS` of them.
+        shape: the robots and objects in its frames.
+        before: the number of earlier frames.
+        columns: the data in columns, `COLUMNS` of them.
         output: pieces of output.
         hashes: hashes, each with its time [ns].
         entries: entries in JSON.
@@ -97,7 +97,7 @@ def unpacked(data: bytes) -> Second:
 
 
 class _Cursor:
-    """Reads fields, and raises struct.error or ValueError where there are no more."""
+    """Reads fields, and raises struct.error or ValueError at the end of the data."""
 
     def __init__(self, data: bytes) -> None:
         self.at = 0

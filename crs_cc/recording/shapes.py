@@ -14,10 +14,10 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
 
 _MAX_HEIGHT_M: Final = 0.8
-"""How high things are drawn that have no end."""
+"""The drawn height of objects of unlimited height."""
 
 _EDGE_M: Final = 0.25
-"""How high the edge of the world is drawn."""
+"""The drawn height of the edge of the world."""
 
 _RADIUS_M: Final = 0.2
 _WALL, _FIXED, _MOVABLE = "#4a5160", "#8d95a3", "#d9b88a"
@@ -48,7 +48,7 @@ def shape_data(world: WorldModel) -> list[dict[str, Any]]:
     )  # fmt: skip
     edge = len(world.edge_walls())
     shapes = [_shape(solid) for solid in solids]
-    for shape in shapes[:edge]:  # what is behind them is to be seen
+    for shape in shapes[:edge]:  # so that they do not hide objects
         shape["height"] = min(shape["height"], _EDGE_M)
     return shapes
 

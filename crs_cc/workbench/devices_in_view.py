@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.core.units import tenths_inch_to_m
-from crs_cc.recording.field_sketches import sketched
+from crs_cc.recording.field_sketches import field_sketch
 from crs_cc.sim.devices.arm.state import arm_of
 from crs_cc.sim.devices.camera import camera_state, picture
 from crs_cc.sim.devices.gripper.state import gripper_of
@@ -118,7 +118,7 @@ def field_map(sketch: FieldSketch) -> dict[str, Any]:
 
 def _field(environment: Environment, field: int) -> dict[str, Any]:
     """Return a field as shares of its largest amount, a byte for each square."""
-    sketch, _ = sketched(environment, field)
+    sketch, _ = field_sketch(environment, field)
     return field_map(sketch) | {"data": base64.b64encode(sketch.shares.tobytes()).decode()}
 
 

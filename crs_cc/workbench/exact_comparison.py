@@ -11,7 +11,7 @@ from crs_cc.debug.branch_comparison import variables
 from crs_cc.debug.difference_text import by, narrowed
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.first_difference import FirstDifference
-from crs_cc.recording.hashes import same_until
+from crs_cc.recording.hashes import common_until
 from crs_cc.workbench.comparison import common_robots
 
 if TYPE_CHECKING:
@@ -102,7 +102,7 @@ class ExactComparison:
         own = self._others.own
         if own is None or self._run.changes():
             return 0
-        return same_until(own.hashes(), other.recording.hashes())
+        return common_until(own.hashes(), other.recording.hashes())
 
     def is_of(self, name: str) -> bool:
         """Return whether it compares the run that is shown with another one."""

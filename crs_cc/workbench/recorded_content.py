@@ -16,7 +16,7 @@ from crs_cc.plot.x11_colours import HEX
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
 from crs_cc.recording.field_sketches import sketches_in
-from crs_cc.recording.marks import marked_in
+from crs_cc.recording.marks import drawn_marks
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.message_contents import MessageContents, shown
 from crs_cc.workbench.devices_in_view import field_map
@@ -130,7 +130,7 @@ def marks_in(recording: Recording, radius_m: float) -> tuple[list[list[Any]], in
         recording: the recording.
         radius_m: of a robot, which programs can draw.
     """
-    marked = marked_in(recording)
+    marked = drawn_marks(recording)
     shown, found = marked[-MAX_MARKS:], list[list[Any]]()
     for each in shown:
         until_s = each.until_s if math.isfinite(each.until_s) else None

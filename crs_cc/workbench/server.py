@@ -31,7 +31,7 @@ from websockets.protocol import OPEN
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.host_system import is_of_another_user
 from crs_cc.core.loopback import LOOPBACK, is_own_host, is_own_origin, is_token, new_token
-from crs_cc.recording.frames import difference, whole_numbers
+from crs_cc.recording.frames import difference, quantized
 from crs_cc.workbench.clients import Client, LiveFrame, Role
 from crs_cc.workbench.messages import MAX_BYTES, PROTOCOL, frame_message
 from crs_cc.workbench.static_files import POLICY, file_at
@@ -169,7 +169,7 @@ class Server:
         """Send a frame to all pages, in place of one that still waits."""
         if not self._clients:
             return
-        before, change, whole = self._last, None, whole_numbers(values)
+        before, change, whole = self._last, None, quantized(values)
         if before is not None and before.whole.shape == whole.shape:
             change = frame_message(time_s, difference(before.whole, whole))
         number = 0 if before is None else before.number + 1

@@ -83,7 +83,7 @@ def test_the_first_timestep_and_the_variables_that_differ_are_shown(
     assert "| 100" in turns
 
 
-def test_the_same_run_has_no_difference_as_far_as_both_go(
+def test_identical_runs_have_no_difference_in_their_common_part(
     runs: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     status, shown = compared(runs, "near", "short", capfd)
@@ -94,7 +94,7 @@ def test_the_same_run_has_no_difference_as_far_as_both_go(
     ]
 
 
-def test_runs_with_other_timesteps_are_refused(
+def test_runs_with_different_timesteps_are_rejected(
     runs: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     status, shown = compared(runs, "near", "slow", capfd)

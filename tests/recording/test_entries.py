@@ -13,7 +13,7 @@ from crs_cc.recording.recording import Recording
 from crs_cc.recording.topics import OUTPUT
 
 
-def test_a_chunk_has_one_message_of_a_topic_in_json(recorded: Path) -> None:
+def test_a_chunk_has_one_message_per_json_topic(recorded: Path) -> None:
     """A message of its own for each line printed took more bytes than the lines."""
     recording = Recording(recorded)
     for chunk in recording.mcap.chunks:
@@ -22,7 +22,7 @@ def test_a_chunk_has_one_message_of_a_topic_in_json(recorded: Path) -> None:
     recording.close()
 
 
-def test_entries_of_a_span_of_time_are_found_wherever_their_message_ends(recorded: Path) -> None:
+def test_entries_of_an_interval_are_found_wherever_their_message_ends(recorded: Path) -> None:
     recording = Recording(recorded)
     known = list(recording.data("/crs/output"))
     assert [time_ns for time_ns, _ in known] == sorted(time_ns for time_ns, _ in known)
@@ -48,7 +48,7 @@ def test_entries_of_a_span_of_time_are_found_wherever_their_message_ends(recorde
         b"\xff",
     ],
 )
-def test_a_message_that_has_none_is_refused(message: bytes) -> None:
+def test_a_message_without_entries_is_rejected(message: bytes) -> None:
     with pytest.raises(ValueError, match=r"entr|Expecting|decode"):
         entries_of(message)
 
@@ -56,7 +56,7 @@ def test_a_message_that_has_none_is_refused(message: bytes) -> None:
 @pytest.mark.parametrize(
     "text", ["plain\n", 'a "quote" \\ \t', "\u00e4\u20ac\U0001f916\x00\x7f", ""]
 )
-def test_what_was_printed_is_written_as_any_entry(text: str) -> None:
+def test_output_is_encoded_like_other_entries(text: str) -> None:
     for fields in ({"text": text}, {"base64": "aGk="}):
         one, other = Entries(), Entries()
         one.add(OUTPUT, 1_234_567_890, {"robot": 3, "stream": 2, **fields})

@@ -32,7 +32,7 @@ def sketches(fields_folder: Path) -> list[tuple[float, FieldSketch]]:
     return found
 
 
-def test_they_lead_to_what_lies_there_at_every_second(
+def test_sketches_predict_the_field_at_every_second(
     fields_folder: Path, sketches: list[tuple[float, FieldSketch]]
 ) -> None:
     session = Session(fields_folder / "room.xml")
@@ -51,7 +51,7 @@ def test_they_lead_to_what_lies_there_at_every_second(
     assert most > 0.0
 
 
-def test_what_only_evaporates_is_not_recorded_again(
+def test_a_field_that_only_evaporates_is_not_recorded_again(
     sketches: list[tuple[float, FieldSketch]],
 ) -> None:
     times_s = [round(time_s, 3) for time_s, each in sketches if each.name == "trail"]
@@ -60,7 +60,7 @@ def test_what_only_evaporates_is_not_recorded_again(
     assert times_s[:2] == [0.0, 5.0]
 
 
-def test_it_is_the_same_run_and_the_same_bytes_however_often_it_was_saved(
+def test_run_and_bytes_do_not_depend_on_how_often_it_was_saved(
     fields_folder: Path,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -75,7 +75,7 @@ def test_it_is_the_same_run_and_the_same_bytes_however_often_it_was_saved(
     assert "the same run" in capfd.readouterr().out
 
 
-def test_a_world_without_fields_has_no_message_of_them(recorded: Path) -> None:
+def test_a_world_without_fields_has_no_field_messages(recorded: Path) -> None:
     recording = Recording(recorded)
     assert not list(recording.messages("/crs/field"))
     recording.close()
@@ -107,14 +107,14 @@ GOOD = FieldSketch.made("a", np.eye(3), (0.0, 0.0), 0.1, 40.0).entry()
         {"shares": "A" * 10**6},
     ],
 )
-def test_a_sketch_that_is_none_is_refused(values: dict[str, Any]) -> None:
+def test_an_invalid_sketch_is_rejected(values: dict[str, Any]) -> None:
     assert FieldSketch.of(GOOD).shares.tolist() == (255 * np.eye(3)).tolist()
     with pytest.raises(ValueError, match=r"a field has|base64|[Ii]ncorrect padding"):
         FieldSketch.of({**GOOD, **values})
 
 
 @pytest.mark.parametrize("values", [{"most": 10**400}, {"field": None}, {"rows": []}])
-def test_a_recording_with_such_a_sketch_gives_one_error(
+def test_a_recording_with_an_invalid_sketch_gives_one_error(
     fields_folder: Path,
     tmp_path: Path,
     capfd: pytest.CaptureFixture[str],
@@ -126,7 +126,9 @@ def test_a_recording_with_such_a_sketch_gives_one_error(
     assert capfd.readouterr().err.count("error:") == 1
 
 
-def test_mutated_sketches_are_refused_or_within_bounds(fields_folder: Path, tmp_path: Path) -> None:
+def test_mutated_sketches_are_rejected_or_within_bounds(
+    fields_folder: Path, tmp_path: Path
+) -> None:
     reader = McapReader(fields_folder / "run.mcap")
     plain = unpacked((fields_folder / "run.mcap").read_bytes(), reader)
     reader.close()

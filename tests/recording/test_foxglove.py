@@ -19,7 +19,7 @@ from crs_cc.recording.recording import Recording
 from crs_cc.sim.files.world_xml import empty_world
 
 
-def test_scenes_and_logs_are_valid_and_are_those_of_the_frames(
+def test_scenes_and_logs_are_valid_and_match_the_frames(
     recorded: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "fox.mcap"
@@ -40,7 +40,7 @@ def test_scenes_and_logs_are_valid_and_are_those_of_the_frames(
     assert len(frames) == len(found["/scene"])
     damaged, mended = tmp_path / "damaged.mcap", tmp_path / "mended.mcap"
     content = bytearray(path.read_bytes())
-    content[recording.mcap.chunks[0].place.at + 60] ^= 255
+    content[recording.mcap.chunks[0].extent.at + 60] ^= 255
     damaged.write_bytes(content)
     assert main(["replay", str(damaged), "--recover", str(mended)]) == 0
     with mended.open("rb") as file:
@@ -74,7 +74,7 @@ SEEN = """<world version="1" timestep="100ms"><area length="4m" width="3m"/>
 """
 
 
-def test_scans_and_pictures_of_a_robot_are_valid_and_show_what_is_there(
+def test_scans_and_pictures_of_a_robot_are_valid_and_show_the_world(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     program, path = tmp_path / "scan.c", tmp_path / "run.mcap"

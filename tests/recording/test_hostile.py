@@ -56,13 +56,13 @@ def unpacked(content: bytes, reader: McapReader) -> bytes:
     """Return a recording whose chunks are not compressed and have no checksum: easier to change."""
     parts, end = [], 0
     for chunk in reader.chunks:
-        head = chunk.place.at - 9
+        head = chunk.extent.at - 9
         parts.append(content[end:head])
         plain = reader._content(chunk)
         fields = CHUNK_HEAD.pack(chunk.first_ns, chunk.last_ns, len(plain), 0)
         body = fields + text("") + len(plain).to_bytes(8, "little") + plain
         parts.append(record(Op.CHUNK, body))
-        end = chunk.place.at + chunk.place.size
+        end = chunk.extent.at + chunk.extent.size
     return b"".join([*parts, content[end:]])
 
 
@@ -127,12 +127,12 @@ def test_mutated_recordings_give_one_error_or_a_result(
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 300_000
 
 
-def test_a_bomb_is_not_unpacked(recorded: Path, tmp_path: Path) -> None:
+def test_a_decompression_bomb_is_not_unpacked(recorded: Path, tmp_path: Path) -> None:
     bomb = zstandard.ZstdCompressor(level=19).compress(bytes(2**28))
     path = tmp_path / "bomb.mcap"
     whole = recorded.read_bytes()
     reader = McapReader(recorded)
-    head = whole[: reader.chunks[0].place.at - 9]
+    head = whole[: reader.chunks[0].extent.at - 9]
     reader.close()
     assert head.startswith(MAGIC)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss

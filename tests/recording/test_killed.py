@@ -13,7 +13,7 @@ import pytest
 from crs_cc.cli.main import main
 from crs_cc.recording import topics
 from crs_cc.recording.block import Block, saved_messages
-from crs_cc.recording.gathered import Shape
+from crs_cc.recording.frame_buffer import Shape
 from crs_cc.recording.recording import Recording
 
 PROGRAM = """\
@@ -67,7 +67,7 @@ def test_a_run_that_is_killed_is_recovered(
     assert "the same run" in capfd.readouterr().out
 
 
-def test_saved_readings_of_impossible_robots_are_refused() -> None:
+def test_saved_readings_of_impossible_robots_are_rejected() -> None:
     block = Block(0.0, Shape(1, 0, has_turret=False))
     block.readings.single.append(
         (12).to_bytes(4, "little"), (-5).to_bytes(8, "little", signed=True), bytes(8), bytes(4 * 45)
@@ -77,7 +77,7 @@ def test_saved_readings_of_impossible_robots_are_refused() -> None:
         list(saved_messages(saved))
 
 
-def test_where_a_chunk_ends_does_not_depend_on_what_was_saved() -> None:
+def test_the_end_of_a_chunk_does_not_depend_on_saved_data() -> None:
     """What is printed is encoded when the chunk is; its size must not change when it is saved."""
     block = Block(0.0, Shape(1, 0, has_turret=False))
     for content in (b"\xff" * 1000, b'"\n' * 100, b"plain"):

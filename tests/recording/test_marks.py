@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 from crs_cc.cli.main import main
-from crs_cc.recording.marks import at_time, marked_in
+from crs_cc.recording.marks import at_time, drawn_marks
 from crs_cc.recording.recording import Recording
 from tests.recording.test_replay import rewritten_event
 
@@ -54,23 +54,23 @@ def strokes(path: Path) -> list[str]:
     return re.findall(r'<polyline points="[^"]*" stroke="[^"]*"/>', path.read_text())
 
 
-def test_a_plot_of_the_recording_shows_what_that_of_the_run_does(
-    drawn: Path, tmp_path: Path
-) -> None:
+def test_a_plot_of_the_recording_equals_that_of_the_run(drawn: Path, tmp_path: Path) -> None:
     path = tmp_path / "again.svg"
     assert main(["replay", str(drawn), "--plot", str(path)]) == 0
     found = strokes(path)
     assert found == strokes(drawn.with_suffix(".svg"))
     assert len(found) == 8  # an arc, four of a robot with its arrow, two lines, and the path
     recording = Recording(drawn)
-    marked = marked_in(recording)
+    marked = drawn_marks(recording)
     recording.close()
     assert [len(at_time(marked, time_s)) for time_s in (0.3, 0.8, 1.3, 1.9)] == [1, 0, 4, 5]
     colours = [each.colour for each in at_time(marked, 1.3)]
     assert "Red" in colours
 
 
-def test_animations_and_pages_show_them_while_they_were_there(drawn: Path, tmp_path: Path) -> None:
+def test_animations_and_pages_show_marks_while_they_were_visible(
+    drawn: Path, tmp_path: Path
+) -> None:
     film, page = tmp_path / "run.apng", tmp_path / "run.html"
     assert main(["replay", str(drawn), "--plot", str(film), "--html", str(page)]) == 0
     red = []
@@ -91,7 +91,7 @@ def test_animations_and_pages_show_them_while_they_were_there(drawn: Path, tmp_p
 
 
 @pytest.mark.parametrize("mark", [[1, 2], [9] * 8, [1, 0, 0, 0, 0, 0, 0, 2**40], "line", [1.5] * 8])
-def test_a_mark_that_is_none_is_refused(
+def test_an_invalid_mark_is_rejected(
     drawn: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str], mark: object
 ) -> None:
     other = tmp_path / "other.mcap"

@@ -32,7 +32,7 @@ int main(void)
 """
 
 
-def test_what_was_said_is_recorded_with_the_message_and_shown_with_each_fate(
+def test_message_contents_are_recorded_and_shown_with_each_outcome(
     tmp_path: Path,
 ) -> None:
     program, path = tmp_path / "talk.c", tmp_path / "run.mcap"

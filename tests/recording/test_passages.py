@@ -14,7 +14,7 @@ from crs_cc.core.arrays import FloatArray, Records
 from crs_cc.core.source import Diagnostics
 from crs_cc.recording.block import Block
 from crs_cc.recording.description import RunDescription
-from crs_cc.recording.gathered import Shape
+from crs_cc.recording.frame_buffer import Shape
 from crs_cc.recording.recorder import Recorder, RecorderOptions
 from crs_cc.recording.recording import Recording
 from crs_cc.recording.saved import COLUMNS, Second
@@ -146,7 +146,7 @@ def test_a_robot_that_is_added_while_nothing_moves_is_recorded(
 
 
 @pytest.mark.parametrize("every_s", [0.05, 0.15])
-def test_passages_are_recorded_as_single_timesteps(every_s: float, tmp_path: Path) -> None:
+def test_passages_are_recorded_like_single_timesteps(every_s: float, tmp_path: Path) -> None:
     (tmp_path / "drive.c").write_text(PROGRAM)
     (tmp_path / "room.xml").write_text(WORLD)
     world = load_world(tmp_path / "room.xml")
@@ -175,7 +175,7 @@ def test_passages_are_recorded_as_single_timesteps(every_s: float, tmp_path: Pat
 
 
 @pytest.mark.parametrize("robots", [1, 2])
-def test_readings_have_the_same_order_however_often_they_were_saved(
+def test_the_order_of_readings_does_not_depend_on_how_often_they_were_saved(
     robots: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "drive.c").write_text(PROGRAM)

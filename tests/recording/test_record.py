@@ -19,15 +19,15 @@ from crs_cc.cli.main import main
 from crs_cc.recording import frames, recording_file, topics
 from crs_cc.recording.block import Block, saved_messages
 from crs_cc.recording.columns import Part
+from crs_cc.recording.frame_buffer import Shape
 from crs_cc.recording.frames import FrameDecoder, count_in, messages
-from crs_cc.recording.gathered import Shape
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_writer import MAX_CHUNK, McapWriter
 from crs_cc.recording.readings import STATE, ReadingDecoder, ReadingEncoder, Readings
 from crs_cc.recording.recording import Recording
 
 
-def test_the_public_reader_of_python_reads_it_with_all_checksums(recorded: Path) -> None:
+def test_the_public_python_reader_reads_it_with_all_checksums(recorded: Path) -> None:
     with recorded.open("rb") as file:
         reader = make_reader(file, validate_crcs=True)
         summary = reader.get_summary()
@@ -46,7 +46,7 @@ def test_the_public_reader_of_python_reads_it_with_all_checksums(recorded: Path)
                 assert json.loads(message.data)["entries"]
 
 
-def test_it_holds_what_happened(recorded: Path) -> None:
+def test_it_contains_the_events_of_the_run(recorded: Path) -> None:
     recording = Recording(recorded)
     frames = list(recording.frames())
     assert [frame.time_ns for frame in frames] == sorted(frame.time_ns for frame in frames)
@@ -69,7 +69,7 @@ def test_it_holds_what_happened(recorded: Path) -> None:
     recording.close()
 
 
-def test_the_frame_at_an_instant_is_the_last_one_before_it(recorded: Path) -> None:
+def test_the_frame_at_a_time_is_the_last_one_before_it(recorded: Path) -> None:
     recording = Recording(recorded)
     frames = list(recording.frames())
     for frame in frames[::7]:
@@ -103,12 +103,12 @@ def test_frames_are_exact_to_a_tenth_of_a_millimetre_and_of_a_milliradian(
     np.testing.assert_allclose(again, block, atol=0.5e-4)
 
 
-def test_numbers_beyond_all_bounds_are_written_without_a_warning() -> None:
+def test_numbers_out_of_range_are_written_without_a_warning() -> None:
     """A file that somebody has changed may have any numbers."""
     strange = np.array([[1e308], [-np.inf], [np.nan]])
     strange.view(np.uint64)[2] = 0x7FF0000000000001  # signals when it is used
     with np.errstate(all="raise"):
-        found = frames.whole_numbers(strange).view(np.int32)
+        found = frames.quantized(strange).view(np.int32)
     assert found.ravel().tolist() == [2**31 - 1, -(2**31) + 1, frames.NOWHERE]
 
 
@@ -143,7 +143,7 @@ def test_readings_are_exact_and_none_are_wrong_after_a_lost_message() -> None:
     assert unreadable == [*range(5, 14), *range(25, 29)]  # up to the end of ten seconds
 
 
-def test_a_run_that_is_killed_loses_its_last_second_at_most(
+def test_a_run_that_is_killed_loses_at_most_its_last_second(
     recorded: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     source = Recording(recorded)
@@ -213,7 +213,7 @@ int main(void)
 """
 
 
-def test_much_output_is_written_before_the_second_is_over_and_none_is_lost_or_doubled(
+def test_large_output_is_written_early_and_none_is_lost_or_duplicated(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The burst comes in the middle of a second, after seconds that were saved as they were."""
@@ -342,7 +342,7 @@ def test_a_file_does_not_depend_on_when_seconds_were_saved() -> None:
     assert [each.topic for each in summary.channels.values()] == ["/crs/event", "/crs/output"]
 
 
-def test_a_full_disk_ends_the_recording_and_not_the_run(
+def test_a_full_disk_ends_the_recording_but_not_the_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     program = tmp_path / "count.c"
@@ -351,16 +351,16 @@ def test_a_full_disk_ends_the_recording_and_not_the_run(
         'int main(void) { int i; for (i = 0; i < 5; i++) { printf("%d", i); sleep(1); } return 4; }'
     )
     left = 1800
-    write = recording_file._Whole.write
+    write = recording_file._UnbufferedFile.write
 
-    def limited(self: recording_file._Whole, data: bytes) -> int:
+    def limited(self: recording_file._UnbufferedFile, data: bytes) -> int:
         nonlocal left
         left -= len(data)
         if left < 0:
             raise OSError(errno.ENOSPC, "No space left on device")
         return write(self, data)
 
-    monkeypatch.setattr(recording_file._Whole, "write", limited)
+    monkeypatch.setattr(recording_file._UnbufferedFile, "write", limited)
     path = tmp_path / "run.mcap"
     assert main(["run", str(program), "--record", str(path), "--quiet"]) == 4
     said = capfd.readouterr()
@@ -373,7 +373,7 @@ def test_a_full_disk_ends_the_recording_and_not_the_run(
     recording.close()
 
 
-def test_recording_changes_nothing(
+def test_recording_does_not_change_the_run(
     recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     recording = Recording(recorded)
@@ -389,7 +389,7 @@ def test_recording_changes_nothing(
     assert json.loads(capfd.readouterr().out)["state_hash"] == state
 
 
-def test_a_run_writes_tables_and_what_was_printed_and_keeps_its_pace(
+def test_a_run_writes_tables_and_output_and_keeps_its_pace(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     program = tmp_path / "hello.c"
@@ -410,7 +410,7 @@ def test_a_run_writes_tables_and_what_was_printed_and_keeps_its_pace(
 
 
 @pytest.mark.parametrize(("sensors", "least", "most"), [("none", 0, 0), ("all", 20, 45)])
-def test_what_is_recorded_of_sensors_is_selected(
+def test_the_recorded_sensors_can_be_selected(
     tmp_path: Path, sensors: str, least: int, most: int
 ) -> None:
     program, path = tmp_path / "turn.c", tmp_path / "run.mcap"

@@ -67,7 +67,7 @@ def rewritten_event(source: Path, target: Path, values: dict[str, object]) -> No
     reader.close()
 
 
-def test_without_options_it_summarises(recorded: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_it_prints_a_summary_by_default(recorded: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["replay", str(recorded)]) == 0
     said = capfd.readouterr().out
     assert "1 robot" in said
@@ -79,7 +79,7 @@ def test_without_options_it_summarises(recorded: Path, capfd: pytest.CaptureFixt
     recording.close()
 
 
-def test_it_shows_an_instant(recorded: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_it_shows_the_state_at_a_time(recorded: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["replay", str(recorded), "--at", "1.5s"]) == 0
     said = capfd.readouterr().out
     assert " at 1.500 s\n" in said
@@ -118,7 +118,7 @@ def test_the_same_run_is_verified(recorded: Path, capfd: pytest.CaptureFixture[s
     assert "the same run" in capfd.readouterr().out
 
 
-def test_another_run_is_told_with_its_second_and_the_versions(
+def test_a_different_run_is_reported_with_its_second_and_the_versions(
     recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     other = tmp_path / "other.mcap"
@@ -131,11 +131,11 @@ def test_another_run_is_told_with_its_second_and_the_versions(
     assert main(["replay", str(other), "--verify"]) == 0
 
 
-def test_a_damaged_recording_is_mended(
+def test_a_damaged_recording_is_recovered(
     recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     whole, reader = recorded.read_bytes(), McapReader(recorded)
-    half = reader.chunks[len(reader.chunks) // 2].place.at + 20
+    half = reader.chunks[len(reader.chunks) // 2].extent.at + 20
     reader.close()
     broken, mended = tmp_path / "broken.mcap", tmp_path / "mended.mcap"
     broken.write_bytes(whole[:half])
@@ -163,7 +163,7 @@ def test_a_damaged_recording_is_mended(
         ({"run": '{"seed": 1e400}'}, "invalid seed"),
     ],
 )
-def test_a_description_that_is_not_ours_is_refused(
+def test_an_invalid_description_is_rejected(
     recorded: Path,
     tmp_path: Path,
     capfd: pytest.CaptureFixture[str],
@@ -176,7 +176,7 @@ def test_a_description_that_is_not_ours_is_refused(
     assert reason in capfd.readouterr().err
 
 
-def test_other_files_are_refused(
+def test_other_files_are_rejected(
     recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     other = tmp_path / "other.mcap"
@@ -187,13 +187,13 @@ def test_other_files_are_refused(
     assert main(["replay", str(tmp_path / "none.mcap")]) == 120
     shutil.copy(recorded, other)
     with other.open("r+b") as file:  # the first chunk declares 2**63 bytes
-        at = McapReader(recorded).chunks[0].place.at
+        at = McapReader(recorded).chunks[0].extent.at
         file.seek(at + 16)
         file.write((2**63).to_bytes(8, "little"))
     assert main(["replay", str(other)]) == 120
 
 
-def test_the_debugger_goes_to_an_instant_of_a_recording_and_steps_back(
+def test_the_debugger_goes_to_a_time_in_a_recording_and_steps_back(
     recorded: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     commands = ["-ex", "print i", "-ex", "reverse-step", "-ex", "reverse-step", "-ex", "goto 5"]
@@ -208,7 +208,7 @@ def test_the_debugger_goes_to_an_instant_of_a_recording_and_steps_back(
     assert main(["debug", "--batch", str(recorded), "room.xml"]) == 2
 
 
-def test_the_debugger_says_when_a_run_is_another(
+def test_the_debugger_reports_a_different_run(
     recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     other = tmp_path / "other.mcap"
@@ -217,7 +217,7 @@ def test_the_debugger_says_when_a_run_is_another(
     assert "the run differs from its recording at 2.00 s" in capfd.readouterr().err
 
 
-def test_input_typed_at_times_is_recorded_with_what_programs_were_told_of_it(
+def test_timed_input_is_recorded_with_the_replies_to_programs(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     program, keys, path = (tmp_path / name for name in ("wait.c", "keys.txt", "run.mcap"))
@@ -254,7 +254,7 @@ def test_tables_are_written_as_parquet_and_arrow(recorded: Path, tmp_path: Path)
     assert len(list((tmp_path / "a").iterdir())) == 4
 
 
-def test_a_debugged_run_is_recorded_as_it_stands(
+def test_a_debugged_run_is_recorded_in_its_current_state(
     recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "debugged.mcap"
@@ -269,7 +269,7 @@ def test_a_debugged_run_is_recorded_as_it_stands(
     theirs.close()
 
 
-def test_what_was_changed_by_hand_is_recorded_and_done_again(
+def test_changes_by_the_user_are_recorded_and_repeated(
     recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     path, again = tmp_path / "changed.mcap", tmp_path / "again.mcap"

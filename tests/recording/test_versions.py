@@ -55,7 +55,7 @@ def record(folder: Path) -> Path:
     return path
 
 
-def test_a_recording_that_is_checked_in_is_of_todays_format_and_the_same_run(
+def test_a_checked_in_recording_has_the_current_format_and_is_the_same_run(
     tmp_path: Path, request: pytest.FixtureRequest, capfd: pytest.CaptureFixture[str]
 ) -> None:
     if request.config.getoption("--update-goldens"):
@@ -77,7 +77,7 @@ def test_a_recording_that_is_checked_in_is_of_todays_format_and_the_same_run(
     assert "the same run: 5 hashes agree, 1 of them of the complete state" in capfd.readouterr().out
 
 
-def test_a_recording_of_an_older_format_says_what_reads_it(
+def test_a_recording_of_an_older_format_names_the_version_that_reads_it(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     assert main(["replay", str(GOLDEN.with_name("drive_format_5.mcap"))]) == 120
@@ -101,7 +101,7 @@ def other_python() -> str:
     )
 
 
-def test_a_recording_of_this_python_is_verified_by_another_and_theirs_by_this(
+def test_recordings_are_verified_across_python_versions(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     python = other_python()

@@ -68,7 +68,7 @@ ANSWER: Final = np.dtype(
     ]
 )  # fmt: skip
 """An answer that is logged: answers with the same batch were given together. Recorders copy the
-first four fields as they are, see `recording/gathered_readings.py`."""
+first four fields as they are, see `recording/reading_buffer.py`."""
 FRAME: Final = 7
 """Numbers of a frame: x, y [m], heading, turret [rad]; x, y [m] and heading [rad] believed."""
 

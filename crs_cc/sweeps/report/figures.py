@@ -246,7 +246,7 @@ def field_map(sketch: FieldSketch, age_s: float, area: Area) -> str:
 
     def draw(axes: Axes) -> None:
         axes.grid(visible=False)
-        amounts = sketch.most_after(age_s) * shares
+        amounts = sketch.maximum_after(age_s) * shares
         image = axes.pcolormesh(x_m, y_m, amounts, cmap="magma_r", rasterized=True, vmin=0.0)
         _show_area(axes, area)
         _colour_bar(axes, image, sketch.name)

@@ -1,8 +1,8 @@
 """Frames as they are collected during a run: raw bytes, without computation.
 
-A timestep is copied from the environment's state. Of a passage of many timesteps, the session tells
-where the robots were in each; whatever else can move did not. What a second brings can be saved as
-it is here, and be gathered again from what was saved.
+A single timestep is copied from the environment's state. For a passage of many timesteps, the
+session passes the robots' poses in each; other objects have not moved. The new data of a second can
+be saved as it is, and loaded again.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ class Shape(NamedTuple):
     """The robots and objects in a frame.
 
     Attributes:
-        robots: how many robots.
-        objects: how many movable objects.
+        robots: the number of robots.
+        objects: the number of movable objects.
         has_turret: whether turrets are recorded.
     """
 
@@ -45,42 +45,42 @@ class Frames(NamedTuple):
     """Frames by time.
 
     Attributes:
-        times_ns: when, (k,).
-        poses: x, y [m], heading and turret [rad], NaN for who is absent, (k, columns, rows).
-        believed: where robots believe to be: x, y [m], heading [rad], (k, 3, robots).
+        times_ns: the times, (k,).
+        poses: x, y [m], heading and turret [rad], NaN for absent robots, (k, columns, rows).
+        odometry: x, y [m], heading [rad], (k, 3, robots).
     """
 
     times_ns: Int64Array
     poses: FloatArray
-    believed: FloatArray
+    odometry: FloatArray
 
     def of(self, rows: IndexArray | slice) -> Frames:
         """Return some of the frames."""
-        return Frames(self.times_ns[rows], self.poses[rows], self.believed[rows])
+        return Frames(self.times_ns[rows], self.poses[rows], self.odometry[rows])
 
 
-class GatheredFrames:
+class FrameBuffer:
     """The frames of one set of bodies.
 
     Attributes:
-        single: those that were copied from states.
-        heads: a row for each passage that is settled.
+        single: the frames that were copied from states.
+        heads: a row for each settled passage.
         passed: a row for each frame of such a passage.
     """
 
     def __init__(self, shape: Shape) -> None:
-        """Create one without frames."""
+        """Create an empty buffer."""
         self._shape = shape
         self._single, self._head = _single(shape), _head(shape)
         self.single = Columns(self._single.itemsize)
         self.heads = Columns(self._head.itemsize)
         self.passed = Columns(max(1, shape.robots * FRAME * 8))
         self._unsettled: list[tuple[_When, float, bytes, bytes]] = []  # that are not settled
-        self._in_passages = 0  # frames
+        self._passage_frames = 0  # frames
 
     def __len__(self) -> int:
         """Return the number of frames."""
-        return len(self.single) + len(self.passed) + self._in_passages
+        return len(self.single) + len(self.passed) + self._passage_frames
 
     def add(self, time_s: float, state: EnvState) -> None:
         """Copy a frame from a state."""
@@ -101,11 +101,11 @@ class GatheredFrames:
         """Copy frames of a passage.
 
         Args:
-            when: after how many timesteps the first of the frames is, how many there are from one
-                to the next, and the number of frames.
-            timestep_s: how long a timestep is.
-            poses: where the robots are and believe to be in each frame, `FRAME` each.
-            state: one of the passage.
+            when: the timestep of the first frame, the number of timesteps between frames, and the
+                number of frames.
+            timestep_s: the length of a timestep.
+            poses: the robots' true poses and odometry in each frame, `FRAME` each.
+            state: a state in the passage.
         """
         others = state.presence.present.tobytes()
         if self._shape.objects:
@@ -113,7 +113,7 @@ class GatheredFrames:
             position, angle = bodies.position_m[robots:], bodies.angle_rad[robots:]
             others = position.tobytes() + angle.tobytes() + others
         self._unsettled.append((when, timestep_s, others, poses))
-        self._in_passages += when[2]
+        self._passage_frames += when[2]
 
     def settle(self) -> None:
         """Move the passages to `heads` and `passed`."""
@@ -121,7 +121,7 @@ class GatheredFrames:
             heads = [_HEAD.pack(*when, each_s) + rest for when, each_s, rest, _ in self._unsettled]
             self.heads.append(b"".join(heads))
             self.passed.append(b"".join([poses for *_, poses in self._unsettled]))
-            self._unsettled, self._in_passages = [], 0
+            self._unsettled, self._passage_frames = [], 0
 
     def frames(self) -> Frames:
         """Return all frames; raise ValueError if they are not valid."""
@@ -137,14 +137,14 @@ class GatheredFrames:
     def _singles(self) -> Frames:
         rows = np.frombuffer(self.single.content()[0], self._single)
         robots = self._shape.robots
-        poses = self._nowhere(len(rows))
+        poses = self._empty_poses(len(rows))
         poses[:, :2] = rows["position_m"].swapaxes(1, 2)
         poses[:, 2] = rows["angle_rad"]
         poses[:, 2, :robots] = rows["heading_rad"]
         if self._shape.has_turret:
             poses[:, 3, :robots] = rows["turret_rad"]
-        _leave_out(poses, rows["present"])
-        return Frames(_times_ns(rows["time_s"]), poses, rows["believed"].copy())
+        _mark_absent(poses, rows["present"])
+        return Frames(_times_ns(rows["time_s"]), poses, rows["odometry"].copy())
 
     def _passages(self) -> Frames:
         robots = self._shape.robots
@@ -156,21 +156,21 @@ class GatheredFrames:
         passage = np.repeat(np.arange(len(heads)), counts)
         number = np.arange(len(rows)) - np.repeat(np.cumsum(counts) - counts, counts)
         after = heads["first"][passage] + number * heads["step"][passage]
-        poses = self._nowhere(len(rows))
+        poses = self._empty_poses(len(rows))
         poses[:, :, :robots] = rows[:, :, : poses.shape[1]].swapaxes(1, 2)
         poses[:, :2, robots:] = heads["position_m"][passage].swapaxes(1, 2)
         poses[:, 2, robots:] = heads["angle_rad"][passage]
-        _leave_out(poses, heads["present"][passage])
+        _mark_absent(poses, heads["present"][passage])
         times_ns = _times_ns(after * heads["timestep_s"][passage])
         return Frames(times_ns, poses, np.ascontiguousarray(rows[:, :, 4:].swapaxes(1, 2)))
 
-    def _nowhere(self, count: int) -> FloatArray:
+    def _empty_poses(self, count: int) -> FloatArray:
         columns = 4 if self._shape.has_turret else 3
         return np.zeros((count, columns, self._shape.robots + self._shape.objects))
 
 
 def _single(shape: Shape) -> np.dtype[np.void]:
-    """Return what a frame is that was copied from a state."""
+    """Return the layout of a frame that was copied from a state."""
     robots, bodies = shape.robots, shape.robots + shape.objects
     return np.dtype(
         [
@@ -179,14 +179,14 @@ def _single(shape: Shape) -> np.dtype[np.void]:
             ("angle_rad", "<f8", (bodies,)),
             ("heading_rad", "<f8", (robots,)),
             ("turret_rad", "<f8", (robots if shape.has_turret else 0,)),
-            ("believed", "<f8", (3, robots)),
+            ("odometry", "<f8", (3, robots)),
             ("present", "?", (robots,)),
         ]
     )
 
 
 def _head(shape: Shape) -> np.dtype[np.void]:
-    """Return what is kept once of a passage."""
+    """Return the layout of the data that is stored once for a passage."""
     return np.dtype(
         [
             ("first", "<i8"),
@@ -200,14 +200,14 @@ def _head(shape: Shape) -> np.dtype[np.void]:
     )
 
 
-def _leave_out(poses: FloatArray, present: BoolArray) -> None:
+def _mark_absent(poses: FloatArray, present: BoolArray) -> None:
     """Make the poses of robots that are not in the world NaN."""
     if not present.all():
         poses.swapaxes(1, 2)[:, : present.shape[1]][~present] = np.nan
 
 
 def _times_ns(times_s: FloatArray) -> Int64Array:
-    """Return times as they are in a recording, see `mcap_records.ns`; raise ValueError if wrong."""
+    """Return times in the unit of recordings, see `mcap_records.ns`; raise ValueError if wrong."""
     if not ((times_s >= 0.0) & (times_s < ENDLESS_S)).all():
         raise ValueError("the time of a frame is not valid")
     return np.rint(times_s * NS).astype(np.int64)

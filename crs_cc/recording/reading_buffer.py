@@ -19,30 +19,32 @@ if TYPE_CHECKING:
 ANSWER: Final = np.dtype(
     [("clock_s", "<f8"), ("code", "<i4"), ("robot", "<i4"), ("state", "<i4", (STATE,))]
 )
-"""What is kept of an answer in a passage of timesteps: the first fields of it."""
+"""The stored part of an answer in a passage of timesteps: its first fields."""
 
 _CODE: Final = 4  # bytes
 _VECTOR: Final = 4 * STATE
 
 
-class GatheredReadings:
+class ReadingBuffer:
     """Answers with a `State` vector.
 
     Attributes:
-        count: how many.
-        single: code, robot, clock [s] and vector of the answers of single timesteps.
-        passed: those of passages of timesteps, once they are settled.
+        count: their number.
+        single: code, robot, clock [s] and vector of the answers in single timesteps.
+        passed: the answers in settled passages of timesteps.
     """
 
     def __init__(self) -> None:
-        """Create one without readings."""
+        """Create an empty buffer."""
         self.count = 0
         self.single = Columns(_CODE, 8, 8, _VECTOR)
         self.passed = Columns(ANSWER.itemsize)
-        self._logged: list[tuple[int, bytes]] = []  # of passages after those; singles before each
+        self._logged: list[
+            tuple[int, bytes]
+        ] = []  # of later passages, each after a number of singles
 
     def add(self, answers: Iterable[Served]) -> None:
-        """Add answers, of which those without vectors are left out."""
+        """Add those answers that have vectors."""
         codes, robots, clocks, vectors = self.single.content()
         for each in answers:
             states = each.states
@@ -68,7 +70,7 @@ class GatheredReadings:
     def rows(self) -> tuple[int, Readings]:
         """Return the answers, at least one, and a time not after any of them [ns].
 
-        Their order does not depend on what was settled when.
+        Their order does not depend on when passages were settled.
 
         Raises:
             ValueError: they are not valid.

@@ -10,18 +10,24 @@ import numpy as np
 import pytest
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.recording import beliefs, frames, gathered_readings, topics
-from crs_cc.recording.beliefs import BeliefDecoder
+from crs_cc.recording import frames, odometry, reading_buffer, topics
 from crs_cc.recording.block import Block
-from crs_cc.recording.courses import Course
 from crs_cc.recording.description import RunDescription
+from crs_cc.recording.frame_buffer import Shape
 from crs_cc.recording.frame_reader import FrameReader
-from crs_cc.recording.frames import whole_numbers
-from crs_cc.recording.gathered import Shape
+from crs_cc.recording.frames import quantized
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_records import Message
 from crs_cc.recording.mcap_writer import MAX_CHUNK, McapWriter
-from crs_cc.recording.readings import PLACE, STATE, ReadingDecoder, ReadingEncoder, Readings
+from crs_cc.recording.odometry import OdometryDecoder
+from crs_cc.recording.odometry_prediction import OdometryPrediction
+from crs_cc.recording.readings import (
+    ODOMETRY_ELEMENTS,
+    STATE,
+    ReadingDecoder,
+    ReadingEncoder,
+    Readings,
+)
 from crs_cc.recording.recorder import Recorder, RecorderOptions
 from crs_cc.recording.recording import Recording
 from crs_cc.session.build import build_executable
@@ -71,61 +77,63 @@ def walk(robots: int, count: int) -> tuple[np.ndarray, np.ndarray]:
     true[:, 0, :robots] = 5.0 + np.cumsum(speed * np.cos(heading), axis=0)
     true[:, 1, :robots] = np.cumsum(speed * np.sin(heading), axis=0)
     true[:, 2, :robots] = (heading + np.pi) % (2 * np.pi) - np.pi
-    believed = true[:, :3, :robots] + random.normal(0.0, 0.002, (count, 3, robots))
-    believed[count // 2 :, :, 1] = [7.0, -8.0, 3.0]
+    estimates = true[:, :3, :robots] + random.normal(0.0, 0.002, (count, 3, robots))
+    estimates[count // 2 :, :, 1] = [7.0, -8.0, 3.0]
     true[5 : count // 3, :, 0] = np.nan
-    return true, believed
+    return true, estimates
 
 
 @pytest.mark.parametrize("largest", [frames.MAX_GROUP, 0])
-def test_beliefs_are_exact_to_a_tenth_of_a_millimetre(
+def test_odometry_is_exact_to_a_tenth_of_a_millimetre(
     largest: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(frames, "MAX_GROUP", largest)
-    true, believed = walk(3, 40)
+    true, estimates = walk(3, 40)
     times_ns = [50_000_000 * number for number in range(40)]
-    made = beliefs.messages(times_ns, believed, true)
+    made = odometry.messages(times_ns, estimates, true)
     assert len(made) == (1 if largest else 40)
-    decoder = BeliefDecoder()
+    decoder = OdometryDecoder()
     for time_ns, values in zip(times_ns, true, strict=True):
         decoder.note(time_ns, values)
     found = [each for time_ns, data in made for each in decoder.frames(time_ns, data)]
     assert [time_ns for time_ns, _ in found] == times_ns
-    np.testing.assert_allclose([values for _, values in found], believed, atol=0.5001e-4)
+    np.testing.assert_allclose([values for _, values in found], estimates, atol=0.5001e-4)
 
 
-def test_what_follows_from_the_motion_takes_nearly_nothing() -> None:
+def test_odometry_that_follows_the_motion_takes_nearly_no_space() -> None:
     true, _ = walk(3, 40)
     true[5:13, :, 0] = true[4, :, 0]
     turn = np.array([1.0, -2.0, 0.0])
     cos, sin = np.cos(turn), np.sin(turn)
     x, y = true[:, 0, :3], true[:, 1, :3]
     heading = np.unwrap(true[:, 2, :3], axis=0) + turn
-    believed = np.stack([x * cos - y * sin, x * sin + y * cos, heading], axis=1)
-    ((_, data),) = beliefs.messages(range(40), believed, true)
+    estimates = np.stack([x * cos - y * sin, x * sin + y * cos, heading], axis=1)
+    ((_, data),) = odometry.messages(range(40), estimates, true)
     _, steps = frames.group_in(data)
     off = steps[1:].view(np.int32)
     assert np.abs(off[:, :2]).max() <= 2  # rounding
     assert np.abs(off[:, 2]).max() <= 1  # a full turn is no whole number
 
 
-def test_beliefs_without_the_frames_that_they_depend_on_are_refused() -> None:
-    true, believed = walk(2, 3)
-    ((time_ns, data),) = beliefs.messages([1, 2, 3], believed, true)
-    decoder = BeliefDecoder()
+def test_odometry_without_the_frames_that_it_depends_on_is_rejected() -> None:
+    true, estimates = walk(2, 3)
+    ((time_ns, data),) = odometry.messages([1, 2, 3], estimates, true)
+    decoder = OdometryDecoder()
     decoder.note(1, true[0])
     with pytest.raises(ValueError, match="is missing"):
         list(decoder.frames(time_ns, data))
 
 
-def course() -> Course:
-    true, believed = walk(3, 40)
+def prediction() -> OdometryPrediction:
+    true, estimates = walk(3, 40)
     times_ns, known = np.arange(40) * 50_000_000, slice(2, None, 5)
-    return Course(times_ns, whole_numbers(true), times_ns[known], whole_numbers(believed[known]))
+    return OdometryPrediction(
+        times_ns, quantized(true), times_ns[known], quantized(estimates[known])
+    )
 
 
-def test_readings_are_exact_whatever_the_frames_say() -> None:
-    random, expected = np.random.default_rng(9), course()
+def test_readings_are_exact_for_any_frames() -> None:
+    random, expected = np.random.default_rng(9), prediction()
     states = random.integers(-(2**31), 2**31, (300, STATE)).astype(np.int32)
     robots = random.integers(0, 5, 300)  # of which the frames have three
     clock_s = np.sort(random.uniform(0.0, 4.0, 300))
@@ -138,22 +146,22 @@ def test_readings_are_exact_whatever_the_frames_say() -> None:
         ReadingDecoder().decode(data, 0)
 
 
-def test_readings_of_what_odometry_says_take_a_bit_each() -> None:
-    expected, rows = course(), 800
+def test_predicted_odometry_in_readings_takes_one_bit() -> None:
+    expected, rows = prediction(), 800
     robots, times_us = np.zeros(rows, np.intp) + 2, np.arange(rows) * 2000
     states = np.zeros((rows, STATE), np.int32)
-    states[:, PLACE] = expected.at(robots, times_us).T
+    states[:, ODOMETRY_ELEMENTS] = expected.at(robots, times_us).T
     meant = Readings(np.ones(rows, np.int64), robots, times_us / 1e6, states)
     alone, told = (ReadingEncoder().encode(meant, 0, each) for each in (None, expected))
     assert len(alone) - len(told) > 2 * rows
 
 
-def test_a_frame_at_the_time_of_another_takes_its_place() -> None:
+def test_a_frame_replaces_an_earlier_one_at_the_same_time() -> None:
     """A robot that is moved by hand between two timesteps has two frames at the same time."""
-    true, believed = walk(2, 12)
+    true, estimates = walk(2, 12)
     true[:, :, 0] = true[0, :, 0]
     block = Block(0.0, Shape(2, 0, has_turret=False))
-    poses = np.concatenate([true[:, :, :2].swapaxes(1, 2), believed.swapaxes(1, 2)], axis=2)
+    poses = np.concatenate([true[:, :, :2].swapaxes(1, 2), estimates.swapaxes(1, 2)], axis=2)
     state = SimpleNamespace(presence=SimpleNamespace(present=np.ones(2, np.bool_)))
     for first, step, rows in ((0, 1, poses[:6]), (5, 1, poses[6:])):  # 5 is there twice
         when = first, step, len(rows)
@@ -161,10 +169,10 @@ def test_a_frame_at_the_time_of_another_takes_its_place() -> None:
     reader = FrameReader(topics.ODOMETRY.topic)
     made = [Message(channel.topic, at, data) for channel, at, data in block.messages(ENCODER)]
     found = [values for message in made for _, values in reader.frames(message)]
-    np.testing.assert_allclose(found, believed[[0, 5, 10]], atol=0.5001e-4)
+    np.testing.assert_allclose(found, estimates[[0, 5, 10]], atol=0.5001e-4)
 
 
-def test_what_belongs_together_is_one_chunk(tmp_path: Path) -> None:
+def test_messages_that_depend_on_each_other_are_in_one_chunk(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     with path.open("wb") as file:
         writer = McapWriter(file)
@@ -178,14 +186,14 @@ def test_what_belongs_together_is_one_chunk(tmp_path: Path) -> None:
     reader.close()
 
 
-def test_an_answer_of_the_kernel_begins_as_one_that_is_kept() -> None:
-    for name in gathered_readings.ANSWER.names or ():
+def test_answers_of_the_kernel_begin_with_the_stored_fields() -> None:
+    for name in reading_buffer.ANSWER.names or ():
         assert calm.ANSWER.fields is not None
-        assert gathered_readings.ANSWER.fields is not None
-        assert calm.ANSWER.fields[name] == gathered_readings.ANSWER.fields[name]
+        assert reading_buffer.ANSWER.fields is not None
+        assert calm.ANSWER.fields[name] == reading_buffer.ANSWER.fields[name]
 
 
-def test_a_run_is_recorded_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_recording_matches_the_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Odometry and readings of a run with slip, and a program that moves the frame of odometry."""
     monkeypatch.setattr("crs_cc.recording.recording_file.BLOCK_S", 7.0)
     (tmp_path / "drive.c").write_text(PROGRAM)
@@ -216,12 +224,12 @@ def test_a_run_is_recorded_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyP
     recorder.finish(session.result())
     recording = Recording(path)
     assert len(recording.mcap.chunks) > 2
-    believed = list(recording.frames(topic=topics.ODOMETRY.topic))
-    assert len(believed) > 50
-    for frame in believed[1:]:
+    estimates = list(recording.frames(topic=topics.ODOMETRY.topic))
+    assert len(estimates) > 50
+    for frame in estimates[1:]:
         np.testing.assert_allclose(frame.values, seen[frame.time_ns], atol=0.5001e-4)
     later = list(recording.frames(9_900_000_000, topic=topics.ODOMETRY.topic))
-    np.testing.assert_array_equal(later[-1].values, believed[-1].values)
+    np.testing.assert_array_equal(later[-1].values, estimates[-1].values)
     read = list(recording.readings())
     for robot in range(2):
         found = np.concatenate([each.states[each.robots == robot] for each in read])
