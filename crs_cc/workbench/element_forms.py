@@ -18,7 +18,7 @@ MAX_SHOWN: Final = 100
 _HOMES: Final = ("surface", "communication", "goal")
 """Elements of a world that come with what is in them."""
 
-_DEFAULT: Final = re.compile(r"Default: ([^.,:;]+)")
+_DEFAULT: Final = re.compile(r"(?:Default:|If it is omitted,) ([^.,:;]+)")
 
 _LISTED: Final = ("world", "robot-definition", "definitions", "surface", "communication")
 """Elements whose contents are elements of the list."""
@@ -68,10 +68,12 @@ def _filled(schema: str, node: Node) -> dict[str, Any]:
 
 
 def _said_default(text: str) -> str | None:
-    """Return the default that a help text names, if the schema has none.
+    """Return what a help text says of a missing attribute, if the schema has no default.
 
     >>> _said_default("Colour seen by cameras. Default: grey.")
     'grey'
+    >>> _said_default("Mass. If it is omitted, the object is fixed: nothing moves it.")
+    'the object is fixed'
     """
     said = _DEFAULT.search(text)
     return said and said[1]

@@ -100,12 +100,12 @@ class Schema:
         if description:
             yield description
         if children:
-            names = [f"`<{child.get('name')}>`{_repeated(child)}" for child in children]
+            names = [f"`<{child.get('name')}>{_repeated(child)}`" for child in children]
             devices = [n for n, each in zip(names, children, strict=True) if _is_device(each)]
             others = [name for name in dict.fromkeys(names) if name not in devices]
             if devices:
                 yield f"Devices, in any order: {', '.join(devices)}."
-            yield f"Contains: {', '.join(others)}."
+            yield f"Contains{' one of' if _is_choice(content) else ''}: {', '.join(others)}."
         rows = [self._attribute(each) for each in attributes]
         rows += [
             self._row(each, each.get("minOccurs") != "0", "<{}>")
@@ -161,6 +161,11 @@ def documentation(node: etree._Element) -> str:
 def _is_device(child: etree._Element) -> bool:
     choice = child.getparent()
     return choice is not None and choice.get("id") == "devices"
+
+
+def _is_choice(content: etree._Element) -> bool:
+    choice = content.find(f"{XS}choice")
+    return choice is not None and "maxOccurs" not in choice.attrib
 
 
 def _repeated(child: etree._Element) -> str:

@@ -458,7 +458,7 @@ def the_line_below_and_the_list_of_keys_say_what_to_do(hand: Hand) -> None:
     offered = "[...document.querySelector('[aria-label=program]').list.options][0].value"
     assert hand.page.evaluate(offered) == "go.c"
     hand.page.hover("[aria-label=mass], [aria-label=heat]")
-    said.get_by_text("Heat at the start; 0 for none.").wait_for()
+    said.get_by_text("Heat at the start of the run; 0 for none.").wait_for()
     assert hand.page.locator(".property:has([aria-label=heat])").inner_text() == "heat no unit"
     hand.page.locator("canvas").first.focus()
     hand.press("Escape", "Escape", "?")

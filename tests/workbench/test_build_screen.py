@@ -136,7 +136,11 @@ def test_programs_beside_the_world_are_offered_and_warm_things_are_known(
     assert (shape["heat"], shape["spread"]) == (5.0, 1.0)
     rows = ask(screen, "properties", "view", name="sledge")["rows"]
     usual = {row["name"]: row["default"] for row in rows}
-    assert (usual["mass"], usual["colour"], usual["heading"]) == ("fixed", "grey", "0")
+    assert (usual["mass"], usual["colour"], usual["heading"]) == (
+        "the object is fixed",
+        "grey",
+        "0",
+    )
     ask(screen, "undo")
 
 

@@ -102,7 +102,7 @@ def number_sensor(
             `<NAME>`; also its name in degradations.
         title: its title in the docs, such as `Inclinometer`.
         element: its element in robot definitions.
-        summary: one sentence for the schema, before the C function that reads it.
+        summary: one sentence for the schema, without its full stop; the C function is added.
         does: description of its C function, for the docs of `crs.h`: `measures ...`.
         model: the dataclass of its constants, whose fields are made by `attribute`, `rate` and
             `period`; it has `rate_hz` and `period_s`, and may have a standard deviation `noise_m`
@@ -152,7 +152,7 @@ def number_sensor(
         name=name,
         title=title,
         element=element,
-        summary=f"{summary}: crs_{name}() of crs.h.",
+        summary=f"{summary}; programs read it with crs_{name}() (crs.h).",
         model=model,
         state=lambda models: Readings.never(len(models), len(values)),
         install=install,

@@ -80,7 +80,7 @@ def _restrict(attribute: etree._Element, row: Attribute) -> None:
         etree.SubElement(bounded, f"{_XS}minLength", value="1")
         etree.SubElement(bounded, f"{_XS}maxLength", value=str(row.values.most))
     elif isinstance(row.values, Fraction):
-        attribute.set("type", "share" if row.values.positive else "probability")
+        attribute.set("type", "positive-fraction" if row.values.positive else "fraction")
     else:
         attribute.set("type", "quantity")
 

@@ -60,10 +60,10 @@ class Antennae:
     )
     apart_rad: float = attribute("apart", ANGLE, "40deg", "Angle between neighbouring antennae.")
     threshold: float = attribute(
-        "threshold", AMOUNT, "0", "Smallest amount detected; smaller ones read 0."
+        "threshold", AMOUNT, "0", "Smallest amount that is detected; smaller amounts read as 0."
     )
     noise: float = attribute(
-        "noise", FRACTION, "0", "Standard deviation of a reading, as a fraction of it."
+        "noise", FRACTION, "0", "Standard deviation of a reading, as a fraction of the reading."
     )
     rate_hz: float = rate("50Hz")
     period_s: float = period()
@@ -188,7 +188,8 @@ DEVICE = Device(
     name="antennae",
     title="Antennae",
     element="antennae",
-    summary="Antennae that smell pheromone fields: crs_smell() and crs_smell_gradient() of crs.h.",
+    summary="Antennae that detect pheromone fields; programs read them with crs_smell() and"
+    " crs_smell_gradient() (crs.h).",
     model=Antennae,
     state=lambda models: Readings.never(len(models), _WIDTH),
     install=lambda row, world, seed, _log: _AllAntennae(row, world, seed).installed(),

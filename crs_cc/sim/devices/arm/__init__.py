@@ -227,8 +227,8 @@ DEVICE = Device(
     name="arm",
     title="Arm",
     element="arm",
-    summary="Two links that rotate in a plane above all objects, with a hand at the end:"
-    " crs_arm_move() and crs_hand() of crs.h.",
+    summary="Two links that rotate in a plane above all objects, with a hand at the end;"
+    " programs control them with crs_arm_move() and crs_hand() (crs.h).",
     model=Arm,
     read=read,
     state=ArmState.at_start,

@@ -27,7 +27,9 @@ class Arm:
     x_m: float = attribute(
         "x", LENGTH, "0m", "Position of the shoulder, forward of the robot's centre.", signed=True
     )
-    y_m: float = attribute("y", LENGTH, "0m", "Position to the left of the centre.", signed=True)
+    y_m: float = attribute(
+        "y", LENGTH, "0m", "Position of the shoulder, left of the robot's centre.", signed=True
+    )
     upper_m: float = attribute(
         "upper", LENGTH, "25cm", "Length of the link from shoulder to elbow.", positive=True
     )
@@ -35,29 +37,36 @@ class Arm:
         "fore", LENGTH, "25cm", "Length of the link from elbow to tip.", positive=True
     )
     shoulder_least_rad: float = attribute(
-        "shoulder-min", ANGLE, "-135deg", "Clockwise limit, from straight ahead.", signed=True
+        "shoulder-min",
+        ANGLE,
+        "-135deg",
+        "Clockwise limit of the shoulder, measured from straight ahead.",
+        signed=True,
     )
     shoulder_most_rad: float = attribute(
-        "shoulder-max", ANGLE, "135deg", "Counter-clockwise limit.", signed=True
+        "shoulder-max", ANGLE, "135deg", "Counter-clockwise limit of the shoulder.", signed=True
     )
     shoulder_radps: float = attribute(
-        "shoulder-speed", TURN_RATE, "60deg/s", "Angular speed.", positive=True
+        "shoulder-speed", TURN_RATE, "60deg/s", "Angular speed of the shoulder.", positive=True
     )
     elbow_least_rad: float = attribute(
-        "elbow-min", ANGLE, "-135deg", "Clockwise limit, from the direction of the upper link.",
+        "elbow-min", ANGLE, "-135deg",
+        "Clockwise limit of the elbow, measured from the direction of the upper link.",
         signed=True,
     )  # fmt: skip
     elbow_most_rad: float = attribute(
-        "elbow-max", ANGLE, "135deg", "Counter-clockwise limit.", signed=True
+        "elbow-max", ANGLE, "135deg", "Counter-clockwise limit of the elbow.", signed=True
     )
     elbow_radps: float = attribute(
-        "elbow-speed", TURN_RATE, "90deg/s", "Angular speed.", positive=True
+        "elbow-speed", TURN_RATE, "90deg/s", "Angular speed of the elbow.", positive=True
     )
     hand_m: float = attribute(
         "hand", LENGTH, "5cm", "Distance from the tip within which the hand can grasp objects.",
         positive=True,
     )  # fmt: skip
-    most_kg: float = attribute("max-mass", MASS, "1kg", "Maximum mass of an object.", positive=True)
+    most_kg: float = attribute(
+        "max-mass", MASS, "1kg", "Maximum mass of an object that the hand can hold.", positive=True
+    )
 
 
 def read(root: Element, reader: Reader) -> Arm | None:

@@ -34,15 +34,15 @@ class MotorBattery(Battery):
     friction_n: float = attribute("friction", FORCE, "0N", "Friction of a turning wheel.")
     efficiency: float = attribute(
         "efficiency", SHARE, "1",
-        "Fraction of the energy for friction and acceleration that reaches the wheels.",
+        "Fraction of the energy drawn for friction and acceleration that reaches the wheels.",
     )  # fmt: skip
     stall_w: float = attribute("stall", POWER, "0W", "Additional power while the robot is blocked.")
     cutoff_v: float = attribute(
-        "cutoff", VOLTAGE, "0V", "Voltage below which the motors have no force."
+        "cutoff", VOLTAGE, "0V", "Voltage below which the motors exert no force."
     )
     is_in_status: bool = attribute(
         "in-status", Choice((("yes", True), ("no", False))), "no",
-        "Whether bits 2 and 3 of State[41] report the charge: 0 low, 1 medium, 2 high.",
+        "Whether bits 2 and 3 of State[41] report the charge: 0 for low, 1 for medium, 2 for high.",
     )  # fmt: skip
 
 

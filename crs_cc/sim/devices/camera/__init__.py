@@ -81,9 +81,11 @@ class Camera:
         "columns", Count(1, MAX_COLUMNS), "160", f"Number of pixels in the row, 1 to {MAX_COLUMNS}."
     )
     field_of_view_rad: float = range_scan.field_of_view("60deg")
-    range_m: float = attribute("range", LENGTH, "10m", "Range.", positive=True)
+    range_m: float = attribute("range", LENGTH, "10m", "Maximum distance measured.", positive=True)
     x_m: float = range_scan.forward()
-    y_m: float = attribute("left", LENGTH, "0m", "Position to the left of the centre.", signed=True)
+    y_m: float = attribute(
+        "left", LENGTH, "0m", "Position, left of the centre of the turret.", signed=True
+    )
     direction_rad: float = attribute(
         "direction", ANGLE, "0deg", "Direction, counter-clockwise from the front.", signed=True
     )
@@ -283,8 +285,8 @@ DEVICE = Device(
     name="camera",
     title="Camera",
     element="camera",
-    summary="A camera on the turret (or the body) that measures one row of colours and ranges:"
-    " crs_camera() and crs_blobs() of crs.h.",
+    summary="A camera on the turret (or the body) that measures one row of colours and ranges;"
+    " programs read it with crs_camera() and crs_blobs() (crs.h).",
     model=Camera,
     read=read,
     state=state_at_start,

@@ -40,7 +40,10 @@ class Carrier:
     """A carrier."""
 
     capacity: int = attribute(
-        "capacity", Count(1, _MAX_ITEMS), "1", f"Number of items that it holds, 1 to {_MAX_ITEMS}."
+        "capacity",
+        Count(1, _MAX_ITEMS),
+        "1",
+        f"Maximum number of items that the robot carries, 1 to {_MAX_ITEMS}.",
     )
 
 
@@ -145,7 +148,8 @@ DEVICE = Device(
     name="carrier",
     title="Carrier",
     element="carrier",
-    summary="Carries items from sources to nests: crs_take() and crs_drop() of crs.h.",
+    summary="Carries items from sources to nests; programs use it with crs_take() and crs_drop()"
+    " (crs.h).",
     model=Carrier,
     state=CarrierState.at_start,
     install=install,

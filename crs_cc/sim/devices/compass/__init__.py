@@ -75,7 +75,8 @@ class Compass:
     )  # fmt: skip
     deviation_rad: float = attribute(
         "deviation", ANGLE, "0deg",
-        "Maximum error caused by iron on the robot, before the program calls conf_cp(2).",
+        "Maximum error caused by iron on the robot, until the program calibrates the compass with"
+        " conf_cp(2).",
     )  # fmt: skip
     calibration_s: float = attribute(
         "calibration", TIME, "180s", "Duration of the calibration, one turn of the turret.",
@@ -85,7 +86,7 @@ class Compass:
     noise_rad: float = attribute("noise", ANGLE, "0deg", "Standard deviation of a reading.")
     is_on: bool = attribute(
         "on", Choice((("yes", True), ("no", False))), "no",
-        "Whether it is switched on before the program calls conf_cp().",
+        "Whether the compass is on until the program changes this with conf_cp().",
     )  # fmt: skip
     period_s: float = period()
 

@@ -46,7 +46,7 @@ class Gland:
     """A gland."""
 
     most: float = attribute(
-        "most", AMOUNT, "1000", "Largest amount of a deposit, and of a trail per metre.",
+        "most", AMOUNT, "1000", "Maximum amount per deposit, and per metre of trail.",
         positive=True,
     )  # fmt: skip
 
@@ -182,7 +182,8 @@ DEVICE = Device(
     name="gland",
     title="Gland",
     element="gland",
-    summary="A gland for pheromone fields: crs_deposit() and crs_lay_trail() of crs.h.",
+    summary="A gland that deposits pheromone; programs use it with crs_deposit() and"
+    " crs_lay_trail() (crs.h).",
     model=Gland,
     state=GlandState.at_start,
     install=install,

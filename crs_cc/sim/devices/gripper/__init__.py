@@ -239,8 +239,8 @@ DEVICE = Device(
     name="gripper",
     title="Gripper",
     element="gripper",
-    summary="Two fingers in front of the robot that grip and carry objects: crs_gripper() of"
-    " crs.h.",
+    summary="Two fingers in front of the robot that grip and carry objects; programs control them"
+    " with crs_gripper() (crs.h).",
     model=Gripper,
     read=read,
     state=GripperState.at_start,

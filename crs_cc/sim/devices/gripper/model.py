@@ -26,9 +26,19 @@ class Gripper:
         "opening", LENGTH, "20cm", "Distance between the open fingers.", positive=True
     )
     closing_s: float = attribute(
-        "closing", TIME, "1s", "Time to close or open completely.", positive=True
+        "closing",
+        TIME,
+        "1s",
+        "Time that the fingers take to close or open completely.",
+        positive=True,
     )
-    most_kg: float = attribute("max-mass", MASS, "2kg", "Maximum mass of an object.", positive=True)
+    most_kg: float = attribute(
+        "max-mass",
+        MASS,
+        "2kg",
+        "Maximum mass of an object that the gripper can hold.",
+        positive=True,
+    )
     force_n: float = attribute(
         "force", FORCE, "100N", "Maximum force on an object that other grippers also hold.",
         positive=True,

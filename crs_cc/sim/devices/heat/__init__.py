@@ -44,7 +44,9 @@ if TYPE_CHECKING:
 class Heat:
     """A heat sensor and a tagging device, which removes heat."""
 
-    range_m: float = attribute("range", LENGTH, None, "Range, from the centre of the robot.")
+    range_m: float = attribute(
+        "range", LENGTH, None, "Range, measured from the centre of the robot."
+    )
     tag_range_m: float = attribute(
         "tag-range", LENGTH, "", "Range of tagTarget(). Default: the range of the sensor."
     )
@@ -117,7 +119,8 @@ DEVICE = Device(
     name="heat",
     title="Heat sensor",
     element="heat",
-    summary="An omnidirectional heat sensor: heatSensorCheck() and tagTarget() of the CRS report.",
+    summary="An omnidirectional heat sensor; programs use it with heatSensorCheck() and tagTarget()"
+    " (CRS report), or crs_heat() and crs_tag() (crs.h).",
     model=Heat,
     read=read,
     state=lambda models: Readings.never(len(models), 1),

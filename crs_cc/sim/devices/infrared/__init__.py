@@ -84,7 +84,7 @@ class Infrared:
 
     step_m: float = attribute(
         "step", LENGTH, None,
-        "Distance to a white surface that corresponds to one unit of the reading; the largest "
+        "Distance to a white surface that corresponds to one unit of the reading; the maximum "
         "reading is 15.",
         positive=True,
     )  # fmt: skip
@@ -94,12 +94,12 @@ class Infrared:
     noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation of a distance.")
     history: int = attribute(
         "history", Count(0, _TENTHS), "0",
-        "Tenths of a reading that carry over to the next, 0 to 10, before the program calls"
-        " conf_ir().",
+        "Weight of the previous reading in the next one, in tenths, 0 to 10, until the program"
+        " changes it with conf_ir().",
     )  # fmt: skip
     order: tuple[int, ...] = attribute(
         "order", Numbers(MAX_INFRARED), _ALL,
-        "Active sensors before the program calls conf_ir().",
+        "Active sensors until the program changes them with conf_ir().",
     )  # fmt: skip
     z_m: float = range_scan.height("20cm")
     period_s: float = period()
@@ -378,7 +378,7 @@ DEVICE = Device(
     title="Infrared ring",
     element="infrared",
     summary="Sixteen infrared sensors on the shell of the turret (or the body), 22.5 degrees apart,"
-    " number 0 at the front, counter-clockwise.",
+    " numbered counter-clockwise from 0 at the front.",
     model=Infrared,
     read=read,
     state=_at_start,

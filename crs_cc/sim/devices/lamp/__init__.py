@@ -81,7 +81,8 @@ DEVICE = Device(
     name="lamp",
     title="Lamp",
     element="lamp",
-    summary="A lamp that light sensors of other robots detect: crs_light() of crs.h.",
+    summary="A lamp that light sensors of other robots detect; programs control it with crs_light()"
+    " (crs.h).",
     model=Lamp,
     state=lambda models: LampState(np.zeros(len(models))),
     install=install,

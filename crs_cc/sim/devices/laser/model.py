@@ -45,7 +45,7 @@ class Laser:
         "points", Count(1, NUM_LASER), "482", f"Maximum number of points, 1 to {NUM_LASER}."
     )
     field_of_view_rad: float = range_scan.field_of_view(None)
-    range_m: float = attribute("range", LENGTH, None, "Range.", positive=True)
+    range_m: float = attribute("range", LENGTH, None, "Maximum distance measured.", positive=True)
     forward_m: float = range_scan.forward()
     rate_hz: float = rate("30Hz")
     noise_m: float = attribute(
@@ -54,7 +54,8 @@ class Laser:
     )  # fmt: skip
     mode: int = attribute(
         "mode", Choice(tuple((str(mode), mode) for mode in (0, 1, 19, 33, 51))), "0",
-        "The vendor's mode before the program calls conf_ls(): 0 off, 51 points, 33 segments.",
+        "The vendor's mode until the program changes it with conf_ls(): 0 for off, 19 or 51 for"
+        " points, 1 or 33 for segments.",
     )  # fmt: skip
     z_m: float = range_scan.height()
     period_s: float = period()

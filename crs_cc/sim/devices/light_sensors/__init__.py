@@ -50,17 +50,17 @@ class LightSensors:
 
     number: int = attribute(
         "number", Count(1, _MAX), "8",
-        f"Number of sensors, 1 to {_MAX}, at equal angles, counter-clockwise.",
+        f"Number of sensors, 1 to {_MAX}, equally spaced and numbered counter-clockwise.",
     )  # fmt: skip
     first_rad: float = attribute(
         "first", ANGLE, "0deg", "Direction of the first sensor, counter-clockwise from the front.",
         signed=True,
     )  # fmt: skip
     range_m: float = attribute(
-        "range", LENGTH, "10m", "Maximum distance of a light.", positive=True
+        "range", LENGTH, "10m", "Maximum distance at which a light is detected.", positive=True
     )
     noise: float = attribute(
-        "noise", FRACTION, "0", "Standard deviation of a reading, as a fraction of it."
+        "noise", FRACTION, "0", "Standard deviation of a reading, as a fraction of the reading."
     )
     period_s: float = period()
 
@@ -116,7 +116,8 @@ DEVICE = Device(
     name="light",
     title="Light sensors",
     element="light-sensors",
-    summary="A ring of light sensors on the turret (or the body): crs_get_light() of crs.h.",
+    summary="A ring of light sensors on the turret (or the body); programs read it with"
+    " crs_get_light() (crs.h).",
     model=LightSensors,
     state=lambda models: Readings.never(len(models), _MAX),
     install=lambda row, world, seed, _log: _Rings(row, world, seed).installed(),

@@ -54,10 +54,10 @@ class Microphones:
     """Microphones that measure the level and direction of each tone."""
 
     range_m: float = attribute(
-        "range", LENGTH, "10m", "Maximum distance of a sound.", positive=True
+        "range", LENGTH, "10m", "Maximum distance at which a sound is detected.", positive=True
     )
     noise: float = attribute(
-        "noise", FRACTION, "0", "Standard deviation of a level, as a fraction of it."
+        "noise", FRACTION, "0", "Standard deviation of a level, as a fraction of the level."
     )
     period_s: float = period()
 
@@ -112,8 +112,8 @@ DEVICE = Device(
     name="sound",
     title="Microphones",
     element="microphones",
-    summary="Measures the levels of eight tones, and the direction of the loudest: crs_get_sound()"
-    " of crs.h.",
+    summary="Measures the levels of eight tones, and the direction of the loudest; programs read"
+    " them with crs_get_sound() (crs.h).",
     model=Microphones,
     state=lambda models: Readings.never(len(models), 2 * TONES),
     install=lambda row, world, seed, _log: _Ears(row, world, seed).installed(),

@@ -38,7 +38,7 @@ class Speaker:
     """A speaker."""
 
     loudest: float = attribute(
-        "loudest", LOUDNESS, "1000", "Maximum level: the reading of microphones at 1 m.",
+        "loudest", LOUDNESS, "1000", "Maximum level: the reading of a microphone at 1 m.",
         positive=True,
     )  # fmt: skip
 
@@ -93,7 +93,8 @@ DEVICE = Device(
     name="speaker",
     title="Speaker",
     element="speaker",
-    summary="A speaker that microphones of other robots detect: crs_sound() of crs.h.",
+    summary="A speaker that microphones of other robots detect; programs control it with"
+    " crs_sound() (crs.h).",
     model=Speaker,
     state=lambda models: SpeakerState(np.zeros(len(models)), np.zeros(len(models), np.int64)),
     install=install,
