@@ -44,7 +44,7 @@ OURS: Final[dict[str, tuple[str, Callable[[RunResult], Value]]]] = {
         lambda result: sum(robot.collisions for robot in result.robots),
     ),
     "collisions_per_robot_min": (
-        "collisions per robot and minute",
+        "collisions per robot per minute",
         lambda result: (
             sum(robot.collisions for robot in result.robots)
             * 60.0

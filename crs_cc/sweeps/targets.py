@@ -16,15 +16,16 @@ TARGETS: Final = {
     "define.NAME": "the value of a macro of the program, as `-D NAME=value`",
     "argument.N": "argument N of the program, from 1",
     "world.ELEMENT.ATTRIBUTE": "an attribute of an element of the world file, such as "
-    "`world.crate.x`; elements are named as in the [world builder](world-builder.md), `world` "
+    "`world.crate.x`; elements are named as in the [world builder](world-builder.md); `world` "
     "is the root",
     "robot.ELEMENT.ATTRIBUTE": "an attribute of an element of the robot definition, such as "
     "`robot.drive.wheel-base`",
     "fault": "degradations: the attributes of `<degradation>`, such as "
-    '`"robot=robot0 device=sonar element=3 dead=yes"`, several separated by `;`, `""` for none',
-    "robots": "the number of robots that take part, the first ones of the world",
+    '`"robot=robot0 device=sonar element=3 dead=yes"`; separate several '
+    'degradations with `;`, and use `""` for none',
+    "robots": "the number n of robots that take part: the first n in the world",
     "setup": "the setup of all robots, such as `noisy`",
-    "robot": "the type of robots for which the world names none",
+    "robot": "the type of robots for which the world specifies none",
     "link": "`serial` or `ideal`",
     "client": "`nclient` or `ndirect`",
 }

@@ -82,7 +82,7 @@ def medians(results: Results) -> Table:
     met = ("met",) if results.is_time else ()
     heading = (*results.varied, "runs", *met, "median", "lower quartile", "upper quartile",
                "95 % interval of the median")  # fmt: skip
-    note = "The interval is bootstrapped (percentiles of 5,000 resamples)."
+    note = "The interval is a bootstrap confidence interval (percentiles of 5,000 resamples)."
     if results.is_time:
         note += " Where a goal was not met, the value is the end of the run: ≥ marks such bounds."
     if results.failed:
@@ -92,7 +92,7 @@ def medians(results: Results) -> Table:
 
 
 def scaling(results: Results) -> Table:
-    """Return speed-up and efficiency by the number of robots, against the fewest."""
+    """Return speedup and efficiency by the number of robots, against the fewest."""
     groups = sorted(results.groups, key=_robots)
     first = groups[0]
     rows = []
@@ -102,10 +102,13 @@ def scaling(results: Results) -> Table:
             (str(_robots(group)), f"{ratio:.2f}", f"{ratio * _robots(first) / _robots(group):.2f}")
         )
     is_open = not all(is_met for group in groups for is_met in group.reached)
-    note = "Speed-up is the ratio of the medians; efficiency is that by robots."
+    note = (
+        "The speedup is the ratio of the medians; the efficiency is the speedup divided by the "
+        "ratio of the numbers of robots."
+    )
     if is_open:
         note += " Some runs ended before the goal was met: where ≥ marks a median, it is a bound."
-    return Table("Scaling", ("robots", "speed-up", "efficiency"), tuple(rows), note)
+    return Table("Scaling", ("robots", "speedup", "efficiency"), tuple(rows), note)
 
 
 def comparisons(results: Results) -> Table:

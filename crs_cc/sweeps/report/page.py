@@ -42,10 +42,11 @@ def _is_numeric(results: Results, name: str) -> bool:
 
 _CAPTIONS: Final = {
     "values": "Every run; boxes from quartile to quartile, with the median.",
-    "curve": "Medians, with the bootstrapped 95 % interval.",
+    "curve": "Medians, with the bootstrap 95 % confidence interval.",
     "heat-map": "Medians over two parameters.",
-    "survival": "Runs in which the goal is not met yet (Kaplan-Meier), with the 95 % interval.",
-    "convergence": "The medians of the first seeds: they no longer move where there are enough.",
+    "survival": "Runs in which the goal is not yet met (Kaplan-Meier), with the 95 % confidence"
+    " interval.",
+    "convergence": "The medians of the first seeds: with enough seeds, they no longer change.",
     "visits": "Where the robots were in the median run.",
 }
 _FIELD: Final = "What lies in a pheromone field at the end of the median run."
