@@ -52,7 +52,7 @@ def _line(grade: Grade, width: int) -> str:
     name = name if len(name) <= width else f"{name[: width - 3]}..."
     points = f"{grade.earned:g} of {grade.possible:g}"
     line = f"{name:{width}}  {points:>12}  {grade.message or grade.result}"
-    return f"{line}  (as {', '.join(grade.identical)})" if grade.identical else line
+    return f"{line}  (same program as {', '.join(grade.identical)})" if grade.identical else line
 
 
 def _cell(goal: GoalResult | None) -> str:

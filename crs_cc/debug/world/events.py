@@ -33,7 +33,7 @@ from crs_cc.sim.state import events
 
 KINDS: Final = {
     "tick": "a timestep ended",
-    "collision": "a robot started to touch an object",
+    "collision": "a robot came into contact with an object",
     "bumper": "a bumper switch was pressed or released",
     "bumper-pressed": "a bumper switch was pressed",
     "bumper-released": "a bumper switch was released",
