@@ -27,7 +27,7 @@ from path_results import of_paths
 from ways_results import over_shortest
 
 from crs_cc.sweeps.report.findings import medians
-from crs_cc.sweeps.report.page import drawn
+from crs_cc.sweeps.report.page import draw_figures
 from crs_cc.sweeps.report.results import Group, Results, results
 from crs_cc.sweeps.rows import Row
 from crs_cc.sweeps.sweep import Sweep
@@ -104,7 +104,7 @@ def write(name: str, rows: Sequence[Row]) -> None:
         for cells, group in zip(table.rows, found.groups, strict=True):
             writer.writerow([*cells, collisions(group)])
     shown = from_none(found) if name in FROM_NONE else found
-    (FIGURES / f"swarm-{name}.svg").write_text(drawn(shown)[figure], "utf-8")
+    (FIGURES / f"swarm-{name}.svg").write_text(draw_figures(shown)[figure], "utf-8")
 
 
 def collisions(group: Group) -> str:
