@@ -78,8 +78,8 @@ class BuildScreen:
         self._handlers: dict[str, Callable[[dict[str, Any]], Any]] = {
             "apply": self._apply, "undo": self._undo, "redo": self._redo, "save": self._save,
             "copy": self._copy, "paste": self._paste, "properties": self._properties,
-            "try": self._try, "read": self._read, "form": self._form, "again": lambda _: None,
-            "scene": self._scene, "library": self._library, "take": self._insert_object,
+            "run": self._run, "read": self._read, "form": self._form, "again": lambda _: None,
+            "scene": self._scene, "library": self._library, "insert": self._insert_object,
         }  # fmt: skip
         self._shelf: list[LibraryObject] = []
         self._programs = ProgramChecks(lambda: self.server.call_soon(self._broadcast))
@@ -99,12 +99,12 @@ class BuildScreen:
         self._programs.end()
         self.server.close()
 
-    # -- what pages are told ---------------------------------------------------------------------
+    # -- messages to pages -------------------------------------------------------------------------
 
     def greet(self, client: Client) -> None:
         """Send a page that has connected all that it must know."""
-        told = {"operations": _operations(), "colours": list(NAMED)}
-        client.put(message("hello", version=VERSION, role=client.role, **told))
+        known = {"operations": _operations(), "colours": list(NAMED)}
+        client.put(message("hello", version=VERSION, role=client.role, **known))
         client.put(self._document())
 
     def _document(self) -> str:
@@ -147,7 +147,7 @@ class BuildScreen:
 
     def receive(self, client: Client, command: dict[str, Any]) -> None:
         """Execute a command, and send the changed world to all pages."""
-        number, name = command["id"], command["do"]
+        number, name = command["id"], command["command"]
         do = self._handlers.get(name)
         if do is None:
             client.put(refusal(number, unknown("command", name[:40], list(self._handlers))))
@@ -245,7 +245,7 @@ class BuildScreen:
         world = self.builder.visible()
         return None if world is None else world_data(world, [each.id for each in world.robots])
 
-    def _try(self, _: dict[str, Any]) -> str:
+    def _run(self, _: dict[str, Any]) -> str:
         self.builder.world()  # or says what is wrong
         return self._start_run(self.builder)
 

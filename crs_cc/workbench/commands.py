@@ -136,7 +136,7 @@ def _sync_programs(screen: Context) -> None:
 
 
 DEBUGGING: Final = (
-    Command("stand", "Run the programs to the displayed time.", _sync_programs, needs="debug"),
+    Command("sync", "Run the programs to the displayed time.", _sync_programs, needs="debug"),
     Command("console", "Execute a command of the debugger.", console.execute, {"line": str},
             needs="debug"),
     Command("complete", "Return the completions of a line for the console.", console.completions,
@@ -155,7 +155,7 @@ DEBUGGING: Final = (
 )  # fmt: skip
 
 QUESTIONS: Final = (
-    Command("go", "Go to a place in the run, as another answer has it, and select a robot.",
+    Command("go", "Go to a position in the run from another answer, and select a robot.",
             questions.go_to, {"place": str, "robot": int}, needs="debug"),
     Command("why", "Return where the value of an expression came from.", questions.why,
             {"expression": str}, needs="debug"),
@@ -163,7 +163,7 @@ QUESTIONS: Final = (
             {"robot": int, "expression": str, "begin_s": float, "end_s": float}, needs="debug"),
     Command("when", "Return when a condition became true.", questions.when,
             {"condition": str}, needs="debug"),
-    Command("said", "Return what a log point at a line would have said.", questions.log_messages,
+    Command("log_messages", "Return what a log point would have printed.", questions.log_messages,
             {"file": str, "line": int, "text": str}, needs="debug"),
     Command("hits", "Return when a breakpoint was hit, or would have been.", questions.hits,
             {"number": int}, needs="debug"),

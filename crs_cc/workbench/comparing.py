@@ -55,7 +55,7 @@ def _compare(screen: Context, name: str) -> dict[str, Any]:
     }
 
 
-def _differ(screen: Context, name: str, *, anew: bool) -> dict[str, Any]:
+def _next_difference(screen: Context, name: str, *, anew: bool) -> dict[str, Any]:
     """Look on for the first difference of variables."""
     if screen.player.is_playing:
         raise DebugError("the run is not paused: pause it first")
@@ -94,11 +94,12 @@ def broadcast_runs(screen: Context) -> None:
 COMPARING: Final = (
     Command("compare", "Return how another run differs from this one, by what is known.",
             _compare, {"name": str}, controls=False, asks=True),
-    Command("differ", "Look on for the first variable in which another run differs.", _differ,
-            {"name": str, "anew": bool}, needs="debug", asks=True),
-    Command("bring", "Take a piece of a recording to compare with, as base 64.", _receive_piece,
-            {"name": str, "offset": int, "data": str}, longest=MAX_PIECE, at_once=True),
-    Command("open", "Open the recording that was brought.", _open, {"name": str}, asks=True),
+    Command("next_difference", "Search for the first variable that differs.",
+            _next_difference, {"name": str, "anew": bool}, needs="debug", asks=True),
+    Command("upload_piece", "Receive a piece of a recording to compare with, as base 64.",
+            _receive_piece, {"name": str, "offset": int, "data": str}, longest=MAX_PIECE,
+            at_once=True),
+    Command("open", "Open the uploaded recording.", _open, {"name": str}, asks=True),
     Command("close", "Close a recording that this run was compared with.", _close, {"name": str},
             asks=True),
 )  # fmt: skip

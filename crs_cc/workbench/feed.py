@@ -2,7 +2,7 @@
 
 Whoever runs it tells the feed what happens; the feed keeps it within bounds and passes it on. What
 has been told before is not told again, so a run that goes back and forth changes nothing here until
-it takes another course (`forget`).
+it takes another course (`truncate`).
 """
 
 from __future__ import annotations
@@ -191,7 +191,7 @@ class Feed:
             self._output = [each for each in self._output if each[0] <= after_s]
             self._output_size = sum(len(each[3].encode()) + 32 for each in self._output)
             self._rosters = [each for each in self._rosters if each[0] <= after_s]
-            self._broadcast("forget", time_s=time_s, blocks=self.frames.index())
+            self._broadcast("truncate", time_s=time_s, blocks=self.frames.index())
 
     def fork(self) -> Feed:
         """Return an independent copy, which no page gets to see."""
@@ -212,7 +212,7 @@ class Feed:
             self._events, self._output = copied._events, copied._output
             self._rosters, self._output_size = copied._rosters, copied._output_size
             self.end_s = copied.end_s
-            self._broadcast("course", **self._course())
+            self._broadcast("replace", **self._course())
 
     def events(self) -> list[Event]:
         """Return the events that are known."""

@@ -1,8 +1,8 @@
-r"""The channel between the page and the run: what is sent, and how it is written.
+r"""The channel between the page and the run: the format of its messages.
 
-The page sends JSON: `{"id": 7, "do": "seek", "time_s": 12.5}`, a row of the command table. It is
-sent JSON with a `type`, or bytes: a letter, and what that letter says. An answer has the `id` of
-its command and either a `value` or an `error`.
+The page sends JSON: `{"id": 7, "command": "seek", "time_s": 12.5}`, see the table of commands. It
+receives JSON with a `type`, or bytes: a letter for the kind, and the content. An answer has the
+`id` of its command and either a `value` or an `error`.
 
 >>> answer(7, {"time_s": 12.5})
 '{"type":"answer","id":7,"value":{"time_s":12.5}}'
@@ -20,14 +20,14 @@ import numpy as np
 
 from crs_cc.recording.frames import HEAD
 
-VERSION: Final = 2
-"""Of the channel. A page of another version says so and asks to be loaded again."""
+VERSION: Final = 3
+"""The version of the channel. A page of another version reloads itself."""
 
 PROTOCOL: Final = "crs.1"
-"""The name by which page and server ask for each other's version."""
+"""The name of the WebSocket subprotocol."""
 
 MAX_BYTES: Final = 64 * 1024
-"""Of a message of the page."""
+"""The maximum size of a message of the page."""
 
 _FRAME: Final = struct.Struct("<cd")
 _PRESENT: Final = struct.Struct("<Q")
@@ -52,8 +52,8 @@ def refusal(number: int, error: str) -> str:
 def frame_message(time_s: float, frame: bytes) -> bytes:
     """Return the message of a frame.
 
-    It is that of a recording but for planes of zeros, which are left out: in differences, the upper
-    bytes. A number before the planes has a bit for each that is there, the first is its lowest.
+    It has the format of a recording, but planes of zeros are omitted, such as the upper bytes of
+    differences. A number before the planes has a bit for each that is present, from the lowest on.
     """
     rows = HEAD.unpack_from(frame)[-1]
     planes = np.frombuffer(frame, np.uint8, offset=HEAD.size).reshape(-1, max(1, rows))

@@ -117,9 +117,11 @@ class Screen:
         self.server.broadcast_latest("state", self._state())
         self.server.broadcast_latest("status", self._status())
         self._send_panel()
-        where = None if self.player.is_playing else self.run.where()
-        if where is not None:
-            self.server.broadcast_latest("where", message("where", t=self.run.time_s, **where))
+        position = None if self.player.is_playing else self.run.where()
+        if position is not None:
+            self.server.broadcast_latest(
+                "position", message("position", t=self.run.time_s, **position)
+            )
 
     def _state(self) -> str:
         player, halt = self.player, self.run.halt
@@ -189,7 +191,7 @@ class Screen:
 
     def receive(self, client: Client, command: dict[str, Any]) -> None:
         """Check a command and carry it out, at once or between two pieces of the run."""
-        number, name = command["id"], command["do"]
+        number, name = command["id"], command["command"]
         row = TABLE.get(name)
         error = self._refused(client, name, row)
         if error or row is None:

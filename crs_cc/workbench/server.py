@@ -342,7 +342,7 @@ def _parse_command(text: str | bytes) -> dict[str, Any] | None:
         return None
     if not isinstance(command, dict) or not isinstance(command.get("id"), int):
         return None
-    return command if isinstance(command.get("do"), str) else None
+    return command if isinstance(command.get("command"), str) else None
 
 
 def _select_subprotocol(_connection: ServerConnection, offered: Any) -> Subprotocol | None:

@@ -83,8 +83,8 @@ def test_a_page_can_hold_a_run_that_goes_on_by_itself(program: str) -> None:
     with connect(url, subprotocols=words, proxy=None) as page:  # type: ignore[arg-type]
         hello = json.loads(page.recv(20))
         assert hello["can"] == ["change", "play"]
-        page.send(json.dumps({"id": 1, "do": "seek", "time_s": 0.0}))
-        page.send(json.dumps({"id": 2, "do": "speed", "speed": 0.0}))
+        page.send(json.dumps({"id": 1, "command": "seek", "time_s": 0.0}))
+        page.send(json.dumps({"id": 2, "command": "speed", "speed": 0.0}))
         told = [json.loads(each) for each in page if isinstance(each, str)]
     thread.join(20)
     answers = {each["id"]: each for each in told if each["type"] == "answer"}

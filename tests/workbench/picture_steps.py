@@ -33,7 +33,7 @@ def at_a_breakpoint(page: Any) -> None:
     """Stop robot0 where it changes its state for the first time after 20 s."""
     go_to(page, 20.0)
     line = line_of(page, "state = new_state;")
-    page.evaluate(f"crs.model.ask('break', {{ file: crs.model.where.file, line: {line} }})")
+    page.evaluate(f"crs.model.request('break', {{ file: crs.model.position.file, line: {line} }})")
     page.keyboard.press("F5")
     wait(page, "crs.model.state.halt.reason === 'breakpoint'")
 

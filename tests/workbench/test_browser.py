@@ -172,16 +172,16 @@ def a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page: Any) -> Non
     page.click(".line:nth-child(8) .gutter")
     page.wait_for_selector(".line:nth-child(8).stop")
     page.keyboard.press("F5")
-    wait(page, "crs.model.state.halt.reason === 'breakpoint' && crs.model.where.line === 8")
+    wait(page, "crs.model.state.halt.reason === 'breakpoint' && crs.model.position.line === 8")
     page.wait_for_selector(".line:nth-child(8).current")
     page.click("#tab-events")
     page.keyboard.press("Shift+F11")
-    wait(page, "crs.model.where.line === 18")
+    wait(page, "crs.model.position.line === 18")
     page.click("#tab-code")  # the line is in sight although the listing was hidden when it came
     listing, current = (page.locator(at).bounding_box() for at in (".listing", ".line.current"))
     assert 0 <= current["y"] - listing["y"] <= listing["height"] - current["height"]
     page.keyboard.press("F11")
-    wait(page, "crs.model.where.line === 8")
+    wait(page, "crs.model.position.line === 8")
     page.click(".line:nth-child(8) .gutter")
     page.wait_for_selector(".line:nth-child(8):not(.stop)")
 
@@ -242,7 +242,7 @@ def heat_is_a_colour_and_there_is_a_flat_map(page: Any) -> None:
     wait(page, f"new Map({shapes}).get('stove') === 'fcfdbf'")
     assert dict(page.evaluate(shapes))["edge-south"] == "0b1026"
     page.evaluate("async () => { window.heat = await import('crs/heat.js'); }")
-    at = "([x, y]) => heat.heatAt(heat.hotThings(crs.model.scene), x, y)"
+    at = "([x, y]) => heat.heatAt(heat.hotObjects(crs.model.scene), x, y)"
     # Half a metre from the stove's edge, whose heat of 40 spreads over 2 m: 40 * (1 - 0.5 / 2).
     assert page.evaluate(at, [4.5, 2.25]) == pytest.approx(30.0)
     assert page.evaluate(at, [4.5, 0.5]) == 0.0
@@ -258,7 +258,7 @@ def who_may_only_look_cannot_steer_and_hears_the_end(
     looker.goto(screen.server.address("view") + "&flat=1")
     looker.wait_for_selector(".robot b")
     wait(looker, "document.querySelector('.transport .primary').disabled")
-    said = looker.evaluate("crs.model.channel.ask('play').catch((error) => error.message)")
+    said = looker.evaluate("crs.model.channel.request('play').catch((error) => error.message)")
     assert "view-only" in said
     screen.player.end()
     screen.server.close()

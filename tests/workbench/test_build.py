@@ -404,7 +404,7 @@ def a_view_that_is_closed_while_it_is_made_or_dragged_stays_closed(page: Any) ->
         """async () => {
             const { solid, model } = crs;
             await solid.toggle();
-            const made = solid.make(await model.ask("scene"));
+            const made = solid.make(await model.request("scene"));
             await solid.toggle();
             await made;
             return document.querySelectorAll(".solid canvas").length;
@@ -447,7 +447,7 @@ def a_unit_is_chosen_for_what_is_drawn(hand: Hand) -> None:
 
 
 def the_line_below_and_the_list_of_keys_say_what_to_do(hand: Hand) -> None:
-    said = hand.page.locator(".status .said")
+    said = hand.page.locator(".status .notice")
     hand.press("r")
     said.get_by_text("Robot: click its initial position").wait_for()
     hand.click(1.0, 1.0)  # it selects the one that is there
@@ -582,7 +582,7 @@ def test_a_first_world_is_drawn_in_a_few_steps(browser: Any, tmp_path: Path) -> 
             hand.click(1.0 + number, 1.0)
             hand.has(f"robot{number}")
         page.get_by_role("button", name="Try").click()
-        page.locator(".said.wrong", has_text="robot 'robot0' has no program").wait_for()
+        page.locator(".notice.wrong", has_text="robot 'robot0' has no program").wait_for()
         hand.press("v")
         hand.drag((0.5, 0.5), (3.5, 1.5))
         wait(page, "crs.model.selection.size === 3")
@@ -593,12 +593,12 @@ def test_a_first_world_is_drawn_in_a_few_steps(browser: Any, tmp_path: Path) -> 
         hand.press("Enter")
         wait(page, "crs.model.thing('robot2').attributes.program === 'go.c'")
         hand.click(-0.05, 3.0)  # the edge
-        page.locator(".said", has_text="The area and the walls around it").wait_for()
+        page.locator(".notice", has_text="The area and the walls around it").wait_for()
         wait(page, "crs.model.selection.has('area')")
         page.locator("canvas").first.focus()
         hand.press("Control+s")
         wait(page, "!crs.model.document.changed")
-        page.locator(".said.news", has_text="saved").wait_for()
+        page.locator(".notice.news", has_text="saved").wait_for()
     assert path.read_text() == FIRST
 
 

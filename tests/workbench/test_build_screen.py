@@ -33,7 +33,7 @@ def screen(tmp_path_factory: pytest.TempPathFactory) -> Iterator[BuildScreen]:
 def ask(screen: BuildScreen, do: str, role: Role = "control", **fields: Any) -> Any:
     """Return the answer to a command: its value, or its error as text after `!`."""
     client = Client(role)
-    screen.receive(client, {"id": 1, "do": do, **fields})
+    screen.receive(client, {"id": 1, "command": do, **fields})
     text = client.next_message()
     assert isinstance(text, str)
     found = json.loads(text)
@@ -81,14 +81,14 @@ def test_problems_name_their_elements_and_prevent_saving(screen: BuildScreen) ->
     (problem,) = document(screen)["problems"]
     assert problem["name"] == "robot0"
     assert "not completely inside" in ask(screen, "save")
-    assert "not completely inside" in ask(screen, "try")
+    assert "not completely inside" in ask(screen, "run")
     ask(screen, "apply", steps=[{"operation": "set", "names": ["sledge"], "attributes": {"a": 1}}])
     after = document(screen)
     assert after["problems"][0]["text"] == "unknown attribute 'a' in <box>"
     assert after["shapes"]["sledge"]  # as it was last
     ask(screen, "undo")
     ask(screen, "undo")
-    assert ask(screen, "try") == "!no run here"
+    assert ask(screen, "run") == "!no run here"
 
 
 @pytest.mark.parametrize(
@@ -149,7 +149,7 @@ def step_of_heat(name: str, **attributes: Any) -> dict[str, Any]:
 
 
 def test_a_read_only_page_cannot_edit(screen: BuildScreen) -> None:
-    for do in ("apply", "undo", "save", "copy", "try", "read"):
+    for do in ("apply", "undo", "save", "copy", "run", "read"):
         assert ask(screen, do, "view") == "!this page is view-only"
 
 

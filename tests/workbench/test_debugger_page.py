@@ -73,7 +73,7 @@ def a_condition_is_checked_where_it_stands(page: Any) -> None:
     page.click(".stop-editor button[type=submit]")
     page.wait_for_selector(".line.stop.asks")
     page.keyboard.press("F5")
-    wait(page, "crs.model.state.halt.reason === 'breakpoint' && crs.model.where.robot === 1")
+    wait(page, "crs.model.state.halt.reason === 'breakpoint' && crs.model.position.robot === 1")
     page.wait_for_function("document.querySelector('#panel-console').textContent.includes('= 10')")
 
 
@@ -130,7 +130,7 @@ def the_run_stops_at_events_and_changes(page: Any) -> None:
     page.keyboard.press("Shift+F5")
     wait(page, "crs.model.state.halt.reason === 'watchpoint'")
     page.locator(".stop-row", has_text="readings[5]").locator("button.small[title^=Remove]").click()
-    wait(page, "crs.model.where.breakpoints.length === 2")
+    wait(page, "crs.model.position.breakpoints.length === 2")
 
 
 def test_programs_are_debugged_in_the_page(browser: Any, screen: Screen) -> None:
@@ -155,7 +155,7 @@ def test_programs_follow_where_a_recording_is_scrubbed(browser: Any, recorded: P
         page.mouse.down()
         page.mouse.move(box["x"] + box["width"] * 3.0 / end, box["y"] + 30, steps=4)
         page.mouse.up()
-        wait(page, "crs.model.state.t > 2.5 && crs.model.where.t === crs.model.state.t")
+        wait(page, "crs.model.state.t > 2.5 && crs.model.position.t === crs.model.state.t")
         text = page.locator(".line.current").inner_text()
         assert "usleep" in text
         before = screen.run.time_s

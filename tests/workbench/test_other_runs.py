@@ -92,9 +92,9 @@ def asked(screen: Screen, command: str, **fields: Any) -> Any:
 
 
 def differ(screen: Screen, name: str) -> dict[str, Any]:
-    found = asked(screen, "differ", name=name, anew=True)
+    found = asked(screen, "next_difference", name=name, anew=True)
     while not found["is_done"]:
-        found = asked(screen, "differ", name=name, anew=False)
+        found = asked(screen, "next_difference", name=name, anew=False)
     return dict(found)
 
 
@@ -217,18 +217,18 @@ def test_incomparable_runs_are_reported(runs: Path, stack: ExitStack) -> None:
     screen = shown(runs, "near", stack, "slow")
     assert asked(screen, "compare", name="slow.mcap")["until"] == pytest.approx(4.0)
     with pytest.raises(DebugError, match=r"the timestep of slow.mcap is 0.1 s, not 0.05 s"):
-        asked(screen, "differ", name="slow.mcap", anew=True)
+        asked(screen, "next_difference", name="slow.mcap", anew=True)
     with pytest.raises(DebugError, match="unknown run 'gone'"):
         asked(screen, "compare", name="gone")
     screen.player.play()
     with pytest.raises(DebugError, match="pause it first"):
-        asked(screen, "differ", name="slow.mcap", anew=True)
+        asked(screen, "next_difference", name="slow.mcap", anew=True)
 
 
 def sent(screen: Screen, name: str, content: bytes, size: int = 20_000) -> None:
     for offset in range(0, len(content), size):
         data = b64encode(content[offset : offset + size]).decode()
-        asked(screen, "bring", name=name, offset=offset, data=data)
+        asked(screen, "upload_piece", name=name, offset=offset, data=data)
 
 
 def test_a_page_brings_a_recording_in_pieces(
@@ -259,9 +259,9 @@ def test_what_is_no_recording_is_refused(runs: Path, stack: ExitStack) -> None:
     with pytest.raises(ValueError, match="is not the name of a recording"):
         sent(screen, "far.txt", b"x")
     with pytest.raises(ValueError, match="not valid base64"):
-        asked(screen, "bring", name="far.mcap", offset=0, data="?")
+        asked(screen, "upload_piece", name="far.mcap", offset=0, data="?")
     with pytest.raises(ValueError, match="does not follow"):
-        asked(screen, "bring", name="far.mcap", offset=7, data="AAAA")
+        asked(screen, "upload_piece", name="far.mcap", offset=7, data="AAAA")
     with pytest.raises(DebugError, match=r"no recording 'far.mcap' has been uploaded"):
         asked(screen, "open", name="far.mcap")
     sent(screen, "far.mcap", b"not a recording")
@@ -292,5 +292,7 @@ def test_a_trajectory_is_interpolated_and_constant_while_nothing_moved() -> None
 
 def test_pages_may_look_at_comparisons_and_not_bring_files() -> None:
     assert not TABLE["compare"].controls
-    assert all(TABLE[name].controls for name in ("bring", "open", "close", "differ"))
+    assert all(
+        TABLE[name].controls for name in ("upload_piece", "open", "close", "next_difference")
+    )
     assert {each.name for each in comparing.COMPARING} <= set(TABLE)

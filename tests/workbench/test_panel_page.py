@@ -56,7 +56,7 @@ def the_table_has_a_row_for_each_robot(page: Any, debugger: Debugger) -> None:
     assert row.locator("span").nth(0).inner_text() == "bob"
     assert row.locator("span").nth(4).inner_text() == "1.000, 2.500 m, 0°"
     row.click()
-    wait(page, "crs.model.where.robot === 1")
+    wait(page, "crs.model.position.robot === 1")
     assert debugger.view.robot == 1
     page.keyboard.press("9")
 
@@ -122,7 +122,7 @@ def a_sonar_is_degraded_and_reads_otherwise(page: Any, debugger: Debugger) -> No
     share.fill("")
     click(page, "Degrade", "#panel-faults")
     page.wait_for_selector(".in-force:has-text('sonar 4, stuck at 1.27m')")
-    page.evaluate("crs.model.ask('step', { timesteps: 20 })")
+    page.evaluate("crs.model.request('step', { timesteps: 20 })")
     page.click("#tab-robot")
     # 1.27 m are 50 inches, as the vendor's State[] has them
     page.wait_for_selector(".state-rows tr:has-text('STATE_SONAR_4'):has-text('50 in')")
@@ -209,9 +209,9 @@ def messages_are_listed_shut_and_sent(page: Any, debugger: Debugger) -> None:
     page.locator(".link-forms >> nth=1").locator("select").nth(0).select_option("bob")
     page.locator(".link-forms >> nth=1").locator("input").nth(1).fill("who hears?")
     click(page, "Send", ".link-forms >> nth=1")
-    page.evaluate("crs.model.ask('step', { timesteps: 4 })")
+    page.evaluate("crs.model.request('step', { timesteps: 4 })")
     page.wait_for_selector(".message:has-text('bob → ada'):has-text('hears?'):has-text('outage')")
-    rows = page.evaluate("crs.model.channel.ask('traffic', { since: 0 })")["rows"]
+    rows = page.evaluate("crs.model.channel.request('traffic', { since: 0 })")["rows"]
     events = debugger.run.event_history.world_events()
     told = [each for each in events if each.kind.startswith("message-")]
     assert len(rows) == len([each for each in told if each.kind != "message-way"])
@@ -224,9 +224,9 @@ def changes_are_listed_taken_back_and_written_out(page: Any, debugger: Debugger)
     assert page.evaluate("crs.timeline.marks().filter(([, kind]) => kind === 'change').length") > 1
     page.click("#tab-changes")
     assert page.locator(".change").count() == len(changes(debugger)) == 7
-    script = page.evaluate("crs.model.channel.ask('export', { form: 'inputs' })")["text"]
+    script = page.evaluate("crs.model.channel.request('export', { form: 'inputs' })")["text"]
     assert [line.split(": ", 1)[1] for line in script.splitlines()[1:]] == changes(debugger)
-    xml = page.evaluate("crs.model.channel.ask('export', { form: 'xml' })")["text"]
+    xml = page.evaluate("crs.model.channel.request('export', { form: 'xml' })")["text"]
     assert 'id="hold-bob"' in xml
     assert 'from="bob"' in xml
     click(page, "Undo", ".change:has-text('move bob')")
@@ -239,7 +239,7 @@ def the_run_before_is_kept_and_compared(page: Any, debugger: Debugger) -> None:
     """Bob was moved in the run that the take-back has left, and not in the one after."""
     assert [each.inner_text() for each in page.locator(".branch b").all()] == ["main", "run2"]
     assert page.locator(".branch[aria-current] b").inner_text() == "run2"
-    page.evaluate("crs.model.ask('step', { timesteps: 10 })")
+    page.evaluate("crs.model.request('step', { timesteps: 10 })")
     click(page, "Compare", ".branch:has-text('main')")
     row = page.locator(".differences tr:has-text('bob pose.x') td")
     row.first.wait_for()

@@ -14,7 +14,7 @@ MODE = "crs.instruments.series.of('0 mode')"
 def a_variable_is_explained_by_a_tree(page: Any) -> None:
     page.wait_for_selector(".line.current")
     page.evaluate("crs.timeline.seek(1)")
-    wait(page, "crs.model.where?.t > 0.9 && !crs.model.state.busy")
+    wait(page, "crs.model.position?.t > 0.9 && !crs.model.state.busy")
     page.locator(".value[data-key='globals'] .fold").click()
     row = page.locator(".value[data-key='globals/speed#1']")
     row.hover()
@@ -38,7 +38,7 @@ def the_keyboard_walks_the_tree(page: Any) -> None:
     wait(page, f"document.querySelectorAll('.why-row').length === {count}")
     page.keyboard.press("ArrowRight")
     page.keyboard.press("Enter")
-    wait(page, "crs.model.where.line === 10")
+    wait(page, "crs.model.position.line === 10")
     page.wait_for_selector(".line[data-line='10'].current")
     assert "limited returned" in page.locator(".why-row[aria-current]").first.inner_text()
     assert first.get_attribute("tabindex") == "-1"
@@ -68,8 +68,8 @@ def words_are_plotted_and_a_click_goes_to_their_change(page: Any) -> None:
     assert abs(track["x"] - box["x"] - 62) < 1  # one axis for both
     share = page.evaluate(f"{time_s} / crs.timeline.shownPart[1]")
     page.mouse.click(track["x"] + share * track["width"], box["y"] + box["height"] - 14)
-    wait(page, f"crs.model.where.place === '{place}'")
-    assert page.evaluate("crs.model.where.line") == 19
+    wait(page, f"crs.model.position.place === '{place}'")
+    assert page.evaluate("crs.model.position.line") == 19
     page.evaluate("crs.timeline.zoom(0.5, 0.5)")
     page.wait_for_selector("button:has-text('Whole run'):visible")
     page.click("button:has-text('Whole run')")
@@ -87,12 +87,12 @@ def instants_are_found_and_stepped_through(page: Any) -> None:
     page.wait_for_selector(".event:has-text('mode == DRIVING')")
     page.locator(".event:has-text('mode == DRIVING')").last.click()
     rows = page.evaluate("crs.model.found.rows")
-    wait(page, f"crs.model.where.place === '{rows[0][3]}'")
+    wait(page, f"crs.model.position.place === '{rows[0][3]}'")
     page.locator(".finder input").blur()
     page.keyboard.press("n")
-    wait(page, f"crs.model.where.place === '{rows[1][3]}'")
+    wait(page, f"crs.model.position.place === '{rows[1][3]}'")
     page.keyboard.press("p")
-    wait(page, f"crs.model.where.place === '{rows[0][3]}'")
+    wait(page, f"crs.model.position.place === '{rows[0][3]}'")
     page.click(".finder button:has-text('Clear')")
     wait(page, "crs.model.found.rows.length === 0")
     page.click("#tab-code")
@@ -122,7 +122,7 @@ def numbers_of_lists_in_the_console_are_links(page: Any) -> None:
     )  # another list: the first one's numbers stay
     link = page.locator(".log button:text-is('@2')").first
     link.click()
-    wait(page, "crs.model.where.line === 19 && crs.model.where.t < 0.5")
+    wait(page, "crs.model.position.line === 19 && crs.model.position.t < 0.5")
 
 
 def test_the_page_queries_the_past(browser: Any, tmp_path: Path) -> None:

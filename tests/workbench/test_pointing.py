@@ -35,7 +35,7 @@ def test_two_clicks_answer_a_program(tmp_path: Path, browser: Any) -> None:
         page.evaluate("crs.views.place(() => [1, 3, 0])")
         wait(page, f"{note}.hidden")
         refused = page.evaluate(
-            "crs.model.channel.ask('point', { robot: 0, x_m: 1, y_m: 2, heading_deg: 0 })"
+            "crs.model.channel.request('point', { robot: 0, x_m: 1, y_m: 2, heading_deg: 0 })"
             ".catch((error) => error.message)"
         )
     assert answers == [pytest.approx((1.0, 2.0, 90.0))]

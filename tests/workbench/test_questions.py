@@ -59,7 +59,7 @@ def screen(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Screen]:
 def page(screen: Screen) -> Iterator[Page]:
     with page_of(screen) as made:
         made.ask("seek", time_s=2.0)
-        made.take_until(lambda: abs(made.told.get("where", {}).get("t", 0.0) - 2.0) < 0.06)
+        made.take_until(lambda: abs(made.told.get("position", {}).get("t", 0.0) - 2.0) < 0.06)
         yield made
 
 
@@ -72,7 +72,7 @@ def value(page: Page, name: str, **fields: Any) -> Any:
 def test_a_why_tree_leads_to_the_beam_and_each_node_to_its_instant(
     page: Page, screen: Screen
 ) -> None:
-    here = page.told["where"]["place"]
+    here = page.told["position"]["place"]
     tree = value(page, "why", expression="speed")
     assert tree["expression"] == "speed"
     assert tree["line"] == 20
@@ -88,10 +88,10 @@ def test_a_why_tree_leads_to_the_beam_and_each_node_to_its_instant(
     assert beams[0]["beam"]["sonar"] == 0
     assert 0.0 < beams[0]["t"] <= 2.0
     page.ask("go", place=returned["place"], robot=returned["robot"])
-    page.take_until(lambda: page.told["where"]["place"] == returned["place"])
-    assert page.told["where"]["line"] == 10
+    page.take_until(lambda: page.told["position"]["place"] == returned["place"])
+    assert page.told["position"]["line"] == 10
     page.ask("go", place=here, robot=0)
-    page.take_until(lambda: page.told["where"]["place"] == here)
+    page.take_until(lambda: page.told["position"]["place"] == here)
 
 
 def test_a_history_has_each_change_with_its_text_and_its_place(page: Page) -> None:
@@ -101,8 +101,8 @@ def test_a_history_has_each_change_with_its_text_and_its_place(page: Page) -> No
     time_s, number, _, place, _ = found["rows"][1]
     assert number == 1
     page.ask("go", place=place, robot=0)
-    page.take_until(lambda: page.told["where"]["place"] == place)
-    assert page.told["where"]["line"] == 19
+    page.take_until(lambda: page.told["position"]["place"] == place)
+    assert page.told["position"]["line"] == 19
     assert page.told["state"]["t"] <= time_s
 
 
@@ -121,11 +121,13 @@ def test_instants_are_found_up_to_what_is_known(page: Page) -> None:
     assert len(driving) >= 2
     assert driving[-1][0] > 0.5
     assert driving[0][2] == "mode == DRIVING"
-    said = value(page, "said", file=page.told["where"]["file"], line=21, text="speed {speed}")
+    said = value(
+        page, "log_messages", file=page.told["position"]["file"], line=21, text="speed {speed}"
+    )
     assert said[0][2].startswith("speed ")
-    added = value(page, "break", file=page.told["where"]["file"], line=20)["added"]
+    added = value(page, "break", file=page.told["position"]["file"], line=20)["added"]
     assert len(value(page, "hits", number=added)) in {len(said), len(said) + 1}
-    page.ask("break", file=page.told["where"]["file"], line=20)
+    page.ask("break", file=page.told["position"]["file"], line=20)
 
 
 @pytest.mark.parametrize(

@@ -65,7 +65,7 @@ class Page:
 
     def ask(self, name: str, **fields: Any) -> Any:
         self.number += 1
-        self.line.send(json.dumps({"id": self.number, "do": name, **fields}))
+        self.line.send(json.dumps({"id": self.number, "command": name, **fields}))
         self.take_until(lambda: self.told.get("answer", {}).get("id") == self.number)
         return self.told["answer"]
 
@@ -140,15 +140,15 @@ def test_completion_lists_no_files(live: Screen, line: str) -> None:
 def test_commands_at_a_breakpoint_touch_no_files_either(live: Screen) -> None:
     point = {"line": 9, "condition": "", "log": "", "robot": -1, "ignore": 0, "enabled": True}
     with page_of(live) as page:
-        page.take_until(lambda: "where" in page.told)
-        point["file"] = page.told["where"]["file"]
+        page.take_until(lambda: "position" in page.told)
+        point["file"] = page.told["position"]["file"]
         for line in ("source x", "info world\nsave breakpoints x", "shell ls"):
             said = page.error("breakpoint", commands=line, **point)
             assert said.endswith("is not available in the browser")
-        page.take_until(lambda: page.told["where"]["breakpoints"] == [])
+        page.take_until(lambda: page.told["position"]["breakpoints"] == [])
         page.ask("breakpoint", commands="silent\nprint i", **point)
-        page.take_until(lambda: len(page.told["where"]["breakpoints"]) == 1)
-        assert page.told["where"]["breakpoints"][0]["commands"] == "silent\nprint i"
+        page.take_until(lambda: len(page.told["position"]["breakpoints"]) == 1)
+        assert page.told["position"]["breakpoints"][0]["commands"] == "silent\nprint i"
         page.ask("break", file=point["file"], line=9)
 
 
@@ -174,8 +174,8 @@ def test_a_change_discards_the_future_of_pages_too(live: Screen) -> None:
         page.ask("step", timesteps=20)
         page.ask("seek", time_s=0.5)
         assert page.ask("console", line="move robot0 to 4 2")["value"]["lines"]
-        page.take_until(lambda: "forget" in page.told)
-        assert page.told["forget"]["time_s"] == pytest.approx(0.5)
+        page.take_until(lambda: "truncate" in page.told)
+        assert page.told["truncate"]["time_s"] == pytest.approx(0.5)
         page.ask("step", timesteps=1)
         page.take_until(lambda: page.told["state"]["end"] == pytest.approx(0.55))
     with page_of(live) as late:
@@ -187,9 +187,9 @@ def test_a_change_discards_the_future_of_pages_too(live: Screen) -> None:
 
 def test_pause_interrupts_a_command_that_would_run_for_ever(live: Screen) -> None:
     with page_of(live) as page:
-        page.line.send(json.dumps({"id": 900, "do": "console", "line": "continue"}))
+        page.line.send(json.dumps({"id": 900, "command": "console", "line": "continue"}))
         page.take_until(lambda: page.told["state"]["busy"])
-        page.line.send(json.dumps({"id": 901, "do": "pause"}))
+        page.line.send(json.dumps({"id": 901, "command": "pause"}))
         page.take_until(lambda: page.told.get("answer", {}).get("id") == 900)
         page.take_until(lambda: not page.told["state"]["busy"])
         stood = live.run.time_s
@@ -236,7 +236,7 @@ def test_a_recording_is_played_by_the_same_channel(recorded: Path, replayed: Scr
         page.ask("play")
         page.take_until(lambda: page.told["state"]["halt"]["reason"] == "end")
         assert page.told["state"]["t"] == pytest.approx(recording.end_ns / 1e9)
-        assert "where" not in page.told  # programs run again only for who asks
+        assert "position" not in page.told  # programs run again only for who asks
     recording.close()
 
 
@@ -244,9 +244,9 @@ def test_programs_in_a_recording_can_be_inspected_stepped_and_changed(replayed: 
     with page_of(replayed) as page:
         end_s = page.told["state"]["end"]
         page.ask("seek", time_s=2.0)
-        page.ask("stand")
-        page.take_until(lambda: page.told.get("where", {}).get("t") == pytest.approx(2.0))
-        assert page.told["where"]["frames"][-1]["function"] == "main"
+        page.ask("sync")
+        page.take_until(lambda: page.told.get("position", {}).get("t") == pytest.approx(2.0))
+        assert page.told["position"]["frames"][-1]["function"] == "main"
         rows = page.ask("values", unfolded="locals")["value"][1]["children"]
         values = {each["name"]: each["value"] for each in rows}
         page.ask("console", line="reverse-next 3")
@@ -254,12 +254,12 @@ def test_programs_in_a_recording_can_be_inspected_stepped_and_changed(replayed: 
             ["text", f"$1 = {values['i']}"]
         ]
         assert page.told["state"]["end"] == end_s
-        assert "forget" not in page.told
+        assert "truncate" not in page.told
         assert len(page.told["hello"]["events"]) == 2
         page.ask("seek", time_s=1.0)
         page.ask("console", line="turn robot0 to 90")
-        page.take_until(lambda: "forget" in page.told)
-        assert page.told["forget"]["time_s"] == pytest.approx(1.0)
+        page.take_until(lambda: "truncate" in page.told)
+        assert page.told["truncate"]["time_s"] == pytest.approx(1.0)
         page.ask("speed", speed=0.0)
         page.ask("play")
         page.take_until(lambda: page.told["state"]["halt"]["reason"] == "end")

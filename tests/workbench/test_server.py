@@ -34,7 +34,7 @@ class Echo:
         client.put(f"hello {client.role}")
 
     def receive(self, client: Client, command: dict[str, Any]) -> None:
-        client.put(answer(command["id"], command["do"]))
+        client.put(answer(command["id"], command["command"]))
 
 
 @pytest.fixture(scope="module")
@@ -113,7 +113,7 @@ def test_the_channel_needs_a_token_and_a_page_of_ours(server: Server) -> None:
     for role in ("control", "view"):
         with opened(server, server.tokens[role], origin=own) as page:  # type: ignore[index,arg-type]
             assert page.recv(5) == f"hello {role}"
-            page.send(json.dumps({"id": 1, "do": "play"}))
+            page.send(json.dumps({"id": 1, "command": "play"}))
             assert json.loads(page.recv(5))["value"] == "play"
 
 
@@ -126,7 +126,7 @@ def test_another_user_is_refused_even_with_the_token(
     assert refused.value.response.status_code == 403
 
 
-@pytest.mark.parametrize("sent", ["nonsense", "[]", '{"id": "x", "do": "play"}', "[" * 60_000])
+@pytest.mark.parametrize("sent", ["nonsense", "[]", '{"id": "x", "command": "play"}', "[" * 60_000])
 def test_what_is_no_command_ends_the_connection(server: Server, sent: str) -> None:
     with opened(server) as page:
         page.recv(5)
@@ -150,7 +150,7 @@ def test_a_large_message_and_a_flood_end_the_connection(server: Server) -> None:
 
 def flood(page: ClientConnection) -> None:
     for number in range(2000):
-        page.send(json.dumps({"id": number, "do": "play"}))
+        page.send(json.dumps({"id": number, "command": "play"}))
     while True:
         page.recv(5)
 

@@ -171,7 +171,7 @@ def a_video_and_a_page_are_saved(browser: Any, page: Any, folder: Path) -> None:
 
 
 def a_recording_is_saved_that_runs_again(page: Any, folder: Path) -> None:
-    page.evaluate("crs.model.channel.ask('console', { line: 'note here it holds on' })")
+    page.evaluate("crs.model.channel.request('console', { line: 'note here it holds on' })")
     page.keyboard.press("m")
     with page.expect_download() as saved:
         page.click(".menu >> text=Recording")

@@ -1,6 +1,6 @@
 /** What can be done with the selected robot, and how it is driven by hand. */
 import { button, el } from "crs/dom.js";
-import { NOTHING, change, changeOrSay, entry, field, sayAtFields, setOptions, typed } from "crs/change.js";
+import { NOTHING, change, changeOrSay, entry, field, showErrors, setOptions, typed } from "crs/change.js";
 import { Driving } from "crs/driving.js";
 
 /** Forms that are opened by a button: what they ask for, the change that they make, and for which runs. */
@@ -65,7 +65,7 @@ function simpleForm(model, form) {
   const fields = form.fields.map(([label, unit], at) => field(label, entry({ value: values[at] }), unit));
   return formOf(fields, form.title, async () => {
     const wrong = await change(model, form.text(model.selected.id, fields.map((each) => typed(each.input) || NOTHING)));
-    sayAtFields(fields, wrong);
+    showErrors(fields, wrong);
     return !wrong;
   });
 }
@@ -95,16 +95,16 @@ function addForm(model) {
     if (file.files?.length) {
       const [chosen] = file.files;
       try {
-        running = (await model.channel.ask("upload", { name: chosen.name, text: await chosen.text() })).name;
+        running = (await model.channel.request("upload", { name: chosen.name, text: await chosen.text() })).name;
         model.uploads = [...(model.uploads ?? []), running];
       } catch (error) {
-        uploaded.say(error.message);
+        uploaded.setError(error.message);
         return false;
       }
     }
     const line = `join ${typed(named.input)} like ${like.value} to ${pose.map(({ input }) => typed(input) || NOTHING).join(" ")}`;
     const wrong = await change(model, running ? `${line} running ${running}` : line);
-    sayAtFields([named, ...pose], wrong);
+    showErrors([named, ...pose], wrong);
     if (!wrong) named.input.value = free();
     return !wrong;
   });

@@ -36,15 +36,15 @@ new Pointing(model, page.views);
 /** Go to a place in the run, as answers have it, and select a robot. @param {string} place @param {number} robot */
 page.go = (place, robot = -1) => {
   model.clock.held = null;
-  if (model.state.busy) model.ask("pause");
-  return model.ask("go", { place, robot });
+  if (model.state.busy) model.request("pause");
+  return model.request("go", { place, robot });
 };
 /** Go to a happening: to its place, if it is known, or else to its time. @param {any[]} happening */
 page.goTo = ([time, , robot, , , , , place]) => (place && model.can("debug") ? page.go(place, robot) : page.timeline.seek(time));
 
 /** The run that a page holds which was written to a file; empty where a server runs it. */
 const held = part("run").textContent.trim();
-const start = button({ icon: "play", text: held ? "Play" : "Run", title: held ? "Play the recording" : "Start the run", className: "start", onclick: () => model.ask("play") });
+const start = button({ icon: "play", text: held ? "Play" : "Run", title: held ? "Play the recording" : "Start the run", className: "start", onclick: () => model.request("play") });
 start.hidden = true;
 part("world").append(start);
 
@@ -62,7 +62,7 @@ model.on("state", (state) => {
   start.hidden = !(model.can("play") && !state.playing && !state.busy && state.t === 0 && state.halt.reason !== "goto");
 });
 
-model.channel = held ? new PageChannel(JSON.parse(held), (message) => model.hear(message)) : new SocketChannel((message) => model.hear(message));
+model.channel = held ? new PageChannel(JSON.parse(held), (message) => model.handle(message)) : new SocketChannel((message) => model.handle(message));
 
 // A picture in which nothing moves is drawn now and then only: software drawing takes a whole core.
 const STILL_AFTER_MS = 1500;
@@ -98,7 +98,7 @@ async function tick(now) {
       page.views.draw(elapsed);
     }
     page.timeline.show(time);
-    model.tell("tick", time);
+    model.emit("tick", time);
     document.body.dataset.time = time.toFixed(3);
   } catch (error) {
     if (model.isConnected) console.error(error);

@@ -13,13 +13,13 @@ export class Approaches {
     this.asked = "";
     this.askedAt = 0;
     this.took = 0;
-    this.ask = oneAtATime(() => this.find());
-    for (const kind of ["state", "look"]) model.on(kind, () => this.ask());
+    this.refresh = oneAtATime(() => this.find());
+    for (const kind of ["state", "look"]) model.on(kind, () => this.refresh());
     model.on("hello", () => (this.asked = ""));
-    model.on("forget", ({ time_s }) => {
+    model.on("truncate", ({ time_s }) => {
       this.all = this.all.filter(([time]) => time <= time_s + 1e-9);
       this.asked = "";
-      model.tell("near");
+      model.emit("near");
     });
   }
 
@@ -41,13 +41,13 @@ export class Approaches {
     if ((playing || busy) && performance.now() - this.askedAt < Math.max(EVERY, this.took / SHARE)) return;
     this.askedAt = performance.now();
     try {
-      const { approaches } = await model.channel.ask("near", { robot });
+      const { approaches } = await model.channel.request("near", { robot });
       this.took = performance.now() - this.askedAt;
       this.asked = what;
       const names = model.run.rosters.at(-1)?.robots ?? [];
       this.all = approaches.map(([time, row, other, gap, x, y]) =>
         [time, "near", row, `${names[row]} ${isContact(gap) ? "touched" : `came to ${distanceText(gap)} of`} ${other}`, x, y, gap]);
-      model.tell("near");
+      model.emit("near");
     } catch {
       // the connection is lost, or the robot is no more
     }

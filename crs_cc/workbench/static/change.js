@@ -1,18 +1,18 @@
-/** Changes of the run, as commands; what is wrong is said at the field that it is about. */
+/** Changes of the run, as commands; errors are shown at the field that they are about. */
 import { el } from "crs/dom.js";
 
 /**
- * Make a change; say what was done.
+ * Make a change, and report the result.
  * @param {any} model @param {string} text @returns {Promise<string>} what is wrong; empty if it was made
  */
 export async function change(model, text) {
   const { end } = model.state;
   try {
-    const { text: done } = await model.channel.ask("edit", { text });
+    const { text: done } = await model.channel.request("edit", { text });
     const { t } = model.state;
     const isPast = model.can("seek") && end - t > model.run.timestep_s * 1.5;
     const rest = ` (a new run starts at ${t.toFixed(2)} s; Changes keeps the previous one)`;
-    model.say(isPast ? done + rest : done);
+    model.notify(isPast ? done + rest : done);
     return "";
   } catch (error) {
     return error.message;
@@ -22,7 +22,7 @@ export async function change(model, text) {
 /** Make a change, and show what is wrong over the view. */
 export async function changeOrSay(model, text) {
   const wrong = await change(model, text);
-  if (wrong) model.say(wrong, true);
+  if (wrong) model.notify(wrong, true);
   return !wrong;
 }
 
@@ -38,27 +38,27 @@ export function field(label, input, unit = "") {
   input.setAttribute("aria-describedby", wrong.id);
   const shown = el("span.unit", {}, unit);
   const row = el("div.field", {}, el("label", { htmlFor: input.id }, label), el("span.entry", {}, input, shown), wrong);
-  const say = (text) => {
+  const setError = (text) => {
     wrong.textContent = text;
     input.setAttribute("aria-invalid", String(Boolean(text)));
     row.classList.toggle("bad-field", Boolean(text));
   };
-  input.addEventListener("input", () => say(""));
-  return { row, input, say, unit: (text) => (shown.textContent = text) };
+  input.addEventListener("input", () => setError(""));
+  return { row, input, setError, unit: (text) => (shown.textContent = text) };
 }
 
 /**
- * Say what is wrong, a line for each fault, at the field whose value it quotes; else at the first.
- * @param {{input: any, say: (text: string) => void}[]} fields @param {string} wrong
+ * Show errors, one per line, at the fields whose values they quote, or else at the first field.
+ * @param {{input: any, setError: (text: string) => void}[]} fields @param {string} wrong
  */
-export function sayAtFields(fields, wrong) {
+export function showErrors(fields, wrong) {
   const texts = new Map();
   for (const line of wrong.split("\n").filter((each) => each)) {
     const quoting = fields.filter(({ input }) => line.includes(`'${typed(input) || NOTHING}'`));
     const about = quoting.find((each) => !texts.has(each)) ?? fields[0];
     texts.set(about, line);
   }
-  for (const each of fields) each.say(texts.get(each) ?? "");
+  for (const each of fields) each.setError(texts.get(each) ?? "");
 }
 
 /** The text in a command for an empty field. */

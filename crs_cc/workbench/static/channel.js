@@ -1,12 +1,12 @@
 /**
- * The channel to the run: commands go out, messages come in. It connects again by itself.
+ * The channel to the run: it sends commands and receives messages, and reconnects automatically.
  *
- * @typedef {(message: any) => void} Hear
+ * @typedef {(message: any) => void} OnMessage
  */
 
-const VERSION = 2;
+const VERSION = 3;
 const FIRST_WAIT = 250; // [ms]
-const LONGEST_WAIT = 4000; // [ms]
+const MAX_WAIT = 4000; // [ms]
 
 /** The token in the page's address; it stays known when the page is loaded again. */
 function token() {
@@ -17,7 +17,7 @@ function token() {
 
 const HEAD = 8; // bytes of a frame before its planes
 
-/** A frame as in a recording, with the planes of zeros that the channel leaves out. @param {Uint8Array} sent */
+/** A frame as in a recording, with the planes of zeros that the channel omits. @param {Uint8Array} sent */
 export function withZeros(sent) {
   const view = new DataView(sent.buffer, sent.byteOffset);
   const [planes, rows] = [4 * sent[1], view.getUint32(4, true)];
@@ -34,14 +34,14 @@ export function withZeros(sent) {
 }
 
 export class SocketChannel {
-  /** @param {Hear} hear is called with every message; bytes as `{type: "frame" | "block", ...}` */
-  constructor(hear) {
-    this.hear = hear;
+  /** @param {OnMessage} onMessage is called with every message; bytes as `{type: "frame" | "block", ...}` */
+  constructor(onMessage) {
+    this.onMessage = onMessage;
     this.isLocal = false;
     this.wait = FIRST_WAIT;
     this.number = 0;
     /** @type {Map<number, {resolve: (value: any) => void, reject: (reason: Error) => void}>} */
-    this.asked = new Map();
+    this.pending = new Map();
     /** @type {Map<number, (bytes: Uint8Array) => void>} */
     this.blocks = new Map();
     this.connect();
@@ -51,18 +51,18 @@ export class SocketChannel {
     const socket = new WebSocket(`ws://${location.host}/channel`, ["crs.1", `token.${token()}`]);
     socket.binaryType = "arraybuffer";
     socket.addEventListener("message", (event) => this.receive(event.data));
-    socket.addEventListener("close", (event) => this.lose(event));
+    socket.addEventListener("close", (event) => this.handleClose(event));
     this.socket = socket;
   }
 
-  lose(event) {
-    for (const { reject } of this.asked.values()) reject(new Error("connection lost"));
-    this.asked.clear();
+  handleClose(event) {
+    for (const { reject } of this.pending.values()) reject(new Error("connection lost"));
+    this.pending.clear();
     this.blocks.clear();
     const isOver = event.code === 1001;
-    this.hear({ type: "lost", isOver, reason: event.reason, wasOpen: this.wait === FIRST_WAIT });
+    this.onMessage({ type: "lost", isOver, reason: event.reason, wasOpen: this.wait === FIRST_WAIT });
     setTimeout(() => this.connect(), this.wait);
-    this.wait = Math.min(LONGEST_WAIT, this.wait * 2);
+    this.wait = Math.min(MAX_WAIT, this.wait * 2);
   }
 
   receive(data) {
@@ -72,8 +72,8 @@ export class SocketChannel {
     }
     const message = JSON.parse(data);
     if (message.type === "answer") {
-      const waiting = this.asked.get(message.id);
-      this.asked.delete(message.id);
+      const waiting = this.pending.get(message.id);
+      this.pending.delete(message.id);
       if (message.error !== undefined) waiting?.reject(new Error(message.error));
       else waiting?.resolve(message.value);
       return;
@@ -82,17 +82,17 @@ export class SocketChannel {
       this.wait = FIRST_WAIT;
       message.isOtherVersion = message.version !== VERSION;
     }
-    this.hear(message);
+    this.onMessage(message);
   }
 
   receiveBytes(bytes) {
     const view = new DataView(bytes.buffer);
     if (bytes[0] === 0x46) {
-      this.hear({ type: "frame", time: view.getFloat64(1, true), data: withZeros(bytes.subarray(9)) });
+      this.onMessage({ type: "frame", time: view.getFloat64(1, true), data: withZeros(bytes.subarray(9)) });
     } else if (bytes[0] === 0x50) {
-      this.pageCame?.(bytes.subarray(1));
+      this.resolvePage?.(bytes.subarray(1));
     } else if (bytes[0] === 0x52) {
-      this.recordingCame?.(bytes.subarray(1));
+      this.resolveRecording?.(bytes.subarray(1));
     } else {
       const number = view.getUint32(1, true);
       this.blocks.get(number)?.(bytes.subarray(5));
@@ -101,31 +101,31 @@ export class SocketChannel {
   }
 
   /**
-   * Have a command carried out. @param {string} name @param {Record<string, any>} fields
+   * Execute a command on the server. @param {string} name @param {Record<string, any>} fields
    * @returns {Promise<any>} its answer
    */
-  ask(name, fields = {}) {
+  request(name, fields = {}) {
     if (this.socket.readyState !== WebSocket.OPEN) return Promise.reject(new Error("not connected"));
     const id = ++this.number;
-    this.socket.send(JSON.stringify({ id, do: name, ...fields }));
-    return new Promise((resolve, reject) => this.asked.set(id, { resolve, reject }));
+    this.socket.send(JSON.stringify({ id, command: name, ...fields }));
+    return new Promise((resolve, reject) => this.pending.set(id, { resolve, reject }));
   }
 
   /** The run as one HTML page. @returns {Promise<Uint8Array>} */
   page() {
-    const bytes = new Promise((resolve) => (this.pageCame = resolve));
-    return this.ask("page").then(() => bytes);
+    const bytes = new Promise((resolve) => (this.resolvePage = resolve));
+    return this.request("page").then(() => bytes);
   }
 
   /** The run as a recording, up to the time that is shown. @returns {Promise<Uint8Array>} */
   recording() {
-    const bytes = new Promise((resolve) => (this.recordingCame = resolve));
-    return this.ask("recording").then(() => bytes);
+    const bytes = new Promise((resolve) => (this.resolveRecording = resolve));
+    return this.request("recording").then(() => bytes);
   }
 
   /** The bytes of a block of frames. @param {number} number @returns {Promise<Uint8Array>} */
   block(number) {
     const bytes = new Promise((resolve) => this.blocks.set(number, resolve));
-    return this.ask("frames", { block: number }).then(() => bytes);
+    return this.request("frames", { block: number }).then(() => bytes);
   }
 }

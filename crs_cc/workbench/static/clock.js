@@ -16,13 +16,13 @@ export class Clock {
     this.isPlaying = false;
     /** @type {number | null} the time that the user looks at, while it is not that of the run */
     this.held = null;
-    this.heardAt = 0;
+    this.updatedAt = 0;
   }
 
   /** @param {any} state @param {boolean} isLocal whether it comes with every picture */
-  hear(state, isLocal) {
+  update(state, isLocal) {
     const now = performance.now() / 1000;
-    const elapsed = now - this.heardAt;
+    const elapsed = now - this.updatedAt;
     if (this.isPlaying && state.playing && elapsed > 0.005 && state.t > this.target) {
       const rate = (state.t - this.target) / elapsed;
       this.rate += (rate - this.rate) * Math.min(1, elapsed * 4);
@@ -30,7 +30,7 @@ export class Clock {
       this.rate = state.speed ?? 1;
     }
     const isBack = state.t < this.target - 1e-9;
-    [this.target, this.heardAt, this.isPlaying] = [state.t, now, state.playing];
+    [this.target, this.updatedAt, this.isPlaying] = [state.t, now, state.playing];
     if (isLocal || isBack) this.shown = state.t;
   }
 
@@ -46,7 +46,7 @@ export class Clock {
       this.shown = isFar || Math.abs(gap) < 1e-4 ? this.target : this.shown + gap * Math.min(1, elapsed * 15);
       return this.shown;
     }
-    const late = performance.now() / 1000 - this.heardAt;
+    const late = performance.now() / 1000 - this.updatedAt;
     const aim = this.target + (Math.min(late, 0.5) - DELAY) * this.rate;
     this.shown += elapsed * this.rate;
     const gap = aim - this.shown;

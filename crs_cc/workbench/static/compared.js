@@ -23,10 +23,10 @@ export class Compared {
     /** @type {any} the search for variables: how far it is, what it has found, what is wrong */
     this.exact = null;
     this.isSearching = false;
-    this.refresh = oneAtATime(() => this.ask());
+    this.refresh = oneAtATime(() => this.fetchComparison());
     model.on("hello", () => this.end());
-    model.on("forget", () => (this.exact = null));
-    for (const kind of ["panel", "others", "forget"]) model.on(kind, () => this.check());
+    model.on("truncate", () => (this.exact = null));
+    for (const kind of ["panel", "others", "truncate"]) model.on(kind, () => this.check());
     model.on("state", ({ playing, end }) => {
       const known = Math.min(end, this.run?.end ?? 0);
       if (this.run && !playing && known > this.run.until + GROWN) this.refresh();
@@ -48,17 +48,17 @@ export class Compared {
   /** Compare with a run. @param {string} name */
   async with(name) {
     this.exact = null;
-    const answer = await this.model.ask("compare", { name });
+    const answer = await this.model.request("compare", { name });
     if (!answer) return;
     this.exact = answer.exact ?? null; // a page that holds both runs knows it
     this.take(answer);
     if (this.model.can("debug") && this.model.run.follows !== false) this.search();
   }
 
-  async ask() {
+  async fetchComparison() {
     if (!this.run) return;
     const { name } = this.run;
-    const answer = await this.model.ask("compare", { name });
+    const answer = await this.model.request("compare", { name });
     if (answer && this.run?.name === name) this.take(answer);
   }
 
@@ -68,19 +68,19 @@ export class Compared {
     const frames = before?.frames ?? new Frames(blocks, answer.frame_s, (number) => this.model.channel.block(number));
     const scene = before?.scene ?? new Scene({ ...this.model.run, rosters: answer.rosters });
     this.look.other = { ...answer, frames, scene };
-    this.tell();
+    this.notify();
   }
 
-  tell() {
+  notify() {
     const { first, run } = this;
     this.model.differs = first ? [[first.t, "differs", -1, `${first.robot} ${first.what}: ${first.here} here, ${first.there} in ${run.name}`, null, null]] : [];
     this.look.version++;
-    this.model.tell("compared");
+    this.model.emit("compared");
   }
 
   end() {
     this.look.other = this.exact = null;
-    this.tell();
+    this.notify();
   }
 
   /** End comparing with a run that is no more, or is shown now. */
@@ -116,16 +116,16 @@ export class Compared {
     this.exact = { t: 0, until: 0, is_done: false, found: [], wrong: "" };
     let anew = true;
     while (this.isSearching && this.run?.name === name && this.exact && !this.exact.is_done) {
-      this.tell();
+      this.notify();
       const before = this.exact;
-      const answer = await this.model.channel.ask("differ", { name, anew })
+      const answer = await this.model.channel.request("next_difference", { name, anew })
         .then((found) => ({ ...found, wrong: "" }), (error) => ({ ...before, is_done: true, wrong: error.message }));
       if (this.exact !== before) break; // the run has taken another course meanwhile
       this.exact = answer;
       anew = false;
     }
     this.isSearching = false;
-    this.tell();
+    this.notify();
   }
 
   stop() {
@@ -137,18 +137,18 @@ export class Compared {
     const name = file.name.endsWith(".mcap") ? file.name : `${file.name}.mcap`;
     const bytes = new Uint8Array(await file.arrayBuffer());
     for (let offset = 0; offset < Math.max(1, bytes.length); offset += PIECE) {
-      this.model.say(`${file.name}: ${Math.round((100 * offset) / Math.max(1, bytes.length))} % sent`);
+      this.model.notify(`${file.name}: ${Math.round((100 * offset) / Math.max(1, bytes.length))} % sent`);
       const data = toBase64(bytes.subarray(offset, offset + PIECE));
-      if (!(await this.model.ask("bring", { name, offset, data }))) return;
+      if (!(await this.model.request("upload_piece", { name, offset, data }))) return;
     }
-    const opened = await this.model.ask("open", { name });
+    const opened = await this.model.request("open", { name });
     if (!opened) return;
-    this.model.say(`${name} is open`);
+    this.model.notify(`${name} is open`);
     this.page.compare(opened.name);
   }
 
   /** Close a recording. @param {string} name */
   close(name) {
-    return this.model.ask("close", { name });
+    return this.model.request("close", { name });
   }
 }

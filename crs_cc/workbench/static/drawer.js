@@ -56,6 +56,6 @@ export class Drawer {
     }
     box.hidden = !isOpen;
     document.body.classList.toggle("plotted", !this.under.hidden);
-    this.model.tell("look");
+    this.model.emit("look");
   }
 }

@@ -19,7 +19,7 @@ export class Driving {
     this.note = el("p.driving", { role: "status" });
     this.note.hidden = true;
     this.pressed = new Set();
-    this.told = "";
+    this.sent = "";
     this.isAsking = false;
     addEventListener("keydown", (event) => this.key(event, true), true);
     addEventListener("keyup", (event) => this.key(event, false), true);
@@ -38,19 +38,19 @@ export class Driving {
     this.robot = model.state.robot;
     this.name = model.selected.id;
     this.isOn = true;
-    this.told = "0 0";
+    this.sent = "0 0";
     this.note.hidden = false;
     this.note.textContent = `Driving ${this.name}: arrows or W A S D, Shift for twice the speed, Esc ends. Its program still sends commands; suspend it with Sleep to control the robot alone.`;
     /** @type {HTMLElement | null} */ (document.activeElement)?.blur();
-    model.tell("driving");
-    if (!model.state.playing) model.ask("play");
+    model.emit("driving");
+    if (!model.state.playing) model.request("play");
   }
 
   end() {
     this.release();
     this.isOn = false;
     this.note.hidden = true;
-    this.model.tell("driving");
+    this.model.emit("driving");
   }
 
   release() {
@@ -79,7 +79,7 @@ export class Driving {
       ahead += KEYS[name][0];
       left += KEYS[name][1];
     }
-    this.tell(factor * SPEED * Math.sign(ahead), factor * TURN * Math.sign(left));
+    this.setSpeed(factor * SPEED * Math.sign(ahead), factor * TURN * Math.sign(left));
   }
 
   stick() {
@@ -91,19 +91,19 @@ export class Driving {
     if (!left && !ahead && !this.wasStick) return;
     this.wasStick = Boolean(left || ahead);
     this.askedAt = now;
-    this.tell(2 * SPEED * ahead, 2 * TURN * left);
+    this.setSpeed(2 * SPEED * ahead, 2 * TURN * left);
   }
 
   /** Tell the robot; while the last command is on its way, only the newest one waits. */
-  async tell(speed, turn) {
+  async setSpeed(speed, turn) {
     this.wanted = `${+speed.toFixed(3)} ${+turn.toFixed(1)}`;
     if (this.isAsking) return;
     this.isAsking = true;
-    while (this.wanted !== this.told) {
-      this.told = this.wanted;
-      const wrong = await change(this.model, `drive ${this.name} ${this.told}`);
+    while (this.wanted !== this.sent) {
+      this.sent = this.wanted;
+      const wrong = await change(this.model, `drive ${this.name} ${this.sent}`);
       if (wrong) {
-        this.model.say(wrong, true);
+        this.model.notify(wrong, true);
         this.end();
       }
     }

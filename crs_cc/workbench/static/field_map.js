@@ -7,8 +7,8 @@ const COLOURS = [
   [217, 119, 6],
   [219, 39, 119],
 ];
-const LEAST = 0.16; // opacity of the smallest amount that is shown
-const MOST = 0.88;
+const MIN = 0.16; // opacity of the smallest amount that is shown
+const MAX = 0.88;
 
 /** @typedef {{name: string, x: number, y: number, cell: number, rows: number, columns: number, most: number, data: string, shares?: Uint8Array}} FieldMap
  *   amounts as shares of the largest, a byte for each cell, by rows from the smallest y: in base 64 as `data`, or
@@ -18,7 +18,7 @@ const MOST = 0.88;
 export const fieldRgb = (number) => COLOURS[number % COLOURS.length];
 
 /** The opacity of an amount. @param {number} share of the largest, 0 to 1 */
-export const opacity = (share) => (share > 0 ? LEAST + (MOST - LEAST) * share : 0);
+export const opacity = (share) => (share > 0 ? MIN + (MAX - MIN) * share : 0);
 
 /** A field as red, green, blue and opacity of each cell. @param {FieldMap} field @param {number} number */
 export function fieldPixels(field, number) {

@@ -6,23 +6,23 @@ export class Found {
     this.model = model;
     this.page = page;
     model.on("hello", () => (model.found = { title: "", rows: [] }));
-    model.on("forget", ({ time_s }) => {
+    model.on("truncate", ({ time_s }) => {
       model.found = { ...model.found, rows: model.found.rows.filter(([t]) => t <= time_s + 1e-9) };
     });
   }
 
   /**
    * Ask when something was so; mark the answer.
-   * @param {string} name of the command: `when`, `said`, `hits` @param {Record<string, any>} fields @param {string} title
+   * @param {string} name of the command: `when`, `log_messages`, `hits` @param {Record<string, any>} fields @param {string} title
    * @returns {Promise<string>} what is wrong; empty if the question was answered
    */
-  async ask(name, fields, title) {
+  async search(name, fields, title) {
     const { model, page } = this;
     try {
-      const rows = await model.channel.ask(name, fields);
+      const rows = await model.channel.request(name, fields);
       this.set(rows, title);
       page.timeline.jumpTo(rows.length ? "found" : "any");
-      model.say(rows.length ? `${title}: ${rows.length === 1 ? "once" : `${rows.length} times`}. ‹ and › step through them (P, N).` : `${title}: never, in the run so far`);
+      model.notify(rows.length ? `${title}: ${rows.length === 1 ? "once" : `${rows.length} times`}. ‹ and › step through them (P, N).` : `${title}: never, in the run so far`);
       return "";
     } catch (error) {
       return error.message;
@@ -32,7 +32,7 @@ export class Found {
   /** @param {any[][]} rows time, number, text, place, robot @param {string} title */
   set(rows, title) {
     this.model.found = { title, rows };
-    this.model.tell("found");
+    this.model.emit("found");
   }
 
   clear() {
@@ -47,14 +47,14 @@ export class Found {
     const rows = model.found.rows.filter(([, , , place]) => compared(place.split(".").map(Number), now) * way > 0);
     const next = way > 0 ? rows[0] : rows.at(-1);
     if (next) page.go(next[3], next[4]);
-    else model.say(way > 0 ? "no later one was found" : "no earlier one was found");
+    else model.notify(way > 0 ? "no later one was found" : "no earlier one was found");
   }
 }
 
 /** Where the run is: its place, or the start of the timestep that is shown. @returns {number[]} */
-function hereOf({ where, state, clock, run }) {
+function hereOf({ position, state, clock, run }) {
   const time = clock.held ?? state.t;
-  if (where && clock.held === null && Math.abs(where.t - time) < 1e-9) return where.place.split(".").map(Number);
+  if (position && clock.held === null && Math.abs(position.t - time) < 1e-9) return position.place.split(".").map(Number);
   return [Math.round(time / run.timestep_s), 0, -1, 0];
 }
 

@@ -8,7 +8,7 @@
 const NOWHERE = -(2 ** 31);
 const PER_UNIT = 1e4;
 const KEPT = 40; // decoded blocks
-const TAIL = 240; // frames of a live run that are kept as they come
+const TAIL = 240; // frames of a live run that are kept as received
 
 /** @param {string} text @returns {Uint8Array} */
 export function fromBase64(text) {
@@ -110,7 +110,7 @@ export class Frames {
     this.fetch = fetch;
     /** @type {Map<any, Promise<Frame[]>>} */
     this.decoded = new Map();
-    /** @type {Frame[]} the latest frames of a live run, as they have come */
+    /** @type {Frame[]} the latest frames of a live run, as received */
     this.tail = [];
     /** @type {Frame | null} the current frame of the run */
     this.exact = null;
@@ -135,12 +135,12 @@ export class Frames {
   }
 
   /** Show blocks rather than live frames: the run has stopped, and its frames are complete there. */
-  settle() {
+  clearTail() {
     this.tail = [];
   }
 
   /** Discard what comes after a time. */
-  forget(time, blocks) {
+  truncate(time, blocks) {
     this.blocks = blocks.map(([number, begin, end]) => [begin, end, number]);
     this.tail = this.tail.filter((frame) => frame.time <= time);
     if (this.exact && this.exact.time > time + 1e-6) this.exact = null;

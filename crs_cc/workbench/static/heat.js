@@ -1,6 +1,6 @@
 /**
  * Infrared: heat as colour. The floor has what a heat sensor there would read, by the sensor's own
- * law (`sim/devices/heat`): the sum over things of heat times max(0, 1 - distance / spread). Things
+ * law (`sim/devices/heat`): the sum over objects of heat times max(0, 1 - distance / spread). Things
  * without a spread would add the same anywhere, so only they themselves have their colour.
  */
 import { cornersOf } from "crs/scene.js";
@@ -43,18 +43,18 @@ function distance(shape, x, y) {
   return isInside ? 0 : least;
 }
 
-/** Heat that a sensor at a place reads. @param {any[]} things with heat */
-export function heatAt(things, x, y) {
+/** Heat that a sensor at a place reads. @param {any[]} objects with heat */
+export function heatAt(objects, x, y) {
   let sum = 0;
-  for (const thing of things) {
-    const share = thing.spread ? Math.max(0, 1 - distance(thing, x, y) / thing.spread) : 1;
-    sum += thing.heat * share;
+  for (const object of objects) {
+    const share = object.spread ? Math.max(0, 1 - distance(object, x, y) / object.spread) : 1;
+    sum += object.heat * share;
   }
   return sum;
 }
 
 /** The hot objects of a scene, and hot robots at their positions. @param {any} scene */
-export function hotThings(scene) {
+export function hotObjects(scene) {
   return [...scene.shapes, ...scene.bodies]
     .filter((each) => scene.heat(each) > 0)
     .map((each) => ({ ...each, heat: scene.heat(each) }));
@@ -65,11 +65,11 @@ export function heatPicture(scene, most) {
   const { x, y, length, width } = scene.area;
   const cell = Math.max(length, width) / FINE;
   const [columns, rows] = [Math.max(1, Math.round(length / cell)), Math.max(1, Math.round(width / cell))];
-  const things = hotThings(scene).filter((thing) => thing.spread).slice(0, 50); // others are the same anywhere
+  const objects = hotObjects(scene).filter((object) => object.spread).slice(0, 50); // others are the same anywhere
   const data = new Uint8Array(columns * rows * 4);
   for (let row = 0; row < rows; row++) {
     for (let column = 0; column < columns; column++) {
-      const heat = heatAt(things, x + ((column + 0.5) * length) / columns, y + ((row + 0.5) * width) / rows);
+      const heat = heatAt(objects, x + ((column + 0.5) * length) / columns, y + ((row + 0.5) * width) / rows);
       data.set([...heatRgb(heat / most), 255], (row * columns + column) * 4);
     }
   }
@@ -77,4 +77,4 @@ export function heatPicture(scene, most) {
 }
 
 /** The largest heat that the colours show. @param {any} scene */
-export const mostHeat = (scene) => Math.max(1, ...hotThings(scene).map((thing) => thing.heat));
+export const maxHeat = (scene) => Math.max(1, ...hotObjects(scene).map((object) => object.heat));

@@ -13,7 +13,7 @@ import { Series } from "crs/series.js";
 
 const SPAN = 20; // how far back sparklines go [s]
 const PIECES = 10; // in which a history is read
-const MOST = 1000; // samples of a history that are asked for at once
+const MAX = 1000; // samples of a history that are asked for at once
 const GIVEN_UP = /^interrupted|the run goes on|the run is busy/; // and not wrong for ever
 const NO_VALUE = ["no echo", "not finite"]; // of expressions that may have one at other times
 
@@ -37,10 +37,10 @@ export class Instruments {
     this.isFilling = false;
     /** @type {any} the last answer, of the selected robot */
     this.now = null;
-    this.ask = oneAtATime(() => this.inspect());
-    model.on("status", () => this.ask());
-    model.on("look", () => this.ask());
-    model.on("forget", ({ time_s }) => this.forget(time_s));
+    this.refresh = oneAtATime(() => this.inspect());
+    model.on("status", () => this.refresh());
+    model.on("look", () => this.refresh());
+    model.on("truncate", ({ time_s }) => this.truncate(time_s));
     model.on("hello", () => {
       this.series.clear();
       for (const each of [this.known, this.untraced, this.filled, this.wrong]) each.clear();
@@ -48,8 +48,8 @@ export class Instruments {
     });
   }
 
-  forget(time) {
-    this.series.forget(time);
+  truncate(time) {
+    this.series.truncate(time);
     this.wrong.clear();
     for (const [name, until] of this.known) this.known.set(name, Math.min(until, time));
     for (const [name, [begin, end]] of this.filled) this.filled.set(name, [Math.min(begin, time), Math.min(end, time)]);
@@ -77,7 +77,7 @@ export class Instruments {
     const wanted = wishes.flatMap((wish) => wish.expressions).filter((each) => !isAtLine(each));
     const expressions = [...new Set(["speed", "battery", ...wanted])].slice(0, 40);
     try {
-      this.note(await this.model.channel.ask("inspect", { robot, expressions: expressions.join("\n") }), expressions);
+      this.note(await this.model.channel.request("inspect", { robot, expressions: expressions.join("\n") }), expressions);
     } catch {
       this.now = null; // the robot is no more, or the programs of a recording stand elsewhere
     }
@@ -86,7 +86,7 @@ export class Instruments {
     } catch {
       this.now = null;
     }
-    this.model.tell("instruments", this.now);
+    this.model.emit("instruments", this.now);
   }
 
   note(answer, expressions) {
@@ -110,7 +110,7 @@ export class Instruments {
     const wanted = expressions.filter((each) => !this.untraced.has(this.name(each, robot)) && until(each) < end - 1e-9);
     if (!wanted.length) return;
     const begin = Math.min(...wanted.map(until));
-    const answer = await this.model.channel.ask("history", { robot, expressions: wanted.join("\n"), begin_s: begin, end_s: end, count: MOST });
+    const answer = await this.model.channel.request("history", { robot, expressions: wanted.join("\n"), begin_s: begin, end_s: end, count: MAX });
     answer.series.forEach((samples, at) => {
       const name = this.name(wanted[at], robot);
       if (!samples) this.untraced.add(name);
@@ -126,10 +126,10 @@ export class Instruments {
     const { robot, t } = this.model.state;
     try {
       if (isAtLine(expression)) {
-        await this.model.channel.ask("changes", { robot, expression, begin_s: t, end_s: t });
+        await this.model.channel.request("changes", { robot, expression, begin_s: t, end_s: t });
         return "";
       }
-      const { values, texts } = await this.model.channel.ask("inspect", { robot, expressions: expression });
+      const { values, texts } = await this.model.channel.request("inspect", { robot, expressions: expression });
       const [value] = values;
       return typeof value === "string" && texts[0] === null && !NO_VALUE.includes(value) ? value : "";
     } catch (error) {
@@ -165,10 +165,10 @@ export class Instruments {
       let goesOn = true;
       for (const each of parts[0]) if (goesOn && isFree()) goesOn = await this.read(each, robot, parts[1], parts[2]);
       if (!goesOn) break;
-      model.tell("instruments", this.now);
+      model.emit("instruments", this.now);
     }
     this.isFilling = false;
-    model.tell("instruments", this.now);
+    model.emit("instruments", this.now);
   }
 
   /**
@@ -179,7 +179,7 @@ export class Instruments {
   async read(expression, robot, from, to) {
     const name = this.name(expression, robot);
     try {
-      const { rows, is_at } = await this.model.channel.ask("changes", { robot, expression, begin_s: from, end_s: to });
+      const { rows, is_at } = await this.model.channel.request("changes", { robot, expression, begin_s: from, end_s: to });
       const series = this.series.of(name);
       series.isStep = !is_at;
       this.series.replace(name, from, to, rows);

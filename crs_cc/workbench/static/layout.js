@@ -59,7 +59,7 @@ export class Layout {
   open(id) {
     for (const panel of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("aside.right > section"))) panel.hidden = panel.id !== `panel-${id}`;
     for (const tab of document.querySelectorAll("[role=tab]")) tab.setAttribute("aria-selected", String(tab.id === `tab-${id}`));
-    this.model.tell("look");
+    this.model.emit("look");
   }
 
   show() {
@@ -83,9 +83,9 @@ export class Layout {
   nextTheme() {
     const order = ["auto", "light", "dark"];
     setTheme(order[(order.indexOf(theme()) + 1) % order.length]);
-    this.model.say(`theme: ${theme() === "auto" ? "system" : theme()}`);
+    this.model.notify(`theme: ${theme() === "auto" ? "system" : theme()}`);
     this.look.repaint();
-    this.model.tell("look");
+    this.model.emit("look");
   }
 
   share() {
@@ -94,6 +94,6 @@ export class Layout {
     words.set("t", (clock.isPlaying ? clock.shown : (clock.held ?? clock.target)).toFixed(3));
     words.set("view", this.page.views.cameras());
     history.replaceState(null, "", `#${words}`);
-    navigator.clipboard?.writeText(location.href).then(() => this.model.say("link copied"), () => this.model.say("the link is in the address bar"));
+    navigator.clipboard?.writeText(location.href).then(() => this.model.notify("link copied"), () => this.model.notify("the link is in the address bar"));
   }
 }

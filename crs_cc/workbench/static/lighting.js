@@ -1,6 +1,6 @@
 /** Light in the view: day and night, and lamps of the user's own. The run knows nothing of it. */
 
-const MOST = 8; // lamps: each costs time for every picture
+const MAX = 8; // lamps: each costs time for every picture
 const KEY = "crs-light";
 
 export class Lighting {
@@ -20,7 +20,7 @@ export class Lighting {
 
   /** Add a lamp; @returns whether there was room for it. */
   add(x, y) {
-    if (this.lamps.length >= MOST) return false;
+    if (this.lamps.length >= MAX) return false;
     this.lamps.push({ x, y, z: 1.2, bright: 1 });
     this.version++;
     return true;
@@ -45,7 +45,7 @@ export class Lighting {
     if (!saved) return;
     this.day = Math.min(1, Math.max(0, Number(saved.day ?? 1)));
     this.sun = Number(saved.sun ?? -125);
-    this.lamps = (saved.lamps ?? []).slice(0, MOST);
+    this.lamps = (saved.lamps ?? []).slice(0, MAX);
     this.version++;
   }
 }

@@ -3,7 +3,7 @@ import * as THREE from "three";
 
 const STEEL = "#8a94a3";
 const JOINT = "#3b4250";
-const MOST = 200; // robots
+const MAX = 200; // robots
 
 const made = (geometry, colour) => {
   const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color: colour }));
@@ -27,7 +27,7 @@ export class Limbs {
   /** Put the limbs of robots where their devices are. @param {any[]} bodies @param {any} devices */
   place(bodies, devices) {
     const seen = new Set();
-    for (const body of bodies.slice(0, MOST)) {
+    for (const body of bodies.slice(0, MAX)) {
       if (!body.kind?.gripper && !body.kind?.arm) continue;
       seen.add(body.id);
       let limbs = this.all.get(body.id);

@@ -1,6 +1,6 @@
 /** Forms that block and unblock links, and send a message on behalf of a robot. */
 import { button, el, fill } from "crs/dom.js";
-import { change, changeOrSay, choice, entry, field, sayAtFields, setOptions, typed } from "crs/change.js";
+import { change, changeOrSay, choice, entry, field, showErrors, setOptions, typed } from "crs/change.js";
 
 /** @param {any} model @returns {{shut: HTMLElement, send: HTMLElement}} */
 export function linkForms(model) {
@@ -11,7 +11,7 @@ export function linkForms(model) {
     event.preventDefault();
     const way = words([["", channel.value], ["from", from.value], ["to", to.value]]) || "all";
     const wrong = await change(model, `shut ${way}${words([["at", typed(at.input)], ["for", typed(lasts.input)]], " ")}`);
-    sayAtFields([at, lasts], wrong);
+    showErrors([at, lasts], wrong);
   } },
   field("channel", channel).row, field("sent by", from).row, field("sent to", to).row, at.row, lasts.row,
   el("div.row-end", {}, el("button.primary", { type: "submit" }, "Block")));
@@ -22,8 +22,8 @@ export function linkForms(model) {
     event.preventDefault();
     const way = words([["to", addressee.value], ["on", on.value], ["type", typed(kind.input)]], " ");
     const wrong = await change(model, `message ${by.value}${way}: ${text.input.value}`);
-    kind.say(wrong.includes("type") ? wrong : "");
-    text.say(wrong && !wrong.includes("type") ? wrong : "");
+    kind.setError(wrong.includes("type") ? wrong : "");
+    text.setError(wrong && !wrong.includes("type") ? wrong : "");
   } },
   field("sent by", by).row, field("sent to", addressee).row, field("channel", on).row, kind.row, text.row,
   el("div.row-end", {}, el("button.primary", { type: "submit" }, "Send")));

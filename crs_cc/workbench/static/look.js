@@ -1,5 +1,5 @@
 /** What the user looks at, and how: overlays, colours, sensors; views are drawn by it. */
-import { heatColour, mostHeat } from "crs/heat.js";
+import { heatColour, maxHeat } from "crs/heat.js";
 import { Lighting } from "crs/lighting.js";
 import { PARTS } from "crs/overlay.js";
 import { RecordedFields } from "crs/recorded_fields.js";
@@ -24,8 +24,8 @@ export class Look {
     this.beam = null;
     this.time = 0;
     this.version = 0; // increases when something must be redrawn
-    for (const kind of ["status", "event", "forget", "hello", "look"]) model.on(kind, () => this.version++);
-    for (const kind of ["forget", "hello"]) model.on(kind, () => (this.trails.isStale = true));
+    for (const kind of ["status", "event", "truncate", "hello", "look"]) model.on(kind, () => this.version++);
+    for (const kind of ["truncate", "hello"]) model.on(kind, () => (this.trails.isStale = true));
     this.recorded = new RecordedFields([], [], () => {});
     model.on("hello", ({ world, fields }) => (this.recorded = new RecordedFields(world.fields ?? [], fields ?? [], () => this.version++)));
     model.on("block", () => this.trails.refine());
@@ -40,7 +40,7 @@ export class Look {
   toggle(name) {
     this.show[name] = !this.show[name];
     this.version++;
-    this.model.tell("look");
+    this.model.emit("look");
   }
 
   setSelectedOnly(isOn) {
@@ -51,7 +51,7 @@ export class Look {
   setInfrared(isOn) {
     this.isInfrared = isOn;
     this.version++;
-    this.model.tell("look");
+    this.model.emit("look");
   }
 
   get selected() {
@@ -61,7 +61,7 @@ export class Look {
   /** The colour of a heat, or nothing while colours are plain. */
   get heat() {
     if (!this.isInfrared) return null;
-    const most = mostHeat(this.model.scene);
+    const most = maxHeat(this.model.scene);
     return (heat) => heatColour(heat / most);
   }
 

@@ -2,7 +2,7 @@
 
 const TURN = 2 * Math.PI;
 const NS = "http://www.w3.org/2000/svg";
-const MOST = 40; // robots in a circle
+const MAX = 40; // robots in a circle
 
 /** Make an element of a drawing. @param {string} name @param {Record<string, any>} attributes */
 function svg(name, attributes, ...children) {
@@ -37,7 +37,7 @@ export function linksOf(rows, isLost) {
  *   choose: (key: string) => void}} options
  */
 export function drawGraph(links, { names, seconds, meaning, selected, choose }) {
-  const used = [...new Set(links.flatMap(({ sender, receiver }) => [sender, receiver]))].sort((a, b) => a - b).slice(0, MOST);
+  const used = [...new Set(links.flatMap(({ sender, receiver }) => [sender, receiver]))].sort((a, b) => a - b).slice(0, MAX);
   const at = new Map(used.map((number, place) => {
     const angle = -TURN / 4 + (place * TURN) / Math.max(2, used.length);
     return [number, [150 + 100 * Math.cos(angle), 110 + 78 * Math.sin(angle)]];

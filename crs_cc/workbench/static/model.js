@@ -2,7 +2,7 @@
  * What the page knows of the run. Panels listen for what they show: `on("state", show)`.
  *
  * Kinds: `hello` (all is new), `state` (time, playing, selected robot), `status` (the table of
- * robots), `where` (line, stack, variables), `event`, `output`, `forget`, `link` (connected or not),
+ * robots), `position` (line, stack, variables), `event`, `output`, `truncate`, `link` (connected or not),
  * `panel` (changes, faults, links), `found` (instants that were asked for), `others` (recordings to
  * compare with), `compared` (the run has been compared with another one), `part` (the part of the time
  * line that is shown), `look` (what the user looks at has changed: selection, overlays, theme).
@@ -24,7 +24,7 @@ export class Model {
     this.state = { t: 0, end: 0, playing: false, busy: false, waits: "", speed: 1, rate: 0, span: null, robot: 0, halt: QUIET };
     this.status = { t: 0, first: 0, robots: [], sensors: { believed: [], echoes: [], bumpers: [] } };
     /** @type {any} */
-    this.where = null;
+    this.position = null;
     /** @type {any} */
     this.panel = null;
     /** @type {{title: string, rows: any[][]}} instants that a question has found */
@@ -37,8 +37,6 @@ export class Model {
     /** @type {import("./scene.js").Scene | null} */
     this.scene = null;
     this.approaches = new Approaches(this);
-    /** Errors and what commands have answered, for the line below the view. */
-    this.said = "";
   }
 
   /** @param {string} kind @param {(message: any) => void} listener */
@@ -48,7 +46,7 @@ export class Model {
   }
 
   /** @param {string} kind @param {any} message */
-  tell(kind, message = null) {
+  emit(kind, message = null) {
     for (const listener of this.listeners.get(kind) ?? []) listener(message);
   }
 
@@ -57,28 +55,28 @@ export class Model {
     return Boolean(this.run?.can.includes(what)) && this.run.role === "control";
   }
 
-  /** Have a command carried out; an error is shown. @returns {Promise<any>} null after an error */
-  async ask(name, fields = {}) {
+  /** Execute a command on the server; show an error. @returns {Promise<any>} null after an error */
+  async request(name, fields = {}) {
     try {
-      return (await this.channel.ask(name, fields)) ?? {};
+      return (await this.channel.request(name, fields)) ?? {};
     } catch (error) {
-      this.say(error.message, true);
+      this.notify(error.message, true);
       return null;
     }
   }
 
   /** Show a line of text. */
-  say(text, isError = false) {
-    this.tell("say", { text, isError });
+  notify(text, isError = false) {
+    this.emit("notice", { text, isError });
   }
 
   /** Take a message of the channel. */
-  hear(message) {
-    const take = this[`hear_${message.type}`];
+  handle(message) {
+    const take = this[`handle_${message.type}`];
     if (take) take.call(this, message);
   }
 
-  hear_hello(message) {
+  handle_hello(message) {
     if (message.isOtherVersion) {
       location.reload();
       return;
@@ -90,99 +88,99 @@ export class Model {
       : message.blocks.map(([number, begin, end]) => [begin, end, number]);
     this.frames = new Frames(blocks, message.frame_s, (number) => this.channel.block(number));
     this.state = { ...this.state, end: message.end_s };
-    this.tell("link");
-    this.tell("hello", message);
+    this.emit("link");
+    this.emit("hello", message);
   }
 
-  hear_state(message) {
+  handle_state(message) {
     const before = this.state;
     this.state = message;
-    this.clock.hear(message, this.channel.isLocal);
-    if (before.playing && !message.playing) this.frames?.settle();
-    this.tell("state", message);
-    if (before.robot !== message.robot) this.tell("look");
+    this.clock.update(message, this.channel.isLocal);
+    if (before.playing && !message.playing) this.frames?.clearTail();
+    this.emit("state", message);
+    if (before.robot !== message.robot) this.emit("look");
   }
 
-  hear_status(message) {
+  handle_status(message) {
     this.status = message;
     this.scene?.hold(message.devices?.holds);
     if (this.scene) this.scene.heats = message.devices?.heats ?? {};
-    this.tell("status", message);
+    this.emit("status", message);
   }
 
   /** What has been changed, what is degraded, which links are blocked. */
-  hear_panel(message) {
+  handle_panel(message) {
     this.panel = message;
-    this.tell("panel", message);
+    this.emit("panel", message);
   }
 
   /** Recordings to compare with have been opened or closed. */
-  hear_others({ runs }) {
+  handle_others({ runs }) {
     this.others = runs;
-    this.tell("others");
+    this.emit("others");
   }
 
   /** Robots have been added to the world. */
-  hear_world(message) {
+  handle_world(message) {
     this.run.world = message.world;
-    this.tell("hello", this.run);
+    this.emit("hello", this.run);
   }
 
-  hear_where(message) {
-    this.where = message;
-    this.tell("where", message);
+  handle_position(message) {
+    this.position = message;
+    this.emit("position", message);
   }
 
-  hear_frame({ time, data }) {
+  handle_frame({ time, data }) {
     this.frames?.add(time, data);
     this.state.end = Math.max(this.state.end, time);
-    if (this.state.busy) this.clock.hear({ t: time, playing: true, speed: null }, false);
+    if (this.state.busy) this.clock.update({ t: time, playing: true, speed: null }, false);
   }
 
-  hear_block({ block }) {
+  handle_block({ block }) {
     this.frames?.addBlock(block);
-    this.tell("block");
+    this.emit("block");
   }
 
-  hear_roster({ roster }) {
+  handle_roster({ roster }) {
     this.run.rosters.push(roster);
-    this.tell("roster", roster);
+    this.emit("roster", roster);
   }
 
-  hear_event({ event }) {
+  handle_event({ event }) {
     this.run.events.push(event);
-    this.tell("event", event);
+    this.emit("event", event);
   }
 
-  hear_output({ output }) {
+  handle_output({ output }) {
     this.run.output.push(output);
-    this.tell("output", output);
+    this.emit("output", output);
   }
 
-  hear_forget(message) {
+  handle_truncate(message) {
     const until = message.time_s + 1e-9;
     this.run.events = this.run.events.filter((event) => event[0] <= until);
     this.run.output = this.run.output.filter((piece) => piece[0] <= until);
     this.run.rosters = this.run.rosters.filter((roster) => roster.t <= until);
-    this.frames?.forget(message.time_s, message.blocks);
-    this.tell("forget", message);
+    this.frames?.truncate(message.time_s, message.blocks);
+    this.emit("truncate", message);
   }
 
   /** The run continues in another branch, whose whole state is sent. */
-  hear_course({ events, output, rosters, blocks, end_s }) {
+  handle_replace({ events, output, rosters, blocks, end_s }) {
     Object.assign(this.run, { events, output, rosters });
     const { last } = this.frames; // the next frame is sent as the difference from it
     this.frames = new Frames(blocks.map(([number, begin, end]) => [begin, end, number]), this.run.frame_s, (number) => this.channel.block(number));
     this.frames.last = last;
     this.state.end = end_s;
-    this.tell("forget", { time_s: -1 });
-    this.tell("roster", rosters.at(-1));
+    this.emit("truncate", { time_s: -1 });
+    this.emit("roster", rosters.at(-1));
   }
 
-  hear_lost(message) {
+  handle_lost(message) {
     this.isConnected = false;
     this.lost = message;
-    this.tell("link");
+    this.emit("link");
   }
 
   /** All that has happened: events, close approaches, what was changed by hand, what was found (with its place); like events. @returns {any[][]} */
@@ -204,7 +202,7 @@ export class Model {
 
   select(robot) {
     this.state.robot = robot;
-    this.tell("look");
-    if (this.run.role === "control") this.ask("select", { robot });
+    this.emit("look");
+    if (this.run.role === "control") this.request("select", { robot });
   }
 }

@@ -1,9 +1,9 @@
 /**
  * Return a function that asks something of the server, one call at a time: calls meanwhile make it
- * ask once more, since what is under way may be about another robot or an earlier time.
- * @param {() => Promise<void>} ask
+ * call it once more, since what is under way may be about another robot or an earlier time.
+ * @param {() => Promise<void>} refresh
  */
-export function oneAtATime(ask) {
+export function oneAtATime(refresh) {
   let isAsking = false;
   let isStale = false;
   return async function run() {
@@ -11,7 +11,7 @@ export function oneAtATime(ask) {
     if (isAsking) return;
     isAsking = true;
     try {
-      await ask();
+      await refresh();
     } finally {
       isAsking = false;
     }

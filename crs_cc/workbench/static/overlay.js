@@ -3,10 +3,10 @@
  * Each part is a row of `PARTS`; `show` has their switches.
  */
 import { fieldScale } from "crs/field_map.js";
-import { heatColour, mostHeat } from "crs/heat.js";
+import { heatColour, maxHeat } from "crs/heat.js";
 import { degraded, laser, ranges } from "crs/overlay_devices.js";
 import { otherRun } from "crs/overlay_other.js";
-import { movable } from "crs/overlay_things.js";
+import { movable } from "crs/overlay_objects.js";
 import { askedBeam, cameraStrip, heatRange, infraredBeams } from "crs/overlay_sensors.js";
 import { angleText, gridStep, lengthText } from "crs/units.js";
 
@@ -132,7 +132,7 @@ export class Overlay {
 /** The scale of the infrared view: which colour is which heat. */
 function heatScale(o) {
   const { pen, look } = o;
-  const most = mostHeat(o.scene);
+  const most = maxHeat(o.scene);
   const [left, top, size] = [o.width - 30, o.height / 2 - 80, 160];
   pen.fillStyle = "rgb(11 16 38 / 80%)"; // as cold as can be, so that the text is read on any heat
   pen.beginPath();

@@ -2,10 +2,10 @@
 import { fromBase64 } from "crs/frames.js";
 
 export class PageChannel {
-  /** @param {any} run the contents of the page @param {(message: any) => void} hear */
-  constructor(run, hear) {
+  /** @param {any} run the contents of the page @param {(message: any) => void} onMessage */
+  constructor(run, onMessage) {
     this.run = run;
-    this.hear = hear;
+    this.onMessage = onMessage;
     this.isLocal = true;
     this.time = 0;
     this.speed = 1;
@@ -14,14 +14,14 @@ export class PageChannel {
     this.robot = 0;
     const hello = { ...run, type: "hello", kind: "recorded", role: "control", can: ["play", "seek"] };
     queueMicrotask(() => {
-      this.hear(hello);
-      this.tell();
-      if (run.other) this.hear({ type: "others", runs: [run.other] });
+      this.onMessage(hello);
+      this.publishState();
+      if (run.other) this.onMessage({ type: "others", runs: [run.other] });
     });
   }
 
   /** @param {string} name @param {any} fields */
-  async ask(name, fields = {}) {
+  async request(name, fields = {}) {
     if (name === "compare" && this.run.other) {
       const { other } = this.run;
       return { ...other, blocks: other.blocks.map(([begin, end], number) => [number, begin, end]) };
@@ -39,7 +39,7 @@ export class PageChannel {
       this.time += fields.timesteps * this.run.frame_s;
     } else throw new Error("this page contains a recording: it can only be played and viewed");
     this.time = Math.min(this.run.end_s, Math.max(0, this.time));
-    this.tell();
+    this.publishState();
   }
 
   /** A block of frames of the run that this one is compared with. @param {number} number */
@@ -53,12 +53,12 @@ export class PageChannel {
     this.time = Math.min(this.run.end_s, this.time + elapsed * Math.min(this.speed, 1000));
     if (this.span && this.time >= this.span[1]) this.time = this.span[0];
     if (this.time >= this.run.end_s) this.isPlaying = false;
-    this.tell();
+    this.publishState();
   }
 
-  tell() {
+  publishState() {
     const isOver = this.time >= this.run.end_s;
-    this.hear({
+    this.onMessage({
       type: "state",
       t: this.time,
       end: this.run.end_s,

@@ -32,7 +32,7 @@ export class Pointing {
     this.note.textContent = `The program of ${name} asks for a pose: click the direction.`;
     this.views.onPlace = (toX, toY) => {
       const heading = (Math.atan2(toY - y, toX - x) * 180) / Math.PI;
-      this.model.ask("point", { robot: this.robot, x_m: x, y_m: y, heading_deg: heading });
+      this.model.request("point", { robot: this.robot, x_m: x, y_m: y, heading_deg: heading });
     };
   }
 }

@@ -1,6 +1,6 @@
 /** Values over time, by name: what sparklines and plots draw. */
 
-const MOST = 4000; // points of a series
+const MAX = 4000; // points of a series
 
 /**
  * The samples of a quantity. Values of programs stay until they change (`isStep`); each may have its
@@ -60,16 +60,16 @@ export class Series {
   /** Of the older half, keep the least and the greatest of each four, if there are too many. */
   thin(name) {
     const { times, values, texts, places } = this.of(name);
-    if (times.length <= MOST) return;
+    if (times.length <= MAX) return;
     const kept = [];
-    for (let at = 0; at < MOST / 2; at += 4) kept.push(...outermost(values, at, at + 4));
+    for (let at = 0; at < MAX / 2; at += 4) kept.push(...outermost(values, at, at + 4));
     /** @type {any[][]} */
     const columns = [times, values, texts, places];
-    for (const each of columns) each.splice(0, MOST / 2, ...kept.map((at) => each[at]));
+    for (const each of columns) each.splice(0, MAX / 2, ...kept.map((at) => each[at]));
   }
 
   /** Discard what was after a time. @param {number} time */
-  forget(time) {
+  truncate(time) {
     for (const { times, values, texts, places } of this.byName.values()) {
       while (times.length && times[times.length - 1] > time + 1e-9) for (const each of [times, values, texts, places]) each.pop();
     }

@@ -66,7 +66,7 @@ export class Timeline {
           button({ text: "›", title: "Next event", key: "N", onclick: () => this.jump(1) }))),
       this.track);
     this.listen();
-    for (const kind of ["state", "hello", "forget", "event", "output", "look", "near", "panel", "found", "compared"]) model.on(kind, () => (this.isStale = true));
+    for (const kind of ["state", "hello", "truncate", "event", "output", "look", "near", "panel", "found", "compared"]) model.on(kind, () => (this.isStale = true));
     this.isStale = true;
   }
 
@@ -109,7 +109,7 @@ export class Timeline {
     if (event.key !== "Enter") return;
     const text = this.wanted.value.trim();
     const number = Number(text.replace(/ ?s$/, ""));
-    if (!text || !Number.isFinite(number)) return this.model.say(`'${text}' is not a time: enter seconds, or -10 for ten seconds earlier`, true);
+    if (!text || !Number.isFinite(number)) return this.model.notify(`'${text}' is not a time: enter seconds, or -10 for ten seconds earlier`, true);
     this.leave();
     this.seek(/^[-+]/.test(text) ? (this.model.clock.held ?? this.model.state.t) + number : number);
   }
@@ -131,8 +131,8 @@ export class Timeline {
 
   /** Repeat a span, from its begin on. */
   setSpan(begin, end) {
-    if (end - begin < 0.1) return this.model.say("a span to repeat is at least 0.1 s long", true);
-    this.model.ask("span", { begin_s: begin, end_s: end });
+    if (end - begin < 0.1) return this.model.notify("a span to repeat is at least 0.1 s long", true);
+    this.model.request("span", { begin_s: begin, end_s: end });
     this.seek(begin);
   }
 
@@ -142,8 +142,8 @@ export class Timeline {
     const now = this.model.clock.held ?? t;
     const found = span ? [...span] : [0, Math.max(end, now + 1)];
     found[which] = now;
-    if (found[1] - found[0] < 0.1) return this.model.say("a span to repeat is at least 0.1 s long", true);
-    this.model.ask("span", { begin_s: found[0], end_s: found[1] });
+    if (found[1] - found[0] < 0.1) return this.model.notify("a span to repeat is at least 0.1 s long", true);
+    this.model.request("span", { begin_s: found[0], end_s: found[1] });
   }
 
   /** The right end of the line: a little more than what is known, while it grows. */
@@ -170,7 +170,7 @@ export class Timeline {
   showPart(range, last = 0) {
     [this.range, this.last] = [range, last];
     this.isStale = true;
-    this.model.tell("part");
+    this.model.emit("part");
   }
 
   /** Come nearer at a time, or go away from it. @param {number} time @param {number} factor */
@@ -218,8 +218,8 @@ export class Timeline {
     const now = performance.now();
     if (!isEnd && now - this.askedAt < ASK) return;
     this.askedAt = now;
-    if (model.state.playing || model.state.busy) model.ask("pause");
-    model.ask("seek", { time_s: bounded }).then(() => {
+    if (model.state.playing || model.state.busy) model.request("pause");
+    model.request("seek", { time_s: bounded }).then(() => {
       if (isEnd) model.clock.held = null;
     });
   }
@@ -230,8 +230,8 @@ export class Timeline {
     if (!model.can("seek")) model.clock.held = Math.min(bounded, model.state.end);
     else {
       model.clock.held = null;
-      if (model.state.busy) model.ask("pause"); // what runs to another time is in vain
-      model.ask("seek", { time_s: bounded });
+      if (model.state.busy) model.request("pause"); // what runs to another time is in vain
+      model.request("seek", { time_s: bounded });
     }
     this.isStale = true;
   }
@@ -248,18 +248,18 @@ export class Timeline {
 
   toggle() {
     const { model } = this;
-    if (model.state.busy || model.state.playing) model.ask("pause");
+    if (model.state.busy || model.state.playing) model.request("pause");
     else if (!model.can("play") && model.clock.held !== null) this.release();
-    else model.ask("play");
+    else model.request("play");
   }
 
   step(count) {
-    if (this.model.can("seek")) this.model.ask("step", { timesteps: count });
+    if (this.model.can("seek")) this.model.request("step", { timesteps: count });
     else this.seek(this.model.clock.shown + count * this.model.run.frame_s);
   }
 
   setSpeed(speed) {
-    this.model.ask("speed", { speed });
+    this.model.request("speed", { speed });
   }
 
   faster(way) {
@@ -271,7 +271,7 @@ export class Timeline {
   loop() {
     const { span, t } = this.model.state;
     const begin = Math.max(0, t - 5);
-    this.model.ask("span", span ? { begin_s: 0, end_s: 0 } : { begin_s: begin, end_s: Math.max(t, begin + 1) });
+    this.model.request("span", span ? { begin_s: 0, end_s: 0 } : { begin_s: begin, end_s: Math.max(t, begin + 1) });
   }
 
   /** The times of what is marked, with its kind. */
@@ -293,8 +293,8 @@ export class Timeline {
       .filter(([, kind]) => (this.kind === "any" ? kind !== "near" : markOf(kind).name === this.kind))
       .map(([at]) => at);
     const times = all.filter((at) => (at - now) * way > least);
-    if (!all.length) this.model.say("no such event in the run so far");
-    else if (!times.length) this.model.say(way > 0 ? "no later event is known" : "no earlier event");
+    if (!all.length) this.model.notify("no such event in the run so far");
+    else if (!times.length) this.model.notify(way > 0 ? "no later event is known" : "no earlier event");
     else this.seek(way > 0 ? Math.min(...times) : Math.max(...times));
   }
 

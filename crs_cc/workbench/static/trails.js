@@ -1,7 +1,7 @@
 /** The paths that robots have come, some seconds back. */
 
 const SECONDS = 20;
-const MOST = 64; // robots
+const MAX = 64; // robots
 const STEP = 0.02; // [m] between two points, at least
 const FINE = 0.3; // [s] between two points: more omits those between them
 const GAP = 1.5; // [s] of the displayed time: more is a jump, and trails are looked up again
@@ -29,7 +29,7 @@ export class Trails {
       this.paths.clear(); // those of another time would end in a line to where robots are now
     } else {
       if (time > this.time + FINE) this.isCoarse = true;
-      for (const body of scene.bodies.slice(0, MOST)) this.add(body.row, { t: time, x: body.x, y: body.y });
+      for (const body of scene.bodies.slice(0, MAX)) this.add(body.row, { t: time, x: body.x, y: body.y });
     }
     this.time = time;
     if (this.isStale && !this.isLooking) this.lookUp(scene, frames);
@@ -55,7 +55,7 @@ export class Trails {
     this.isLooking = false;
     const { time } = this;
     this.paths.clear();
-    const rows = Math.min(MOST, scene.roster(time).robots.length);
+    const rows = Math.min(MAX, scene.roster(time).robots.length);
     for (const frame of found) {
       for (let row = 0; row < Math.min(rows, frame.rows); row++) {
         const [x, y] = [frame.values[row], frame.values[frame.rows + row]];

@@ -50,7 +50,7 @@ export class Video {
     }
     const kind = KINDS.find((each) => window.MediaRecorder?.isTypeSupported(each));
     if (!kind) {
-      this.views.say("this browser cannot record videos", true);
+      this.views.notify("this browser cannot record videos", true);
       return;
     }
     this.canvas = document.createElement("canvas");
@@ -65,11 +65,11 @@ export class Video {
     this.recorder.addEventListener("stop", () => {
       this.recorder = null;
       saveFile(new Blob(pieces, { type: kind }), `crs-video.${kind.includes("mp4") ? "mp4" : "webm"}`);
-      this.views.say("video saved");
+      this.views.notify("video saved");
       this.views.showBar();
     });
     this.recorder.start(250);
-    this.views.say("recording: press again to end it");
+    this.views.notify("recording: press again to end it");
     this.views.showBar();
   }
 

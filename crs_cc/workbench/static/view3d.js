@@ -1,7 +1,7 @@
 /** The world in three dimensions, by three.js. z points up. */
 import * as THREE from "three";
 import { FieldCarpets } from "crs/field_carpets.js";
-import { heatPicture, hotThings, mostHeat } from "crs/heat.js";
+import { heatPicture, hotObjects, maxHeat } from "crs/heat.js";
 import { Limbs } from "crs/limbs.js";
 import { robotShape } from "crs/robot_shape.js";
 import { addGrid, addGround, addLamps, addPlaces, heatMark, shapeGeometry } from "crs/world_shape.js";
@@ -172,11 +172,11 @@ export class View3D {
 
   /** The floor as seen by a heat sensor, redrawn when a hot object has moved. */
   warm(look) {
-    const things = hotThings(this.scene);
-    const key = things.map((each) => [each.x, each.y, each.heat].map((n) => n.toFixed(2))).join();
+    const objects = hotObjects(this.scene);
+    const key = objects.map((each) => [each.x, each.y, each.heat].map((n) => n.toFixed(2))).join();
     if (key === this.warmed && this.floor.material.emissiveMap) return;
     this.warmed = key;
-    const { data, columns, rows } = heatPicture(this.scene, mostHeat(this.scene));
+    const { data, columns, rows } = heatPicture(this.scene, maxHeat(this.scene));
     const picture = new THREE.DataTexture(data, columns, rows);
     picture.colorSpace = THREE.SRGBColorSpace;
     picture.magFilter = THREE.LinearFilter;
@@ -279,7 +279,7 @@ export class View3D {
   }
 
   /** What is under a point of the view: the id of a shape or a robot, and where it is hit; null for the ground. */
-  thing(px, py, width, height) {
+  object(px, py, width, height) {
     const ray = new THREE.Raycaster();
     ray.setFromCamera(new THREE.Vector2((px / width) * 2 - 1, 1 - (py / height) * 2), this.lens);
     const shapes = new Map([...this.meshes].map(([shape, mesh]) => [mesh, shape]));

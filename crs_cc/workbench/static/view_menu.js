@@ -68,7 +68,7 @@ export class ViewMenu {
           light.remove(number);
           this.draw();
         } }))),
-      el("div.row", {}, button({ text: "Add a lamp", title: "Then click its position", onclick: () => this.put((x, y) => light.add(x, y) || views.say("no more lamps: eight at most", true)) })),
+      el("div.row", {}, button({ text: "Add a lamp", title: "Then click its position", onclick: () => this.put((x, y) => light.add(x, y) || views.notify("no more lamps: eight at most", true)) })),
       el("h3", {}, "Save"),
       el("div.row", {},
         button({ text: "Picture", title: "Save the views as a picture", key: "S", onclick: () => views.picture() }),
@@ -82,7 +82,7 @@ export class ViewMenu {
 
   /** Have something put where the user clicks next. */
   put(act) {
-    this.views.say("click the position of the lamp");
+    this.views.notify("click the position of the lamp");
     this.views.onPlace = (x, y) => {
       act(x, y);
       this.draw();

@@ -34,7 +34,7 @@ export class Views {
     this.onPlace = null;
     root.replaceChildren(this.grid, this.bar, this.right, this.menu.element, this.note);
     model.on("look", () => this.showBar());
-    model.on("say", ({ text, isError }) => this.say(text, isError));
+    model.on("notice", ({ text, isError }) => this.notify(text, isError));
   }
 
   /** Show a world again. @param {any} scene */
@@ -53,7 +53,7 @@ export class Views {
       flat: this.isFlat,
       failed: (reason) => {
         this.isFlat = true;
-        this.say(reason, true);
+        this.notify(reason, true);
       },
       active: (chosen) => this.activate(chosen),
       placed: (ground) => this.place(ground),
@@ -150,7 +150,7 @@ export class Views {
     );
   }
 
-  say(text, isError) {
+  notify(text, isError) {
     this.note.textContent = text;
     this.note.className = `note ${isError ? "error" : ""} ${text ? "shown" : ""}`;
     clearTimeout(this.noteTimer);
@@ -169,24 +169,24 @@ export class Views {
     whole.toBlob((blob) => {
       if (!blob) return;
       saveFile(blob, `crs-${this.look.time.toFixed(2)}s.png`);
-      this.say("picture saved");
+      this.notify("picture saved");
     });
   }
 
   /** Save the run, as far as it is known, as one file. */
   async exportPage() {
-    const bytes = await this.model.channel.page().catch((error) => this.say(error.message, true));
+    const bytes = await this.model.channel.page().catch((error) => this.notify(error.message, true));
     if (!bytes) return;
     saveFile(new Blob([bytes], { type: "text/html" }), "crs-run.html");
-    this.say("page saved: it opens in any browser");
+    this.notify("page saved: it opens in any browser");
   }
 
   /** Save the run up to the time that is shown, with its programs, as a recording. */
   async exportRecording() {
-    this.say("running it again, to record it");
-    const bytes = await this.model.channel.recording().catch((error) => this.say(error.message, true));
+    this.notify("running it again, to record it");
+    const bytes = await this.model.channel.recording().catch((error) => this.notify(error.message, true));
     if (!bytes) return;
     saveFile(new Blob([bytes], { type: "application/octet-stream" }), "crs-run.mcap");
-    this.say("recording saved: crs debug and crs replay open it");
+    this.notify("recording saved: crs debug and crs replay open it");
   }
 }

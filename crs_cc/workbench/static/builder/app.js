@@ -26,8 +26,8 @@ fill(part("world"), canvas, solid.element, makeOptions(model, tools), makeStatus
 makePanels(model, view);
 
 const bar = el("div.tools", { role: "toolbar", "aria-label": "Tools" });
-const undo = button({ text: "Undo", title: "Undo", key: "Ctrl-Z", onclick: () => model.ask("undo") });
-const redo = button({ text: "Redo", title: "Redo", key: "Ctrl-Y", onclick: () => model.ask("redo") });
+const undo = button({ text: "Undo", title: "Undo", key: "Ctrl-Z", onclick: () => model.request("undo") });
+const redo = button({ text: "Redo", title: "Redo", key: "Ctrl-Y", onclick: () => model.request("redo") });
 const save = button({ text: "Save", title: "Save", key: "Ctrl-S", className: "primary", onclick: () => store() });
 const attempt = button({ text: "Try", title: "Try: run the world; Back returns here", key: "F5", onclick: () => run() });
 const deep = button({ text: "3-D", title: "Switch between plan and 3-D view", key: "3", onclick: () => solid.toggle() });
@@ -39,13 +39,13 @@ const fileName = () => model.document.file.split("/").at(-1);
 async function store() {
   const file = model.document.file || prompt("Save as", "room.xml");
   if (!file) return;
-  const saved = await model.ask("save", model.document.file ? {} : { file });
-  if (saved) model.say(`saved ${saved}`);
+  const saved = await model.request("save", model.document.file ? {} : { file });
+  if (saved) model.notify(`saved ${saved}`);
 }
 
 async function run() {
-  model.say("starting the run...");
-  const address = await model.ask("try");
+  model.notify("starting the run...");
+  const address = await model.request("run");
   if (address) location.href = `${address}&trial=${encodeURIComponent(fileName() || "the new world")}`;
 }
 
@@ -82,7 +82,7 @@ model.addEventListener("change", () => {
   const where = model.path.join("/");
   if (known.area && shown === "" && recall(model, view)) {
     shown = `.${model.path.join("/")}`;
-    model.tell("change");
+    model.emit("change");
     return;
   }
   if (known.area && (!view.isPlaced || where !== shown.slice(1))) view.fit();

@@ -10,7 +10,7 @@ export class Clipboard {
 
   /** Copy what is selected. */
   async copy() {
-    const clip = await this.model.ask("copy", { names: [...this.model.selection] });
+    const clip = await this.model.request("copy", { names: [...this.model.selection] });
     await navigator.clipboard?.writeText(clip ?? "").catch(() => {}); // the builder keeps it too
     return clip;
   }

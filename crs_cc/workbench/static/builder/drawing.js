@@ -1,7 +1,7 @@
 /** What each tool draws: how the mouse gives its corners, and the element that becomes of them. */
 
 const NEAR = 10; // [px] to close a polygon
-const LEAST = 0.001; // [m]
+const MIN = 0.001; // [m]
 export const UNITS = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254, ft: 0.3048 };
 
 /**
@@ -37,11 +37,11 @@ export function addDragged(model, id, [x1, y1], [x2, y2]) {
   const tool = toolOf(id);
   if (tool.by === "disc") {
     const radius = radiusTo([x1, y1], [x2, y2]);
-    if (radius > LEAST) addDisc(model, id, { x: x1, y: y1, radius });
+    if (radius > MIN) addDisc(model, id, { x: x1, y: y1, radius });
     return;
   }
   const [length, width] = [Math.abs(x2 - x1), Math.abs(y2 - y1)];
-  if (length > LEAST && width > LEAST) {
+  if (length > MIN && width > MIN) {
     model.add(id, { x: (x1 + x2) / 2, y: (y1 + y2) / 2, length, width, ...tool.more });
   }
 }
@@ -96,7 +96,7 @@ export class Corners {
     const { last } = this;
     this.typed = "";
     this.points.push(point);
-    if (id === "wall" && last && distance(point, last) > LEAST) {
+    if (id === "wall" && last && distance(point, last) > MIN) {
       this.model.add("wall", { x1: last[0], y1: last[1], x2: point[0], y2: point[1] });
     }
   }

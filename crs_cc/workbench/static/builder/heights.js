@@ -4,8 +4,8 @@ import { gridStep } from "../units.js";
 import { distance } from "./drawing.js";
 import { paintShape } from "./paint.js";
 
-const MOST_CELLS = 64; // on a side of a new map
-const MOST_POINTS = 2000; // of one stroke
+const MAX_CELLS = 64; // on a side of a new map
+const MAX_POINTS = 2000; // of one stroke
 const DIGITS = 1000; // heights are written in millimetres
 
 export class Brush {
@@ -38,7 +38,7 @@ export class Brush {
     if (!this.stroke) return;
     const { shape, before, reached, rise, path } = this.stroke;
     const last = path.at(-1);
-    if (path.length >= MOST_POINTS || (last && distance(last, at) < this.radius / 8)) return;
+    if (path.length >= MAX_POINTS || (last && distance(last, at) < this.radius / 8)) return;
     path.push(at);
     const [x, y] = at;
     const [left, top] = shape.points[3];
@@ -86,7 +86,7 @@ export class Brush {
   async read(file, most) {
     const picture = await createImageBitmap(file).catch(() => null);
     if (!picture) {
-      this.model.say("the browser cannot read this image", true);
+      this.model.notify("the browser cannot read this image", true);
       return;
     }
     const shape = flat(this.model.document.area);
@@ -112,7 +112,7 @@ function span(start, { pixel }, at, radius, count) {
 
 /** A map without heights on all of an area. */
 function flat(area) {
-  const pixel = gridStep(Math.max(area.length, area.width) / MOST_CELLS);
+  const pixel = gridStep(Math.max(area.length, area.width) / MAX_CELLS);
   const [columns, rows] = [area.length, area.width].map((side) => Math.max(2, Math.ceil(side / pixel)));
   const [right, top] = [area.x + columns * pixel, area.y + rows * pixel];
   const points = [[area.x, area.y], [right, area.y], [right, top], [area.x, top]];

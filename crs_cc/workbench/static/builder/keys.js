@@ -15,8 +15,8 @@ function table(model, view, { store, run, duplicate, group, clipboard, solid }) 
   const turn = (angle) => () => model.apply("turn", { values: { angle } });
   const all = () => model.things.map((thing) => thing.name).filter((name) => model.isFree(name) && model.shapes(name).length);
   return [
-    { keys: ["Ctrl+Z"], text: "undo", does: () => model.ask("undo") },
-    { keys: ["Ctrl+Y", "Ctrl+Shift+Z"], text: "redo", does: () => model.ask("redo") },
+    { keys: ["Ctrl+Z"], text: "undo", does: () => model.request("undo") },
+    { keys: ["Ctrl+Y", "Ctrl+Shift+Z"], text: "redo", does: () => model.request("redo") },
     { keys: ["Ctrl+S"], text: "save", does: store },
     { keys: ["F5"], text: "try: run the world", does: run },
     { keys: ["Delete", "Backspace"], text: "remove", needs: true, does: () => model.apply("remove") },

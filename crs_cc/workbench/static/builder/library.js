@@ -9,7 +9,7 @@ const SIDE = 56; // of a picture [px]
 export function makeLibrary(model, view) {
   const root = el("div.library", { role: "list", "aria-label": "Library" });
   const draw = async () => {
-    const objects = (await model.ask("library")) ?? [];
+    const objects = (await model.request("library")) ?? [];
     fill(root, ...objects.map((object, index) => entry(model, view, object, index)));
   };
   let isDrawn = false;
@@ -26,7 +26,7 @@ function entry(model, view, object, index) {
   const picture = el("canvas", { width: SIDE * 2, height: SIDE * 2 });
   paintPicture(picture, object.shapes);
   const put = async (point) => {
-    const name = await model.ask("take", { index, values: { x: point[0], y: point[1] } });
+    const name = await model.request("insert", { index, values: { x: point[0], y: point[1] } });
     if (name) model.choose([name]);
   };
   const made = el("button", {

@@ -23,7 +23,7 @@ export function recall(model, view) {
   [model.hidden, model.locked] = [new Set(hidden), new Set(locked)];
   model.chosenUnit = chosenUnit;
   model.path = path;
-  model.settle();
+  model.updateIndex();
   [view.centre, view.scale, view.isPlaced] = [centre, scale, true];
   model.select(selection.filter((name) => model.thing(name)));
   view.renew();

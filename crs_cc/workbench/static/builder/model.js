@@ -12,7 +12,7 @@ import { byPart, compose } from "./frames.js";
  * @typedef {{root: string, pose: [number, number, number], things: Thing[], shapes: Record<string, Shape[]>}} Inside
  */
 
-const MOST_SONARS = 16;
+const MAX_SONARS = 16;
 
 export class Model extends EventTarget {
   constructor() {
@@ -40,10 +40,10 @@ export class Model extends EventTarget {
     /** What is said below the world: of what was done, or, if that is wrong, why it was not. */
     this.note = "";
     this.isWrong = false;
-    this.channel = new SocketChannel((message) => this.hear(message));
+    this.channel = new SocketChannel((message) => this.handle(message));
   }
 
-  hear(message) {
+  handle(message) {
     if (message.type === "hello") {
       this.isConnected = true;
       this.mayChange = message.role === "control";
@@ -51,26 +51,26 @@ export class Model extends EventTarget {
       this.colours = message.colours;
     } else if (message.type === "lost") {
       this.isConnected = false;
-      this.say(message.isOver ? "crs build has ended" : "not connected", true);
+      this.notify(message.isOver ? "crs build has ended" : "not connected", true);
     } else if (message.type === "document") {
       this.document = message;
-      this.settle();
+      this.updateIndex();
       for (const name of this.selection) if (!this.index.has(name)) this.selection.delete(name);
     }
-    this.tell("change");
+    this.emit("change");
     this.chooseAwaited();
   }
 
   /** @param {string} kind */
-  tell(kind) {
+  emit(kind) {
     this.dispatchEvent(new Event(kind));
   }
 
   /** @param {string} text @param {boolean} isWrong */
-  say(text, isWrong = false) {
+  notify(text, isWrong = false) {
     this.note = text;
     this.isWrong = isWrong;
-    this.tell("note");
+    this.emit("note");
   }
 
   /** The elements that are edited: those of the world, or of a definition. @returns {Thing[]} */
@@ -103,7 +103,7 @@ export class Model extends EventTarget {
   // -- definitions -------------------------------------------------------------------------------
 
   /** Find again the definition that is edited, as far as it is still there. */
-  settle() {
+  updateIndex() {
     const { parts, things, shapes } = this.document;
     this.inside = null;
     this.index = new Map(things.map((thing) => [thing.name, thing]));
@@ -127,19 +127,19 @@ export class Model extends EventTarget {
     const thing = this.thing(name);
     if (thing?.tag !== "object") return;
     this.path = [...this.path, name];
-    this.settle();
-    if (this.path.at(-1) !== name) this.say(`${thing.attributes.ref} is defined in an included file: edit that file`, true);
+    this.updateIndex();
+    if (this.path.at(-1) !== name) this.notify(`${thing.attributes.ref} is defined in an included file: edit that file`, true);
     this.select([]);
-    this.tell("change");
+    this.emit("change");
   }
 
   /** Go back to the object or the world around the definition that is edited. */
   leave() {
     const name = this.path.at(-1);
     this.path = this.path.slice(0, -1);
-    this.settle();
+    this.updateIndex();
     this.select(name ? [name] : []);
-    this.tell("change");
+    this.emit("change");
   }
 
   // -- selection ---------------------------------------------------------------------------------
@@ -147,7 +147,7 @@ export class Model extends EventTarget {
   select(names) {
     this.awaited = null;
     this.selection = new Set(names);
-    this.tell("select");
+    this.emit("select");
   }
 
   /** Hide or lock elements, or undo that. @param {Set<string>} set */
@@ -157,7 +157,7 @@ export class Model extends EventTarget {
       if (isOn) set.delete(name);
       else set.add(name);
     }
-    this.tell("change");
+    this.emit("change");
   }
 
   /** Whether the mouse may take an element. */
@@ -179,20 +179,20 @@ export class Model extends EventTarget {
   // -- what is asked -----------------------------------------------------------------------------
 
   /** Ask the builder; what goes wrong is said. @returns {Promise<any>} */
-  async ask(name, fields = {}) {
+  async request(name, fields = {}) {
     try {
-      const value = await this.channel.ask(name, fields);
-      if (!["properties", "form", "library", "scene"].includes(name)) this.say("");
+      const value = await this.channel.request(name, fields);
+      if (!["properties", "form", "library", "scene"].includes(name)) this.notify("");
       return value;
     } catch (error) {
-      this.say(/** @type {Error} */ (error).message, true);
+      this.notify(/** @type {Error} */ (error).message, true);
       return undefined;
     }
   }
 
   /** Do an operation with the selection, or with names. @returns {Promise<string[] | undefined>} */
   apply(operation, { names = [...this.selection], values = {}, attributes = {} } = {}) {
-    return this.ask("apply", { steps: [{ operation, names, values, attributes }] });
+    return this.request("apply", { steps: [{ operation, names, values, attributes }] });
   }
 
   /** Add an element and select it. */
@@ -205,21 +205,21 @@ export class Model extends EventTarget {
   /** Put a sonar on a robot, that looks away from its centre; its other numbers are those of the last one. */
   async mount([x, y]) {
     const sonars = this.things.filter((each) => each.tag === "sensor");
-    const found = sonars.length ? await this.ask("properties", { name: sonars.at(-1)?.name }) : null;
+    const found = sonars.length ? await this.request("properties", { name: sonars.at(-1)?.name }) : null;
     const known = Object.fromEntries((found?.children ?? []).map((each) => [each.tag, each.text]));
-    const all = await Promise.all(sonars.map((each) => this.ask("properties", { name: each.name })));
+    const all = await Promise.all(sonars.map((each) => this.request("properties", { name: each.name })));
     const taken = new Set(all.flatMap((each) => each.children.filter((child) => child.tag === "id").map((child) => Number(child.text))));
     let id = 0;
     while (taken.has(id)) id += 1;
-    if (id >= MOST_SONARS) {
-      this.say(`a robot has at most ${MOST_SONARS} sonars`, true);
+    if (id >= MAX_SONARS) {
+      this.notify(`a robot has at most ${MAX_SONARS} sonars`, true);
       return;
     }
     const name = sonars.length ? `sensor[${sonars.length}]` : "sensor";
     const length = (value) => lengthIn(value, this.unit);
     const leaf = (into, kind, text) => ({ operation: "add", values: { kind, into, text } });
     const place = (kind, text) => leaf(`${name}/position`, kind, text);
-    await this.ask("apply", {
+    await this.request("apply", {
       steps: [
         leaf("", "sensor", ""), leaf(name, "id", String(id)), leaf(name, "type", "sonar"), leaf(name, "position", ""),
         place("x-relative", length(x)), place("y-relative", length(y)), place("z-relative", known["z-relative"] ?? "20cm"),
@@ -239,7 +239,7 @@ export class Model extends EventTarget {
 
   async paste(clip, values) {
     while (this.inside) this.leave();
-    const names = await this.ask("paste", { values, ...(clip ? { clip } : {}) });
+    const names = await this.request("paste", { values, ...(clip ? { clip } : {}) });
     if (names) this.choose(names);
   }
 }

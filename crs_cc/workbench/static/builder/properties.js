@@ -9,7 +9,7 @@ export async function drawProperties(model, root) {
     fill(root, el("p.note-text", {}, "nothing is selected: click an element, or choose a tool above and draw"));
     return;
   }
-  const found = await model.ask("properties", { name: names[0] });
+  const found = await model.request("properties", { name: names[0] });
   if (!found || !model.selection.has(names[0]) || root.contains(document.activeElement)) return;
   if (names.length > 1) {
     const shared = sharedRows(model, names, found.rows);
@@ -88,7 +88,7 @@ export function makeAddForm(model) {
   let kind = "";
   let into = "";
   const draw = async () => {
-    const found = await model.ask("form", { into, kind });
+    const found = await model.request("form", { into, kind });
     if (!found) return;
     kind = found.kind;
     const choose = (event) => {

@@ -28,7 +28,7 @@ export class Solid {
   async toggle() {
     this.isOn = !this.isOn;
     this.element.hidden = !this.isOn;
-    this.model.tell("tool");
+    this.model.emit("tool");
     if (this.isOn) await this.renew();
     else {
       this.drag = null;
@@ -49,8 +49,8 @@ export class Solid {
     this.isAsking = true;
     while (this.isOn && this.isStale) {
       this.isStale = false;
-      const world = await this.model.ask("scene");
-      if (world && this.isOn) await this.make(world).catch((error) => this.model.say(`no 3-D view: ${error.message}`, true));
+      const world = await this.model.request("scene");
+      if (world && this.isOn) await this.make(world).catch((error) => this.model.notify(`no 3-D view: ${error.message}`, true));
     }
     this.isAsking = false;
   }
@@ -147,7 +147,7 @@ export class Solid {
   under(event) {
     const { clientWidth, clientHeight } = this.element;
     if (!this.picture?.lens || this.model.inside) return null;
-    const hit = this.picture.thing(event.offsetX, event.offsetY, clientWidth, clientHeight);
+    const hit = this.picture.object(event.offsetX, event.offsetY, clientWidth, clientHeight);
     const name = hit && this.nameOf(hit.id);
     if (hit && name) return { ...hit, name };
     const place = this.picture.ground(event.offsetX, event.offsetY, this.camera, clientWidth, clientHeight);

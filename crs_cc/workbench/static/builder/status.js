@@ -17,17 +17,17 @@ function selected(model) {
 
 /** @param {import("./model.js").Model} model @param {import("./view.js").View} view @param {import("./tools.js").Tools} tools @param {import("./solid.js").Solid} solid */
 export function makeStatus(model, view, tools, solid) {
-  const said = el("span.said", { role: "status" });
+  const notice = el("span.notice", { role: "status" });
   const place = el("span.place");
   let help = "";
   const draw = () => {
     const hint = solid.isOn ? solid.hint : tools.tool === "select" && model.selection.size ? selected(model) : toolOf(tools.tool).title;
-    said.textContent = help || model.note || hint;
-    said.className = `said${help ? "" : model.isWrong ? " wrong" : model.note ? " news" : ""}`;
+    notice.textContent = help || model.note || hint;
+    notice.className = `notice${help ? "" : model.isWrong ? " wrong" : model.note ? " news" : ""}`;
   };
   for (const kind of ["note", "tool", "select", "change"]) model.addEventListener(kind, draw);
   // A note is about what was done last.
-  model.addEventListener("tool", () => model.note && !model.isWrong && model.say(""));
+  model.addEventListener("tool", () => model.note && !model.isWrong && model.notify(""));
   for (const kind of ["focusin", "pointerover"]) {
     document.addEventListener(kind, ({ target }) => {
       const field = /** @type {HTMLElement} */ (target).closest?.("aside.right label")?.querySelector("[title]");
@@ -44,6 +44,6 @@ export function makeStatus(model, view, tools, solid) {
   view.canvas.addEventListener("pointerleave", () => point(null));
   model.addEventListener("change", () => place.textContent || point(null));
   const line = el("div.status");
-  fill(line, said, place, makeUnits(model));
+  fill(line, notice, place, makeUnits(model));
   return line;
 }

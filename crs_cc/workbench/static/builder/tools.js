@@ -37,7 +37,7 @@ export class Tools {
   choose(tool) {
     this.tool = tool;
     this.cancel();
-    this.model.tell("tool");
+    this.model.emit("tool");
   }
 
   cancel() {

@@ -32,7 +32,7 @@ export function offerNames(listing, model, page) {
     made.style.top = `${row.offsetTop + row.offsetHeight}px`;
     menu = made;
     listing.append(made);
-    const { values, texts } = (await model.ask("inspect", { robot: model.state.robot, expressions: name })) ?? { values: [""], texts: [null] };
+    const { values, texts } = (await model.request("inspect", { robot: model.state.robot, expressions: name })) ?? { values: [""], texts: [null] };
     value.textContent = texts[0] !== null || typeof values[0] === "number" ? `${name} = ${texts[0] ?? values[0]}` : `${name}: ${values[0]}`;
   };
 
@@ -48,5 +48,5 @@ export function offerNames(listing, model, page) {
   listing.addEventListener("keydown", (event) => {
     if (event.key === "Escape") close();
   });
-  for (const kind of ["where", "hello"]) model.on(kind, close);
+  for (const kind of ["position", "hello"]) model.on(kind, close);
 }

@@ -20,7 +20,7 @@ export class Source {
     this.cursor = 0;
   }
 
-  forget() {
+  clear() {
     this.known.clear();
     this.file = "";
   }
@@ -28,7 +28,7 @@ export class Source {
   /** Show a file, and a line of it. @param {string} file @param {number} line 0 for none */
   async open(file, line) {
     if (!this.known.has(file)) {
-      const answer = await this.model.ask("source", { file });
+      const answer = await this.model.request("source", { file });
       if (!answer) return;
       this.known.set(file, answer);
     }
@@ -71,8 +71,8 @@ export class Source {
   }
 
   async toggle(file, line) {
-    const done = await this.model.ask("break", { file, line });
-    if (done?.note) this.model.say(done.note);
+    const done = await this.model.request("break", { file, line });
+    if (done?.note) this.model.notify(done.note);
   }
 
   /** Edit the breakpoint of a line, below it. */
@@ -85,13 +85,13 @@ export class Source {
   }
 
   points() {
-    const here = (this.model.where?.breakpoints ?? []).filter((each) => each.file === this.file);
+    const here = (this.model.position?.breakpoints ?? []).filter((each) => each.file === this.file);
     return new Map(here.map((each) => [each.line, each]));
   }
 
   /** Mark the program's current line, breakpoints, and a fault. @param {number} line */
   mark(line) {
-    const { file, innermost, error } = this.model.where ?? {};
+    const { file, innermost, error } = this.model.position ?? {};
     const points = this.points();
     for (const old of this.element.querySelectorAll(".fault, .fault-mark")) old.remove();
     this.element.querySelectorAll(":scope > .line").forEach((row, index) => {

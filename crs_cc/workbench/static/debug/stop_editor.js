@@ -24,7 +24,7 @@ export function stopEditor(model, page, file, line, point) {
     wrong.textContent = "";
     const fields = { file, line, condition: condition.value, log: log.value, robot: Number(robot.value), ignore: Number(ignore.value) | 0, commands: commands.value, enabled: enabled.checked };
     try {
-      await model.channel.ask("breakpoint", fields);
+      await model.channel.request("breakpoint", fields);
       close();
     } catch (error) {
       wrong.textContent = error.message;
@@ -32,16 +32,16 @@ export function stopEditor(model, page, file, line, point) {
     }
   };
   const remove = () => {
-    if (point) model.ask("break", { file, line });
+    if (point) model.request("break", { file, line });
     close();
   };
   const here = () => {
     close();
     page.console(`until ${file}:${line}`);
   };
-  const said = async () => {
+  const printPast = async () => {
     if (!log.value.trim()) wrong.textContent = "enter the text to print: speed is {speed}";
-    else wrong.textContent = await page.found.ask("said", { file, line, text: log.value }, `line ${line}`);
+    else wrong.textContent = await page.found.search("log_messages", { file, line, text: log.value }, `line ${line}`);
     if (!wrong.textContent) page.layout.open("events");
   };
   const form = el("form.stop-editor", { "aria-label": `breakpoint at line ${line}`, onsubmit: save, onkeydown: (event) => {
@@ -53,7 +53,7 @@ export function stopEditor(model, page, file, line, point) {
     field("Then do", commands),
     el("div.row", {},
       el("button.primary", { type: "submit" }, point ? "Change" : "Set"),
-      button({ text: "Print the past", title: "List what this line would have printed in the run so far", onclick: said }),
+      button({ text: "Print the past", title: "List what this line would have printed in the run so far", onclick: printPast }),
       button({ text: "Run to here", title: "Run the program to this line", onclick: here }),
       point ? button({ text: "Remove", title: "Remove the breakpoint", onclick: remove }) : null,
       button({ text: "Cancel", title: "Discard the changes", key: "Esc", onclick: close })));

@@ -41,12 +41,12 @@ export class Stops {
     this.wrong.textContent = "";
     if (!this.model.run) return;
     if (name === "catch" && !this.event.options.length) {
-      const kinds = (await this.model.ask("catchable")) ?? [];
+      const kinds = (await this.model.request("catchable")) ?? [];
       fill(this.event, ...kinds.map(([each, meaning]) => el("option", { value: each }, meaning)));
       this.event.value = "collision";
     }
     if (name === "break" && !this.names.children.length && this.model.can("debug")) {
-      const found = await this.model.ask("complete", { line: "break " });
+      const found = await this.model.request("complete", { line: "break " });
       fill(this.names, ...(found?.words ?? []).map((word) => el("option", { value: word })));
     }
   }
@@ -62,20 +62,20 @@ export class Stops {
   }
 
   draw() {
-    const { where, run } = this.model;
+    const { position, run } = this.model;
     const robots = run.rosters.at(-1)?.robots ?? [];
     if (this.robot.options.length !== robots.length + 1) {
       fill(this.robot, el("option", { value: "" }, "any robot"), ...robots.map((id) => el("option", { value: id }, id)));
       this.robot.hidden = robots.length < 2;
     }
-    const rows = (where?.breakpoints ?? []).map((point) => this.row(point, robots));
+    const rows = (position?.breakpoints ?? []).map((point) => this.row(point, robots));
     fill(this.list, ...(rows.length ? rows : [el("p.hint", {}, "None. Click a line number, or add one below.")]));
   }
 
   /** Mark when a breakpoint was hit, or would have been. */
   async find({ number }, title) {
-    const error = await this.page.found.ask("hits", { number }, title);
-    if (error) this.model.say(error, true);
+    const error = await this.page.found.search("hits", { number }, title);
+    if (error) this.model.notify(error, true);
   }
 
   row(point, robots) {

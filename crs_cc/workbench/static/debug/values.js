@@ -33,13 +33,13 @@ export class Values {
   /** Ask for what is unfolded, and show it. */
   async load() {
     const { model } = this;
-    if (!model.where || this.tree.querySelector("input.new-value")) return;
+    if (!model.position || this.tree.querySelector("input.new-value")) return;
     if (this.isAsking) {
       this.isStale = true;
       return;
     }
     this.isAsking = true;
-    const rows = await model.ask("values", { unfolded: this.keys() });
+    const rows = await model.request("values", { unfolded: this.keys() });
     this.isAsking = false;
     if (this.isStale) {
       this.isStale = false;
@@ -47,7 +47,7 @@ export class Values {
       return;
     }
     if (!Array.isArray(rows) || !rows.length) return;
-    const { t, statement, robot } = model.where;
+    const { t, statement, robot } = model.position;
     const stop = `${t} ${statement} ${robot}`;
     if (stop !== this.stop) {
       this.stop = stop;

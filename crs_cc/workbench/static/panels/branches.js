@@ -11,7 +11,7 @@ export function branches(model, page) {
     el("b", {}, name), el("span.times", {}, since ? `changed at ${since.toFixed(2)} s, known up to ${end.toFixed(2)} s` : `known up to ${end.toFixed(2)} s`),
     ...(current ? [el("span.chip", {}, "this one")] : [
       button({ text: "Compare", title: `Where ${name} and this run first differ`, onclick: () => page.compare(name) }),
-      button({ text: "Show", title: `Continue with ${name}`, onclick: () => model.ask("switch", { name }) }),
+      button({ text: "Show", title: `Continue with ${name}`, onclick: () => model.request("switch", { name }) }),
     ]));
 
   const show = () => {

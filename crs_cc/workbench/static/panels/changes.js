@@ -11,12 +11,12 @@ export const changes = {
   make(root, model, look, page) {
     const list = el("div.change-list", { role: "list", "aria-label": "changes" });
     const save = async (form) => {
-      const answer = await model.ask("export", { form });
+      const answer = await model.request("export", { form });
       if (!answer) return;
       const url = URL.createObjectURL(new Blob([answer.text], { type: "text/plain" }));
       el("a", { href: url, download: answer.name }).click();
       setTimeout(() => URL.revokeObjectURL(url), 1000);
-      model.say(`${answer.name} saved`);
+      model.notify(`${answer.name} saved`);
     };
     const script = button({ text: "Save as a script", title: "To repeat the changes: crs run --inputs changes.txt", onclick: () => save("inputs") });
     const xml = button({ text: "Save as XML", title: "The active faults and outages, as <degradation> and <shut> for a world file", onclick: () => save("xml") });
@@ -33,7 +33,7 @@ export const changes = {
       fill(list, ...[...all].reverse().map(({ number, t, text }) => el("div.change", { role: "listitem" },
         el("button.link.when", { type: "button", title: "Go there", onclick: () => page.timeline.seek(t) }, `${t.toFixed(3)} s`),
         el("code", {}, text),
-        mayTakeBack ? button({ text: "Undo", title: "Undo this change and all later ones: the run goes back to the time before it", onclick: () => model.ask("undo", { number }) }) : null)));
+        mayTakeBack ? button({ text: "Undo", title: "Undo this change and all later ones: the run goes back to the time before it", onclick: () => model.request("undo", { number }) }) : null)));
     };
     model.on("panel", show);
     model.on("hello", show);

@@ -17,7 +17,7 @@ const AHEAD = [
   ["finish", "out", "Out of this function", "F8"],
   ["continue", "resume", "Run to the next breakpoint", "F5"],
 ];
-const WAIT = 250; // [ms] for which the time must stand before programs follow it
+const WAIT = 250; // [ms] for which the time must be unchanged before programs follow it
 
 /** @type {import("./index.js").Panel} */
 export const code = {
@@ -39,53 +39,53 @@ export const code = {
     const robots = el("select.robots-of", { "aria-label": "robot", title: "The robot whose program is shown", onchange: () => model.select(Number(robots.value)) });
     const files = el("select", { "aria-label": "file", title: "Source file", onchange: () => source.open(files.value, lineIn(files.value)) });
     const status = el("p.status", { role: "status" });
-    const stand = button({ text: "Show lines", title: "Run the recorded programs up to this time, to see their current lines", onclick: () => model.ask("stand") });
+    const showLines = button({ text: "Show lines", title: "Run the recorded programs up to this time, to see their current lines", onclick: () => model.request("sync") });
     const stack = el("div.stack", { role: "list" });
     const section = (title, ...parts) => el("details", { open: true }, el("summary", {}, title), ...parts);
     const count = el("span.count");
     const wide = button({ icon: "wide", title: "Widen or narrow this panel", key: "Z", onclick: () => page.code.zoom() });
     root.append(
       el("div.bar", {}, steps(BACK), steps(AHEAD), el("span.spacer"), wide),
-      el("div.bar.where", {}, robots, files, status, stand),
+      el("div.bar.where", {}, robots, files, status, showLines),
       source.element,
       el("div.below", {}, section("Variables", values.element), section("Stack", stack), section(el("span", {}, "Breakpoints ", count), stops.element)));
     let timer = 0;
     let asked = -1;
 
-    const lineIn = (file) => (model.where?.file === file ? model.where.line : 0);
-    const isHere = () => model.where !== null && Math.abs(model.where.t - model.state.t) < 1e-9;
+    const lineIn = (file) => (model.position?.file === file ? model.position.line : 0);
+    const isHere = () => model.position !== null && Math.abs(model.position.t - model.state.t) < 1e-9;
 
     /** Let the programs of a recording follow the time when it stops. */
     const follow = () => {
       clearTimeout(timer);
       const { playing, busy, t } = model.state;
       const mayAsk = model.can("debug") && !playing && !busy && !isHere();
-      stand.hidden = !mayAsk;
+      showLines.hidden = !mayAsk;
       if (!mayAsk || model.run.follows === false || asked === t) return;
       timer = setTimeout(() => {
         if (model.clock.held !== null || !root.offsetParent) return follow();
         asked = t;
-        model.ask("stand");
+        model.request("sync");
       }, WAIT);
     };
 
     const draw = () => {
-      const { where, run: about } = model;
-      if (!where) return;
-      if (where.files.join() !== [...files.options].map((each) => each.value).join()) {
-        fill(files, ...where.files.map((file) => el("option", { value: file }, file.split("/").at(-1))));
+      const { position, run: about } = model;
+      if (!position) return;
+      if (position.files.join() !== [...files.options].map((each) => each.value).join()) {
+        fill(files, ...position.files.map((file) => el("option", { value: file }, file.split("/").at(-1))));
       }
-      files.hidden = where.files.length < 2;
+      files.hidden = position.files.length < 2;
       const names = about.rosters.at(-1)?.robots ?? [];
       if (names.join() !== [...robots.options].map((each) => each.textContent).join()) {
         fill(robots, ...names.map((id, row) => el("option", { value: String(row) }, id)));
       }
       robots.hidden = names.length < 2;
-      robots.value = String(where.robot);
-      files.value = where.file;
-      source.open(where.file, where.line);
-      fill(stack, ...(where.frames.length ? where.frames.map(frame) : [el("p.hint", {}, "The program is not running.")]));
-      count.textContent = where.breakpoints.length ? `(${where.breakpoints.length})` : "";
+      robots.value = String(position.robot);
+      files.value = position.file;
+      source.open(position.file, position.line);
+      fill(stack, ...(position.frames.length ? position.frames.map(frame) : [el("p.hint", {}, "The program is not running.")]));
+      count.textContent = position.breakpoints.length ? `(${position.breakpoints.length})` : "";
       stops.draw();
       values.load();
       state();
@@ -99,14 +99,14 @@ export const code = {
       const { playing, busy, halt } = model.state;
       const isOn = playing || busy;
       root.classList.toggle("running", isOn || !isHere());
-      const name = model.where?.frames.find((each) => each.current)?.function ?? "";
+      const name = model.position?.frames.find((each) => each.current)?.function ?? "";
       const text = playing ? "running: pause to see the current line"
         : busy ? "working"
         : !isHere() ? "the programs have not been run to this time yet"
-        : model.where?.error?.text || halt.text || (name ? `stopped in ${name}` : "");
+        : model.position?.error?.text || halt.text || (name ? `stopped in ${name}` : "");
       status.textContent = text;
       status.title = text;
-      status.classList.toggle("bad", !isOn && (halt.reason === "error" || Boolean(isHere() && model.where?.error)));
+      status.classList.toggle("bad", !isOn && (halt.reason === "error" || Boolean(isHere() && model.position?.error)));
       follow();
     };
 
@@ -116,26 +116,26 @@ export const code = {
       },
       /** The selected function, if it is called repeatedly: its variables exist only during a call. */
       get passing() {
-        const frames = (model.where?.frames ?? []).filter((each) => !each.library);
+        const frames = (model.position?.frames ?? []).filter((each) => !each.library);
         const at = frames.findIndex((each) => each.current);
-        return at >= 0 && at < frames.length - 1 ? `${model.where.file}:${frames[at].line}` : "";
+        return at >= 0 && at < frames.length - 1 ? `${model.position.file}:${frames[at].line}` : "";
       },
       toggle: () => source.cursor && source.toggle(source.file, source.cursor),
       edit: () => source.cursor && source.edit(source.cursor),
       runTo: () => source.cursor && run(`until ${source.file}:${source.cursor}`),
       nextFile: () => {
-        const all = model.where?.files ?? [];
+        const all = model.position?.files ?? [];
         const file = all[(all.indexOf(source.file) + 1) % all.length];
         if (file) source.open((files.value = file), lineIn(file));
       },
       zoom: () => document.body.classList.toggle("wide"),
     };
     model.on("hello", () => {
-      source.forget();
+      source.clear();
       stops.offer();
       asked = -1;
     });
-    model.on("where", draw);
+    model.on("position", draw);
     model.on("state", state);
     let wasShown = false; // a listing that is hidden cannot be scrolled
     model.on("look", () => {

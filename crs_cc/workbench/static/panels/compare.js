@@ -49,8 +49,8 @@ export const compare = {
     const table = (name, rows) => el("table", {},
       el("thead", {}, el("tr", {}, ...["first at", "what", "this run", name, "difference"].map((each) => el("th", {}, each)))), el("tbody", {}, ...rows));
 
-    /** The sentence that says it. */
-    const said = () => {
+    /** The result as a sentence. */
+    const sentence = () => {
       const { run, exact, first } = compared;
       const upTo = (t) => `up to ${t.toFixed(2)} s`;
       if (!first) return [el("p", {}, `No difference from ${run.name} found, ${upTo(run.until)}.`, exact?.is_done && !exact.wrong ? ` All variables are the same, ${upTo(exact.t)}.` : "")];
@@ -77,7 +77,7 @@ export const compare = {
       if (!run && isHeld) return fill(result, el("p.hint", {}, "This page contains another run: select it above."));
       if (!run) return fill(result, el("p.hint", {}, "Compare this run with one that was kept after a change in the past (see Changes), or with a recording: open an .mcap file, or drop it on the page. Its robots are drawn as ghosts, its paths dashed."));
       const rows = [...(exact?.found ?? []), ...run.differences].sort((one, another) => one.t - another.t).map(row);
-      fill(result, ...said(), ...(rows.length ? [table(run.name, rows)] : []));
+      fill(result, ...sentence(), ...(rows.length ? [table(run.name, rows)] : []));
     };
     /** Draw the distance of the selected robot, where the page holds it. */
     const trace = () => {

@@ -1,7 +1,7 @@
 /** The debugger's console: its commands, with completion and history. */
 import { el, fill } from "crs/dom.js";
 
-const MOST = 500; // lines
+const MAX = 500; // lines
 
 /** @type {import("./index.js").Panel} */
 export const commandLine = {
@@ -22,22 +22,22 @@ export const commandLine = {
       const place = places[Number(number) - 1]; // of the numbers of a list, which the next list changes
       const link = place && el("button.link", { type: "button", title: "Go there", onclick: () => page.go(...place) }, `@${number}`);
       log.append(el(`div.${kind}`, {}, ...(link ? [link, rest] : [text])));
-      while (log.children.length > MOST) log.firstChild.remove();
+      while (log.children.length > MAX) log.firstChild.remove();
       log.scrollTop = log.scrollHeight;
     };
 
     /** Execute a line; `isField`: its error is shown elsewhere. @returns {Promise<{error: string}>} */
     page.console = async (line, isField = false) => {
       add("typed", `(crs) ${line}`);
-      const answer = await model.channel.ask("console", { line }).catch((error) => ({ lines: [["error", error.message]], places: [] }));
+      const answer = await model.channel.request("console", { line }).catch((error) => ({ lines: [["error", error.message]], places: [] }));
       for (const [kind, text] of answer.lines) add(kind, text, answer.places);
       const last = answer.lines.find(([kind]) => kind === "error");
-      if (last && !isField) model.say(last[1], true);
+      if (last && !isField) model.notify(last[1], true);
       return { error: last?.[1] ?? "" };
     };
 
     const complete = async () => {
-      const found = await model.ask("complete", { line: input.value });
+      const found = await model.request("complete", { line: input.value });
       if (!found) return;
       let [same] = found.words;
       for (const word of found.words) while (!word.startsWith(same)) same = same.slice(0, -1);

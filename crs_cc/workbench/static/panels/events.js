@@ -3,7 +3,7 @@ import { entry } from "crs/change.js";
 import { button, el, fill } from "crs/dom.js";
 import { MARKS, markOf } from "crs/timeline.js";
 
-const MOST = 400; // rows
+const MAX = 400; // rows
 
 /** @type {import("./index.js").Panel} */
 export const events = {
@@ -26,7 +26,7 @@ export const events = {
     const wrong = el("p.field-error", { role: "alert" });
     const find = async () => {
       const text = condition.value.trim();
-      if (text) wrong.textContent = await page.found.ask("when", { condition: text }, text);
+      if (text) wrong.textContent = await page.found.search("when", { condition: text }, text);
     };
     const clear = button({ text: "Clear", title: "Remove the marks from the timeline", onclick: () => page.found.clear() });
     const finder = el("form.finder", { onkeydown: (event) => event.stopPropagation(), onsubmit: (event) => {
@@ -53,7 +53,7 @@ export const events = {
       if (first) fill(closest, el("b", {}, "Closest"), el("span.when", {}, `${first[0].toFixed(3)} s`), el("span", {}, first[3]));
       const found = model.happenings
         .filter(([, kind, row]) => chosen.has(markOf(kind).name) && !(isOnly && row >= 0 && row !== number))
-        .sort((one, other) => one[0] - other[0]).slice(-MOST);
+        .sort((one, other) => one[0] - other[0]).slice(-MAX);
       if (!found.length) return fill(list, el("p.hint", {}, "No events yet."));
       fill(list, ...found.reverse().map((each) => {
         const [time, kind, , text] = each;
@@ -64,7 +64,7 @@ export const events = {
       }));
     };
 
-    for (const kind of ["hello", "event", "forget", "near", "look", "roster", "panel", "found", "compared"]) model.on(kind, () => (isStale = true));
+    for (const kind of ["hello", "event", "truncate", "near", "look", "roster", "panel", "found", "compared"]) model.on(kind, () => (isStale = true));
     model.on("tick", draw);
   },
 };

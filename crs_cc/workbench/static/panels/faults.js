@@ -34,7 +34,7 @@ export const faults = {
       if (!root.offsetParent || !id || asked === id) return;
       asked = id;
       title.textContent = `Faults of ${id}`;
-      const answer = await model.ask("faults", { robot: number });
+      const answer = await model.request("faults", { robot: number });
       if (answer && asked === id) make(answer);
     };
 
@@ -95,11 +95,11 @@ export const faults = {
       const { value } = parts.element;
       const device = `${parts.device.value}${value && chosen().elements.length > 1 ? `.${value}` : ""}`;
       const wrong = await change(model, `degrade ${model.selected.id} ${device} ${words.join(" ")}`);
-      for (const each of parts.laws) each.say("");
+      for (const each of parts.laws) each.setError("");
       if (!wrong) return;
       for (const line of (words.length ? wrong : "choose at least one fault").split("\n")) {
         const about = parts.laws.find(({ law }) => line.startsWith(`${law.name}:`) || line.startsWith(`${law.name} `));
-        (about ?? parts.laws[0]).say(line.replace(`${about?.law.name}: `, ""));
+        (about ?? parts.laws[0]).setError(line.replace(`${about?.law.name}: `, ""));
       }
     };
 

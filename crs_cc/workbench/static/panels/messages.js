@@ -4,7 +4,7 @@ import { linkForms } from "crs/link_forms.js";
 import { drawGraph, linksOf } from "crs/message_graph.js";
 import { oneAtATime } from "crs/one_at_a_time.js";
 
-const MOST = 300; // rows that are shown
+const MAX = 300; // rows that are shown
 const RATE = 10; // rates are of the last seconds [s]
 const SENT = 0;
 const ARRIVED = new Set([1, 2]);
@@ -45,18 +45,18 @@ export const messages = {
       el("div.side-box", {}, el("div.bar", {}, choose), ...sides.map(([, box]) => box)));
     show(graph);
 
-    const ask = oneAtATime(async () => {
+    const refresh = oneAtATime(async () => {
       if (!root.offsetParent || !model.isConnected || model.channel.isLocal) return;
       try {
         const since = next;
-        const answer = await model.channel.ask("traffic", { since });
+        const answer = await model.channel.request("traffic", { since });
         if (next !== since) return; // all are asked for again
         if (answer.first > next) rows = [];
         rows.push(...answer.rows);
         next = answer.first + answer.rows.length;
         fates = answer.fates;
         key = answer.rows.length ? "" : key;
-        if (next < answer.end) setTimeout(ask, 0);
+        if (next < answer.end) setTimeout(refresh, 0);
       } catch {
         // the next status asks again
       }
@@ -64,7 +64,7 @@ export const messages = {
 
     const again = () => {
       [rows, next, key] = [[], 0, ""];
-      ask();
+      refresh();
     };
 
     const names = () => model.run.rosters.at(-1)?.robots ?? [];
@@ -97,7 +97,7 @@ export const messages = {
       key = now;
       const known = rows.slice(0, count);
       const found = known.filter(matches);
-      fill(list, ...(found.length ? found.slice(-MOST).reverse().map(shownRow) : [el("p.hint", {}, known.length ? "No matches." : "No message has been sent.")]));
+      fill(list, ...(found.length ? found.slice(-MAX).reverse().map(shownRow) : [el("p.hint", {}, known.length ? "No matches." : "No message has been sent.")]));
       const recent = known.filter((row) => row[0] > time - RATE);
       const followed = one ? "one message" : link ? link.split(">").map((each) => names()[Number(each)]).join(" to ") : "";
       about.textContent = followed ? `followed: ${followed}` : countsOf(known.map((row) => row[1]));
@@ -129,9 +129,9 @@ export const messages = {
 
     filter.addEventListener("input", draw);
     lostOnly.addEventListener("change", draw);
-    model.on("status", ask);
-    model.on("look", ask);
-    for (const kind of ["forget", "hello"]) model.on(kind, again);
+    model.on("status", refresh);
+    model.on("look", refresh);
+    for (const kind of ["truncate", "hello"]) model.on(kind, again);
     model.on("tick", draw);
   },
 };

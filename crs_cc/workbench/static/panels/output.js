@@ -1,7 +1,7 @@
 /** What the programs have printed, up to the time that is shown; a click goes to when it was printed. */
 import { el, fill } from "crs/dom.js";
 
-const MOST = 1500; // pieces
+const MAX = 1500; // pieces
 
 /** @type {import("./index.js").Panel} */
 export const output = {
@@ -34,7 +34,7 @@ export const output = {
       const name = (robot) => (typeof robot === "number" ? names[robot] : robot);
       const chosen = only.checked ? all.slice(0, count).filter((each) => name(each[1]) === model.selected.id) : all.slice(0, count);
       let line = true;
-      fill(text, ...chosen.slice(-MOST).map(([at, robot, stream, content]) => {
+      fill(text, ...chosen.slice(-MAX).map(([at, robot, stream, content]) => {
         const shown = several && line ? `[${name(robot)}] ${content}` : content;
         line = content.endsWith("\n");
         const piece = el(stream === 2 ? "span.err" : "span", { title: `${at.toFixed(3)} s: go there` }, shown);
@@ -45,6 +45,6 @@ export const output = {
     };
 
     model.on("tick", () => draw());
-    for (const kind of ["hello", "forget"]) model.on(kind, () => (key = ""));
+    for (const kind of ["hello", "truncate"]) model.on(kind, () => (key = ""));
   },
 };

@@ -5,11 +5,11 @@ import { isAtLine, OWN } from "crs/instruments.js";
 import { areWords, drawPlot, heightOf, LEFT, LINES, RIGHT } from "crs/plot.js";
 import { indexAt } from "crs/series.js";
 
-const MOST = 8; // expressions
+const MAX = 8; // expressions
 const NEAR = 6; // a click so near to a change goes exactly there [pixels]
 /** @type {[string, string, number][]} id, title, seconds */
 const SPANS = [["all", "all", 0], ["60", "60 s", 60], ["10", "10 s", 10], ["2", "2 s", 2]];
-const PATIENCE = 6000; // for which what is not known is read without being told [ms]
+const HISTORY_TIMEOUT = 6000; // time for reading unknown values without a request [ms]
 
 /** @type {import("./index.js").Panel} */
 export const plot = {
@@ -54,12 +54,12 @@ export const plot = {
 
     const add = (expression) => {
       if (!expression || expressions.includes(expression)) return;
-      if (expressions.length >= MOST) wrong.textContent = `at most ${MOST} lines: remove one`;
+      if (expressions.length >= MAX) wrong.textContent = `at most ${MAX} lines: remove one`;
       else {
         expressions = [...expressions, expression];
         const taken = new Set(expressions.map((each) => colours.get(each)));
         if (!colours.has(expression)) colours.set(expression, LINES.findIndex((_, at) => !taken.has(at)));
-        instruments.ask();
+        instruments.refresh();
         isStale = true;
       }
     };
@@ -81,7 +81,7 @@ export const plot = {
       return [begin, Math.min(end, model.state.end)];
     };
     const fillIn = async () => {
-      if (model.state.playing) await model.ask("pause");
+      if (model.state.playing) await model.request("pause");
       instruments.fill(expressions, ...knownSpan());
     };
 
@@ -93,7 +93,7 @@ export const plot = {
       const what = `${model.state.robot} ${expressions.join()} ${model.state.end} ${knownSpan().join()}`;
       if (!isMissing || playing || busy || instruments.isFilling || what === filledFor || !model.can("debug") || model.run.follows === false) return;
       filledFor = what;
-      instruments.fill(expressions, ...knownSpan(), PATIENCE);
+      instruments.fill(expressions, ...knownSpan(), HISTORY_TIMEOUT);
     };
 
     /** Those of a unit share a strip; those without, and those that are no numbers, have their own. */
@@ -216,7 +216,7 @@ export const plot = {
       if (event.key === "Enter") propose(input.value.trim());
       else if (event.key === "Escape") input.blur();
     });
-    for (const kind of ["instruments", "look", "forget", "hello", "state", "part"]) model.on(kind, () => (isStale = true));
+    for (const kind of ["instruments", "look", "truncate", "hello", "state", "part"]) model.on(kind, () => (isStale = true));
     model.on("tick", draw);
   },
 };

@@ -44,7 +44,7 @@ export const robot = {
       title.textContent = model.selected.id;
       if (!now && !isDebugged) return fill(sensors);
       if (!now) return fill(sensors, el("p.hint", {}, "Its sensors and State[] are available at times to which its program has been run."),
-        button({ text: "Run the programs to this time", title: "They run again, with the recorded input", onclick: () => model.ask("stand") }));
+        button({ text: "Run the programs to this time", title: "They run again, with the recorded input", onclick: () => model.request("sync") }));
       if (now.robot !== model.state.robot) return;
       const own = [["speed", "speed", "m/s"], ["battery", "battery", "%"]]
         .filter(([name]) => typeof now.byName.get(name) === "number")

@@ -127,12 +127,12 @@ export const robotTable = {
       ];
     };
 
-    const ask = oneAtATime(async () => {
+    const refresh = oneAtATime(async () => {
       if (!root.offsetParent || !model.isConnected) return;
       if (!model.run?.can.includes("debug")) return draw();
       try {
         const [, shown] = visible();
-        const answer = await model.channel.ask("rows", { robots: shown.slice(0, 100).join(",") });
+        const answer = await model.channel.request("rows", { robots: shown.slice(0, 100).join(",") });
         known.clear();
         for (const each of answer.robots) known.set(each.number, each);
         draw();
@@ -143,7 +143,7 @@ export const robotTable = {
 
     scroll.addEventListener("scroll", () => {
       draw();
-      ask();
+      refresh();
     });
     scroll.addEventListener("keydown", (event) => {
       const way = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
@@ -158,14 +158,14 @@ export const robotTable = {
     filter.addEventListener("input", () => {
       scroll.scrollTop = 0;
       choose();
-      ask();
+      refresh();
     });
-    for (const kind of ["hello", "roster", "forget"]) model.on(kind, choose);
-    model.on("status", ask);
+    for (const kind of ["hello", "roster", "truncate"]) model.on(kind, choose);
+    model.on("status", refresh);
     model.on("look", () => {
       if (!isDrawn) choose();
       draw();
-      ask();
+      refresh();
     });
   },
 };

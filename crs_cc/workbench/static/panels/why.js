@@ -2,7 +2,7 @@
 import { entry } from "crs/change.js";
 import { button, el, fill } from "crs/dom.js";
 
-const MOST = 12; // questions that are kept
+const MAX = 12; // questions that are kept
 const CUT = "..."; // what the engine says of a node at which its tree ends
 
 /**
@@ -47,9 +47,9 @@ export const why = {
       about.textContent = "asking ...";
       const [robot, t] = [model.selected.id, model.state.t];
       try {
-        const answer = await model.channel.ask("why", { expression });
+        const answer = await model.channel.request("why", { expression });
         shown = { expression, robot, t, tree: answer, folded: new Set() };
-        asked = [shown, ...asked.filter((each) => each.expression !== expression || each.t !== t || each.robot !== robot)].slice(0, MOST);
+        asked = [shown, ...asked.filter((each) => each.expression !== expression || each.t !== t || each.robot !== robot)].slice(0, MAX);
         current = answer;
         input.value = expression;
         draw();
@@ -84,8 +84,8 @@ export const why = {
       await page.go(node.place, node.robot);
     };
 
-    /** Go on where the engine has cut the tree: ask again at the instant above. @param {Node} node @param {Node} above */
-    const goOn = async (node, above) => {
+    /** Continue where the engine has cut the tree: ask again at the time above. @param {Node} node @param {Node} above */
+    const continueAt = async (node, above) => {
       await go(above);
       question(node.expression);
     };
@@ -115,9 +115,9 @@ export const why = {
         el(node.expression ? "code" : "span", { title: node.text }, name, rest.length ? el("b", {}, ` = ${rest.join(" = ")}`) : null));
       const how = node.how === CUT && above ? button({ text: "Continue", title: "Go to the time above, and ask there", className: "link", onclick: (event) => {
         event.stopPropagation();
-        goOn(node, above);
+        continueAt(node, above);
       } }) : el(fact ? "span.fact" : "code", { title: fact || node.how }, fact || node.how);
-      const here = model.where?.place; // several may have it: a statement that calls and then writes
+      const here = model.position?.place; // several may have it: a statement that calls and then writes
       const isHere = Boolean(node.place) && node.place === here && (current?.place !== here || node === current);
       const made = el("div.why-row", { role: "treeitem", "aria-level": level, "aria-current": isHere ? "true" : undefined, tabIndex: node === current ? 0 : -1, title: node.place ? "Go there" : "", onclick: () => {
         current = node;
@@ -178,7 +178,7 @@ export const why = {
         End: () => moveTo(all.at(-1)?.[0]),
         ArrowRight: () => (isOpen ? moveTo(node.causes[0]) : node.causes.length && fold(node, false)),
         ArrowLeft: () => (isOpen ? fold(node, true) : moveTo(above)),
-        Enter: () => (node.how === CUT && above ? goOn(node, above) : go(node)),
+        Enter: () => (node.how === CUT && above ? continueAt(node, above) : go(node)),
         g: () => node.expression && page.plot(node.expression),
       };
       if (!actions[event.key]) return;
@@ -195,7 +195,7 @@ export const why = {
       [asked, shown, current] = [[], null, null];
       draw();
     });
-    model.on("where", () => root.offsetParent && draw());
+    model.on("position", () => root.offsetParent && draw());
     model.on("look", () => root.offsetParent && draw());
     draw();
   },
