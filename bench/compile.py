@@ -4,7 +4,7 @@ The program is made of modules as control programs have them, with other names a
 structs, tables, loops, a state machine, floating point, strings. With the C library compiled
 before, it runs once as new and once as known; the stages of the compiler are timed apart. Programs
 of one huge function, as generators write them, are compiled at half and at full size: time
-must grow with the size, not with its square.
+must grow with the size, not with its square. The cache is a new one, unless `CRS_CACHE` names one.
 
     python bench/compile.py [--lines N] [--repeat N] [--stages] [--huge]
 """
@@ -199,14 +199,14 @@ def main() -> None:
     parser.add_argument("--huge", action="store_true", help="compile huge functions, too")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        environment = {**os.environ, "CRS_CACHE": str(Path(folder) / "cache")}
+        environment = {"CRS_CACHE": str(Path(folder) / "cache"), **os.environ}
         source = Path(folder) / "program.c"
         source.write_text("int main(void) { return 0; }\n")
         run(source, environment)  # compiles the library
         text = program(options.lines)
         new, known = [], []
         for number in range(options.repeat):
-            source.write_text(f"{text}/* {number} */\n")
+            source.write_text(f"{text}/* {number} of {folder} */\n")  # in no cache
             new.append(run(source, environment))
             known.append(run(source, environment))
         print(f"{text.count(chr(10))} lines; from the command to the result, least of all")

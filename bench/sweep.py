@@ -10,7 +10,7 @@ At the end: the processor time of a run that does not fail, of what a sweep take
 run, and of a run that fails, with its recording. A run is taken apart into its simulation, which is
 measured in a process that does nothing else, and the rest.
 
-    python bench/sweep.py [--dask] [--measures] [--programs N] [RUNS]
+    python bench/sweep.py [--dask] [--measures] [--programs N] [--jobs N] [RUNS]
 """
 
 from __future__ import annotations
@@ -51,7 +51,8 @@ int main(void)
 MEASURES = """def west_m(session):
     return session.poses[:, 0].min()
 """
-JOBS = 2
+SIMULATED = 60
+"""Runs, at most, of which the simulation alone is measured."""
 
 
 def experiment(
@@ -72,12 +73,12 @@ def experiment(
     return path
 
 
-def local(path: Path, out: Path) -> None:
+def local(path: Path, out: Path, jobs: int) -> None:
     """Run on this machine."""
-    Sweep(path, out).run(JOBS)
+    Sweep(path, out).run(jobs)
 
 
-def workers_killed(path: Path, out: Path) -> None:
+def workers_killed(path: Path, out: Path, jobs: int) -> None:
     """Run on this machine, and kill a worker after one run of fifty."""
     processes: list[subprocess.Popen[bytes]] = []
     start, chance = Worker._start, random.Random(1)
@@ -93,25 +94,25 @@ def workers_killed(path: Path, out: Path) -> None:
 
     Worker._start = noting  # type: ignore[method-assign]
     try:
-        Sweep(path, out).run(JOBS, report=kill)
+        Sweep(path, out).run(jobs, report=kill)
     finally:
         Worker._start = start  # type: ignore[method-assign]
-    print(f"  {len(processes) - JOBS} workers killed")
+    print(f"  {len(processes) - jobs} workers killed")
 
 
-def resumed(path: Path, out: Path) -> None:
+def resumed(path: Path, out: Path, jobs: int) -> None:
     """Run on this machine, kill it when it has a third of the rows, and go on."""
-    command = [sys.executable, "-m", "crs_cc", "sweep", str(path), "--out", str(out), "--jobs", "2"]
-    process = subprocess.Popen(command)
+    command = [sys.executable, "-m", "crs_cc", "sweep", str(path), "--out", str(out)]
+    process = subprocess.Popen([*command, "--jobs", str(jobs)])
     while _rows(out) < (_runs(path) + 2) // 3:
         time.sleep(0.01)
     process.kill()
     process.wait()
     print(f"  killed after {_rows(out)} rows")
-    Sweep(path, out).run(JOBS, resume=True)
+    Sweep(path, out).run(jobs, resume=True)
 
 
-def on_dask(path: Path, out: Path) -> None:
+def on_dask(path: Path, out: Path, _jobs: int) -> None:
     """Run on a cluster of three workers, and kill one of them."""
     from distributed import LocalCluster
 
@@ -130,20 +131,20 @@ def on_dask(path: Path, out: Path) -> None:
 # -- what it takes -------------------------------------------------------------------------------
 
 
-def costs(folder: Path, runs: int, programs: int, *, measures: bool) -> None:
+def costs(folder: Path, runs: int, programs: int, jobs: int, *, measures: bool) -> None:
     """Print the processor time of a run and of its parts."""
 
     def sweep_s(name: str, count: int, *, fails: bool = False) -> float:
         path = experiment(folder / name, count, programs, measures=measures, fails=fails)
         before_s = _processor_s()
-        Sweep(path, path.parent / "out").run(JOBS)
+        Sweep(path, path.parent / "out").run(jobs)
         return _processor_s() - before_s
 
     few_s = sweep_s("few", programs)
     many_s = sweep_s("many", runs)
     failing_s = sweep_s("failing", runs, fails=True)
     run_ms = 1e3 * (many_s - few_s) / (runs - programs)
-    creating_ms, running_ms = simulation_ms(folder / "many" / "trial.toml")
+    creating_ms, running_ms = simulation_ms(folder / "many" / "trial.toml", min(runs, SIMULATED))
     failed = min(runs // programs, 100)
     print("processor time [ms]")
     print(f"  a run                  {run_ms:8.1f}")
@@ -155,7 +156,7 @@ def costs(folder: Path, runs: int, programs: int, *, measures: bool) -> None:
     print(f"  more for a failed run  {1e3 * (failing_s - many_s) / failed:8.1f}")
 
 
-def simulation_ms(path: Path, runs: int = 60) -> tuple[float, float]:
+def simulation_ms(path: Path, runs: int) -> tuple[float, float]:
     """Return the processor time of creating a session, and of running it [ms]."""
     before = Path.cwd()
     os.chdir(path.parent)  # as processes that run a sweep do
@@ -199,11 +200,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Compare the tables of sweeps that are disturbed.")
     parser.add_argument("runs", type=int, nargs="?", default=600)
     parser.add_argument("--programs", type=int, default=10, help="of the runs (default 10)")
+    parser.add_argument("--jobs", type=int, default=2, help="runs at a time (default 2)")
     parser.add_argument("--dask", action="store_true", help="also on a Dask cluster")
     parser.add_argument("--measures", action="store_true", help="with measures of one's own")
     parser.add_argument("--costs", action="store_true", help="only what a run takes")
     options = parser.parse_args()
-    ways: list[Callable[[Path, Path], None]] = [local, workers_killed, resumed]
+    ways: list[Callable[[Path, Path, int], None]] = [local, workers_killed, resumed]
     if options.dask:
         ways.append(on_dask)
     if options.costs:
@@ -221,13 +223,13 @@ def main() -> None:
             )
             out = path.parent / "out"
             started_s = time.monotonic()
-            way(path, out)
+            way(path, out, options.jobs)
             run_ms = 1e3 * (time.monotonic() - started_s) / _runs(path)
             tables.append((out / "runs.csv").read_bytes())
             memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
             same = "yes" if tables[-1] == tables[0] else "NO"
             print(f"{way.__name__:16} {run_ms:9.1f} {_rows(out):6} {memory:12.0f}   {same}")
-        costs(Path(folder), options.runs, options.programs, measures=options.measures)
+        costs(Path(folder), options.runs, options.programs, options.jobs, measures=options.measures)
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ SMALLEST = {
     "quiet_time.py": ["--steps", "20", "--repeat", "1", "bits"],
     "requests.py": ["--steps", "3", "gs"],
     "start.py": ["--repeat", "1"],
-    "sweep.py": ["--programs", "2", "4"],
+    "sweep.py": ["--programs", "2", "--jobs", "1", "4"],
     "wander.py": ["--repeats", "1"],
     "workbench.py": ["--no-browser", "--pages", "2", "--seconds", "0.1", "4"],
 }

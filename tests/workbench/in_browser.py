@@ -57,10 +57,16 @@ def played(screen: Screen) -> Iterator[Screen]:
 
 @contextmanager
 def page_in(
-    browser: Any, screen: Screen | BuildScreen, width: int = 900, height: int = 600
+    browser: Any,
+    screen: Screen | BuildScreen,
+    width: int = 900,
+    height: int = 600,
+    *,
+    flat: bool = False,
 ) -> Iterator[Any]:
-    """Open the page of a screen, see `page_at`."""
-    with page_at(browser, screen.server.address(), width, height) as made:
+    """Open the page of a screen, see `page_at`: flat, without WebGL, where no view is looked at."""
+    address = screen.server.address() + ("&flat=1" if flat else "")
+    with page_at(browser, address, width, height) as made:
         yield made
 
 

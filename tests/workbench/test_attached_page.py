@@ -17,7 +17,7 @@ def opened(browser: Any, address: str, wrong: list[str]) -> Any:
     page.on("pageerror", lambda error: wrong.append(str(error)))
     page.on("console", lambda line: wrong.extend([line.text] if is_fault(line) else []))
     page.set_default_timeout(60_000)  # the machine may be busy with other tests
-    page.goto(address)
+    page.goto(address + "&flat=1")
     wait(page, "crs.model.state.t > 0.2")
     return page
 

@@ -127,7 +127,7 @@ def test_two_recordings_are_seen_side_by_side(browser: Any, screen: Screen, runs
         a_file_is_dropped_on_the_page(page, (runs / "far.mcap").read_bytes())
     address = screen.server.address("view")
     looks = new_page(browser)
-    looks.goto(address)
+    looks.goto(address + "&flat=1")
     a_page_that_looks_only_compares_too(looks)
     looks.close()
 

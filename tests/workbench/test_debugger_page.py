@@ -135,7 +135,7 @@ def the_run_stops_at_events_and_changes(page: Any) -> None:
 
 def test_programs_are_debugged_in_the_page(browser: Any, screen: Screen) -> None:
     """One test, since each step begins where the one before has led."""
-    with page_in(browser, screen, 1280, 720) as page:
+    with page_in(browser, screen, 1280, 720, flat=True) as page:
         a_condition_is_checked_where_it_stands(page)
         values_unfold_are_marked_when_they_change_and_can_be_set(page, screen)
         a_fault_is_shown_at_its_expression(page)
@@ -147,7 +147,7 @@ def test_programs_follow_where_a_recording_is_scrubbed(browser: Any, recorded: P
         recording = Recording(recorded)
         stack.callback(recording.close)
         screen = stack.enter_context(played(recording_screen(recording, 0, stack)))
-        page = stack.enter_context(page_in(browser, screen))
+        page = stack.enter_context(page_in(browser, screen, flat=True))
         page.wait_for_selector(".line.current")
         end = page.evaluate("crs.timeline.end")
         box = page.locator(".track").bounding_box()

@@ -127,7 +127,10 @@ def numbers_of_lists_in_the_console_are_links(page: Any) -> None:
 
 def test_the_page_queries_the_past(browser: Any, tmp_path: Path) -> None:
     """One test, since each step begins where the one before has led."""
-    with running(tmp_path, PROGRAM, WORLD) as screen, page_in(browser, screen, 1280, 760) as page:
+    with (
+        running(tmp_path, PROGRAM, WORLD) as screen,
+        page_in(browser, screen, 1280, 760, flat=True) as page,
+    ):
         a_variable_is_explained_by_a_tree(page)
         the_keyboard_walks_the_tree(page)
         a_local_variable_is_plotted_at_its_line(page)

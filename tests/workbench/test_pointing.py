@@ -19,7 +19,7 @@ def test_two_clicks_answer_a_program(tmp_path: Path, browser: Any) -> None:
     answers: list[Pose] = []
     with (
         running(tmp_path, "int main(void) { return 0; }", ROOM) as screen,
-        page_in(browser, screen) as page,
+        page_in(browser, screen, flat=True) as page,
     ):
 
         def ask() -> None:
