@@ -1,4 +1,4 @@
-"""Rows of `docs/language.md`: whether a feature of C is accepted, and the case that shows it."""
+"""Rows of `docs/language.md`: what crs does with a feature of C, and the case that shows it."""
 
 from __future__ import annotations
 
@@ -8,16 +8,23 @@ from typing import Final
 from docs.generate import ROOT, Fillers, cell
 
 CASES: Final = ROOT / "tests" / "c"
-STATUS: Final = {"valid": "yes", "warned": "with a warning", "refused": "no"}
+RESULTS: Final = {"valid": "supported", "warned": "warning", "refused": "error"}
+UNSUPPORTED: Final = "not supported"
 
 
-def case(name: str) -> str:
-    """Return two cells: whether the feature is accepted, and a link to the case that shows it."""
+def case(name: str, unsupported: str = "") -> str:
+    """Return two cells: what crs does with the feature, and a link to the case that shows it.
+
+    Args:
+        name: the case.
+        unsupported: `unsupported` for a feature that is rejected though it is no mistake.
+    """
     text = (CASES / f"{name}.c").read_text(encoding="utf-8", errors="replace")
     comment = re.match(r"/\*\s*(.*?)\s*\*/", text, re.DOTALL)
     shows = cell(" ".join(comment[1].split())).removesuffix(".") if comment else ""
     link = f"[{name}](../tests/c/{name}.c)"
-    return f"{STATUS[name.partition('/')[0]]} | {link}{': ' if shows else ''}{shows}"
+    result = UNSUPPORTED if unsupported else RESULTS[name.partition("/")[0]]
+    return f"{result} | {link}{': ' if shows else ''}{shows}"
 
 
 FILLERS: Fillers = {"case": case}

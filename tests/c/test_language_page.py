@@ -7,7 +7,8 @@ import re
 from docs.generate import template
 from tests.c.execution import HERE
 
-CASES = re.findall(r"\{\{case (\S+)\}\}", template("language"))
+ROWS = re.findall(r"\{\{case (\S+?)( unsupported)?\}\}", template("language"))
+CASES = [case for case, _ in ROWS]
 
 
 def test_every_feature_names_a_case_that_exists() -> None:
@@ -22,3 +23,9 @@ def test_every_folder_of_valid_cases_is_on_the_page() -> None:
     whole_programs = {"programs"}
     elsewhere = {"bits", "enums", "library", "memory", "pointers", "sizeof", "stdlib", "strings"}
     assert folders - named <= whole_programs | elsewhere
+
+
+def test_only_refused_cases_are_unsupported() -> None:
+    unsupported = {case for case, mark in ROWS if mark}
+    assert unsupported
+    assert {case.split("/")[0] for case in unsupported} == {"refused"}

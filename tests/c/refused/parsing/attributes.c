@@ -1,4 +1,4 @@
-/* Attributes that cannot be ignored without changing the program. */
+/* Attributes that cannot be ignored without changing the program's behaviour. */
 int f(void);
 int g(void) __attribute__((ifunc("f")));  // error: attribute 'ifunc' is not supported
 //                         ^

@@ -1,4 +1,4 @@
-/* #error. */
+/* The directive #error. */
 #if __STDC__
 #error this program wants another compiler // error: this program wants another compiler
 #endif

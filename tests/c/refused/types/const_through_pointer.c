@@ -1,4 +1,4 @@
-/* const objects are not assignable: through pointers, members, elements. */
+/* const objects cannot be assigned to, including through pointers, members and elements. */
 struct s { const int fixed; int free; };
 
 int main(void)

@@ -1,4 +1,4 @@
-/* Subscripts on either side, negative, of calls, of literals, of pointers to the middle. */
+/* Subscripts on either side of the brackets, negative subscripts, and subscripts applied to calls, literals and pointers into the middle of an array. */
 #include <stdio.h>
 
 static int table[3][4] = { { 1, 2, 3, 4 }, { 5, 6, 7, 8 }, { 9, 10, 11, 12 } };

@@ -1,4 +1,4 @@
-/* #pragma pack, as used by headers of file formats. */
+/* #pragma pack, as used in headers that describe file formats. */
 #include <stdio.h>
 
 struct before { char a; double b; };

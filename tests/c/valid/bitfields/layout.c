@@ -1,4 +1,4 @@
-/* Bit-field layout: zero widths, units of several types, arrays of them, seen as bytes. */
+/* Bit-field layout, examined byte by byte: zero widths, storage units of several types, arrays of structs with bit-fields. */
 #include <stdio.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* Compound literals in file scope, initialisers, arguments, loops, conditions. */
+/* Compound literals at file scope, and in initialisers, arguments, loops and conditions. */
 #include <stdio.h>
 struct p {
     int x, y;

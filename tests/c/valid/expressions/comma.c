@@ -1,4 +1,4 @@
-/* The comma operator evaluates its left operand, then yields the right one (C17 6.5.17). */
+/* The comma operator evaluates its left operand, then yields its right operand (C17 6.5.17). */
 #include <stdio.h>
 
 static int f(int a, int b) { return a * 10 + b; }

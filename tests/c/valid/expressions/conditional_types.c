@@ -1,4 +1,4 @@
-/* The type of `c ? a : b` is the common type, whichever is selected (C17 6.5.15). */
+/* The type of `c ? a : b` is the common type, whichever operand is selected (C17 6.5.15). */
 #include <stdio.h>
 #include <stddef.h>
 

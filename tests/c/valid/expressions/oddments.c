@@ -1,4 +1,4 @@
-/* _Thread_local, _Atomic, sizeof of chosen bit-fields, a ?: b, arithmetic on void pointers. */
+/* _Thread_local, _Atomic, sizeof of expressions with bit-fields, a ?: b, arithmetic on void pointers. */
 #include <stdio.h>
 _Thread_local int tl = 3;
 static _Thread_local int tl2;

@@ -1,4 +1,4 @@
-/* argv contains at least the program's name, and argv ends with a null pointer. */
+/* argv contains at least the program's name, and ends with a null pointer. */
 #include <stdio.h>
 
 int main(int argc, char *argv[])

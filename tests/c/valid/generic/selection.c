@@ -1,4 +1,4 @@
-/* _Generic over qualifiers, arrays, functions, structs, expressions not selected are not evaluated. */
+/* _Generic with qualifiers, arrays, functions and structs; expressions that are not selected are not evaluated. */
 #include <stdio.h>
 
 struct point { int x; };

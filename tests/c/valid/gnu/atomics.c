@@ -1,4 +1,4 @@
-/* Atomic builtins, <stdatomic.h>, barriers, and the locks of a single thread. */
+/* Atomic builtins, <stdatomic.h>, barriers, and locks in a program with a single thread. */
 #include <stdio.h>
 #include <stdatomic.h>
 #include <pthread.h>

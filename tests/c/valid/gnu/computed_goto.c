@@ -1,4 +1,4 @@
-/* Labels as values: a stack machine with a table, a static and a local one, offsets, states. */
+/* Labels as values: a stack machine with a table, static and local tables, offsets, states. */
 #include <stdio.h>
 
 enum { PUSH, ADD, MUL, DUP, JNZ, DEC, SWAP, PRINT, HALT };

@@ -1,4 +1,4 @@
-/* __label__ at the top of a function, numbers of type classes, gcc's builtin setjmp. */
+/* __label__ at the top of a function, __builtin_classify_type, gcc's builtin setjmp. */
 #include <stdio.h>
 
 static void *buffer[5];

@@ -1,4 +1,4 @@
-/* Types named by their size, with the attribute mode. */
+/* Types specified by their size, with the attribute mode. */
 #include <stdio.h>
 
 typedef int tiny __attribute__((mode(QI)));

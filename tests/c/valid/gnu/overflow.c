@@ -1,4 +1,4 @@
-/* Overflow-checking arithmetic, for all pairs of types, at the limits. */
+/* Overflow-checking arithmetic, for all pairs of types, at the limits of their ranges. */
 #include <limits.h>
 #include <stdio.h>
 

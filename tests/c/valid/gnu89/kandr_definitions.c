@@ -1,4 +1,4 @@
-/* K&R definitions: parameters of every type arrive promoted (C17 6.9.1p10). */
+/* K&R definitions: arguments for parameters of every type are promoted (C17 6.9.1p10). */
 #include <stdio.h>
 
 struct pair { int a, b; };

@@ -1,6 +1,6 @@
 /*
    A program in the style of the time: everything global, tentative definitions,
-   macros with arguments, register pointers, printf without prototype.
+   macros with arguments, register pointers, printf without a prototype.
 */
 #include <stdio.h>
 

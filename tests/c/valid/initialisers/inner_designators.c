@@ -1,4 +1,4 @@
-/* Designators of inner parts leave the rest zero. */
+/* Designators for nested subobjects leave the rest zero. */
 #include <stdio.h>
 struct in {
     int x;

@@ -1,4 +1,4 @@
-/* A later initialiser of a part overrides the earlier one completely: omitted parts are zero. */
+/* A later initialiser for a subobject completely overrides the earlier one: omitted subobjects are zero. */
 #include <stdio.h>
 
 struct inner { int x; short y[3]; char text[6]; };

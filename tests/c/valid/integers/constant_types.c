@@ -1,4 +1,4 @@
-/* The type of an integer constant is the first that can represent it (C17 6.4.4.1p5). */
+/* The type of an integer constant is the first in its list of types that can represent it (C17 6.4.4.1p5). */
 #include <limits.h>
 #include <stdio.h>
 

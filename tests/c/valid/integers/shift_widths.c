@@ -1,4 +1,4 @@
-/* A shift has the type of its promoted left operand; the right one does not matter. */
+/* A shift has the type of its promoted left operand; that of the right operand does not matter. */
 #include <stdio.h>
 
 int main(void)

@@ -1,4 +1,4 @@
-/* Comparisons and divisions between signed and unsigned of all widths (C17 6.3.1.8). */
+/* Comparisons and divisions of signed and unsigned operands of all widths (C17 6.3.1.8). */
 #include <stdio.h>
 
 int main(void)

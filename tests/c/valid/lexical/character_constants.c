@@ -1,4 +1,4 @@
-/* Character constants are ints: escapes, several characters, signs. */
+/* Character constants have type int: escapes, multiple characters, signs. */
 #include <stdio.h>
 
 int main(void)

@@ -1,4 +1,4 @@
-/* Large locals, deep calls with large frames, large structs by value. */
+/* Large local variables, deep calls with large frames, large structs by value. */
 #include <stdio.h>
 #include <string.h>
 

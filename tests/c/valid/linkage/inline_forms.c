@@ -1,4 +1,4 @@
-/* Inline functions in all their forms: declared before, after, with extern and without. */
+/* Inline functions in all their forms: declared before or after the definition, with and without extern. */
 #include <stdio.h>
 
 void first(void);

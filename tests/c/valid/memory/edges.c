@@ -1,4 +1,4 @@
-/* Accesses up to the limits of objects are valid, as are pointers past the last element. */
+/* Accesses up to the bounds of an object are valid, as are pointers just past the last element. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

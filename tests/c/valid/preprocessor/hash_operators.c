@@ -1,4 +1,4 @@
-/* # makes a string of an argument as it was spelled; ## joins tokens (C17 6.10.3.2, 6.10.3.3). */
+/* # turns an argument into a string, as it was spelled; ## concatenates tokens (C17 6.10.3.2, 6.10.3.3). */
 #include <stdio.h>
 
 #define STRING(x) #x

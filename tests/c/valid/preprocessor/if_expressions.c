@@ -1,4 +1,4 @@
-/* Expressions of #if: 64 bits wide, identifiers are 0, short-circuit evaluation (C17 6.10.1). */
+/* #if expressions: 64-bit arithmetic, identifiers evaluate to 0, short-circuit evaluation (C17 6.10.1). */
 #include <stdio.h>
 #include <limits.h>
 

@@ -1,4 +1,4 @@
-/* Macros redefined identically or after #undef; macro names without parentheses are not expanded. */
+/* Macros redefined identically or after #undef; names of function-like macros that are not followed by parentheses are not expanded. */
 #include <stdio.h>
 
 #define SAME(a, b) (a + b)

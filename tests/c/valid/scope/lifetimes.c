@@ -1,4 +1,4 @@
-/* Lifetimes: automatic objects are created anew, static ones persist, recursive calls have their own. */
+/* Lifetimes: automatic objects are created anew, static ones persist, each recursive call has its own automatic objects. */
 #include <stdio.h>
 
 static int *kept(void) { static int n = 10; n++; return &n; }

@@ -1,4 +1,4 @@
-/* Names declared in for, in blocks, in switch, in parameter lists. */
+/* Names declared in for statements, blocks, switch statements and parameter lists. */
 #include <stdio.h>
 
 static int i = 100;

@@ -1,4 +1,4 @@
-/* Members of anonymous structs and unions, designated and not. */
+/* Members of anonymous structs and unions, with and without designators. */
 #include <stdio.h>
 struct v {
     union {

@@ -1,4 +1,4 @@
-/* Structs as results: members of calls, calls in calls, arrays inside, conditional structs. */
+/* Structs as return values: members of call results, nested calls, structs that contain arrays, structs in conditional expressions. */
 #include <stdio.h>
 
 struct vec { double x, y; };

@@ -1,4 +1,4 @@
-/* Flexible array members with initial values: sized accordingly. */
+/* Flexible array members with initial values, which determine their size. */
 #include <stdio.h>
 #include <string.h>
 struct f {

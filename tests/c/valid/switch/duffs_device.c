@@ -1,4 +1,4 @@
-/* Duff's device and a coroutine made of a switch into a loop. */
+/* Duff's device, and a coroutine made from a switch that jumps into a loop. */
 #include <stdio.h>
 
 static void send(char *to, const char *from, int count)

@@ -1,4 +1,4 @@
-/* Unusual switches: labels inside loops and ifs, one statement, none, nested cases. */
+/* Unusual switches: labels inside loops and if statements, bodies of one statement or none, nested cases. */
 #include <stdio.h>
 
 enum { A = 1, B = A + 1 };

@@ -1,4 +1,4 @@
-/* Types that are completed later, or never where only pointers to them are used. */
+/* Types that are completed later, or never, if only pointers to them are used. */
 #include <stdio.h>
 
 struct never;

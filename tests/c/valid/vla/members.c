@@ -1,4 +1,4 @@
-/* Structs and unions with members of variable length, as functions can define them in GNU C. */
+/* Structs and unions with variable-length members, which can be defined inside functions in GNU C. */
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Formats of printf that do not match their arguments, or lack them. */
+/* printf formats that do not match their arguments, or for which arguments are missing. */
 #include <stdio.h>
 
 extern void complain(int level, const char *form, ...) __attribute__((format(printf, 2, 3)));

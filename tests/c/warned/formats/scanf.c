@@ -1,4 +1,4 @@
-/* Formats of scanf that do not match their arguments. */
+/* scanf formats that do not match their arguments. */
 #include <stdio.h>
 
 int main(void)

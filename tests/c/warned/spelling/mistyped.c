@@ -1,4 +1,4 @@
-/* Typing errors that are still valid C. */
+/* Typos that are still valid C. */
 #include <stdio.h>
 
 int main(void)

@@ -1,4 +1,4 @@
-/* One name, tentatively defined in three files, once with an initialiser. */
+/* One name, defined in three files, in one of them with an initialiser. */
 #include <stdio.h>
 
 int State[45];

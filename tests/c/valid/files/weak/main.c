@@ -1,4 +1,4 @@
-/* Weak definitions are overridden by those of another file. */
+/* Weak definitions are overridden by ordinary definitions in another file. */
 #include <stdio.h>
 __attribute__((weak)) int speed(void) { return 1; }
 int __attribute__((weak)) limit = 10;
