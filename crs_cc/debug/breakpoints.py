@@ -143,7 +143,7 @@ class Breakpoints:
         )
 
     def stops_anywhere(self, robot: int) -> bool:
-        """Return whether any may be hit without a site that has it, or the end of a program."""
+        """Return whether any may be hit somewhere else than at its site or at the end."""
         return any(
             each.concerns(robot)
             and (

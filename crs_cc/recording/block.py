@@ -27,7 +27,7 @@ Encoded = tuple[Channel, int, bytes]
 """A message: its channel, time [ns] and content."""
 
 ODOMETRY_FRAMES: Final = 5
-"""The number of frames between two that have odometry."""
+"""Every frame of this number has odometry: 5 for each fifth."""
 
 _ROW: Final = 12  # bytes of a body in a frame
 _READING: Final = 32  # bytes of a reading when encoded, roughly
@@ -40,7 +40,7 @@ class Block:
 
     Attributes:
         begin_s: its start [s].
-        seconds: the number of complete seconds; counted by the recorder.
+        seconds: the number of complete seconds; counted by the recording file.
         frames: its frames.
         readings: its readings of `State`.
         entries_size: the approximate size of all JSON entries except hashes [bytes].
@@ -96,7 +96,7 @@ class Block:
             self._saved_hashes = min(self._saved_hashes, len(self._hashes))
         self._hashes.append((time_ns, found))
 
-    def unsaved(self) -> Second:
+    def take_unsaved(self) -> Second:
         """Return the data that is new since the last call; all data stays in the block.
 
         Nothing may be added to the block while the data is in use.
@@ -116,7 +116,7 @@ class Block:
         self._saved_frames = len(self.frames)
         output, self._saved_output = self._output[self._saved_output :], len(self._output)
         hashes, self._saved_hashes = self._hashes[self._saved_hashes :], len(self._hashes)
-        entries = list(self._entries.unsaved()) if self._entries.are_new else []
+        entries = list(self._entries.take_unsaved()) if self._entries.are_new else []
         return Second(self.shape, before, tails, output, hashes, entries)
 
     def put(self, second: Second) -> None:

@@ -36,7 +36,7 @@ class Entries:
     """The entries that are still to be written.
 
     Attributes:
-        are_new: whether any were added since `unsaved`.
+        are_new: whether any were added since `take_unsaved`.
     """
 
     def __init__(self) -> None:
@@ -71,7 +71,7 @@ class Entries:
         for channel, found in self._by_channel():
             yield channel, *_message(found)
 
-    def unsaved(self) -> Iterator[tuple[str, int, bytes]]:
+    def take_unsaved(self) -> Iterator[tuple[str, int, bytes]]:
         """Yield the entries that were added since the last call, with topics and times [us]."""
         self.are_new = False
         for channel, found in self._by_channel():

@@ -75,8 +75,8 @@ class FrameBuffer:
         self.single = Columns(self._single.itemsize)
         self.heads = Columns(self._head.itemsize)
         self.passed = Columns(max(1, shape.robots * FRAME * 8))
-        self._unsettled: list[tuple[_When, float, bytes, bytes]] = []  # that are not settled
-        self._passage_frames = 0  # frames
+        self._unsettled: list[tuple[_When, float, bytes, bytes]] = []
+        self._passage_frames = 0
 
     def __len__(self) -> int:
         """Return the number of frames."""

@@ -40,7 +40,7 @@ PER_UNIT: Final = 1e4
 """Steps in a metre or a radian."""
 
 NOWHERE: Final = -(2**31)
-"""The x of a robot that is not in the world."""
+"""The stored value of NaN, as of the x of a robot that is not in the world."""
 
 MAX_ROWS: Final = 1_000_000
 _MAX_GROUP_BYTES: Final = 2**20  # limit when reading

@@ -286,7 +286,7 @@ class Recorder:
 
     def _limit(self) -> None:
         if self._file.is_large:
-            self._file.shorten(self._session.time_s)
+            self._file.flush_early(self._session.time_s)
 
     def _add_frame(self) -> None:
         state = self._environment.last_state

@@ -81,7 +81,7 @@ class RecordingFile:
             or self._writer.pending > MAX_CHUNK
         )
 
-    def shorten(self, now_s: float) -> None:
+    def flush_early(self, now_s: float) -> None:
         """Write the collected data at a time before the end of a second [s]."""
         if self.block.seconds:  # which may have been saved
             self.complete(now_s)
@@ -101,7 +101,7 @@ class RecordingFile:
             return
         block.seconds += 1
         begin_ns, now_ns = ns(self.written_s), ns(now_s)
-        self._try(lambda: self._writer.save(begin_ns, now_ns, block.unsaved().parts()))
+        self._try(lambda: self._writer.save(begin_ns, now_ns, block.take_unsaved().parts()))
         self._note_written(now_s)
 
     def complete(self, now_s: float) -> None:

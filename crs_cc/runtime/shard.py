@@ -25,7 +25,7 @@ from crs_cc.runtime.driver import HEADER, MAX_SHARDS
 from crs_cc.runtime.executable import Driver, Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES, PAGE, STACK_TOP
 from crs_cc.runtime.resident_pages import CHUNK
-from crs_cc.runtime.site_tests import SiteTests, TestTable
+from crs_cc.runtime.site_tests import ConditionTable, SiteTests
 
 if TYPE_CHECKING:
     from typing import Self
@@ -116,7 +116,7 @@ class Sandbox:
     marks: ByteArray
     initial: range
     begun: wasmtime.Global | None
-    tests: TestTable | None
+    tests: ConditionTable | None
 
     @property
     def memory(self) -> ByteArray:
@@ -198,7 +198,7 @@ class Shard:
         """Set the tests that a debug build makes at sites marked so."""
         table = sandbox.tests
         assert table is not None
-        if table.needs(tests):
+        if table.lacks(tests):
             self.raise_instance_limit()
             table.fill(self.store, tests)
 
@@ -338,11 +338,11 @@ def _function(export: object) -> wasmtime.Func:
     return wasmtime.Func._from_raw(_ffi.wasmtime_func_t.from_buffer_copy(export._func))
 
 
-def _tests(exports: Mapping[str, object]) -> TestTable:
+def _tests(exports: Mapping[str, object]) -> ConditionTable:
     table = exports["tests"]
     assert isinstance(table, wasmtime.Table)
     memories = (exports.get(name, None) for name in ("memory", "shadow"))
-    return TestTable(table, [each for each in memories if isinstance(each, wasmtime.Memory)])
+    return ConditionTable(table, [each for each in memories if isinstance(each, wasmtime.Memory)])
 
 
 def _address(store: wasmtime.Store, memory: object) -> int:

@@ -1,4 +1,4 @@
-"""Tests of programs at sites marked `TEST`, which decide whether to stop there.
+"""Conditions that programs test at sites marked `TEST`, to decide whether to stop there.
 
 They are in a module of their own, an instance of which is put into the table of a sandbox: builds
 know nothing of the conditions that a user thinks of. See `codegen.stop_marks`.
@@ -35,8 +35,8 @@ class SiteTests:
 
 
 @dataclass(slots=True)
-class TestTable:
-    """The table of tests of a sandbox.
+class ConditionTable:
+    """The table of the conditions that a sandbox tests.
 
     Attributes:
         table: the table.
@@ -47,8 +47,8 @@ class TestTable:
     memories: list[wasmtime.Memory]
     _filled: SiteTests | None = field(default=None, repr=False)
 
-    def needs(self, tests: SiteTests) -> bool:
-        """Return whether it has other tests now."""
+    def lacks(self, tests: SiteTests) -> bool:
+        """Return whether it does not have these tests now."""
         return self._filled is not tests
 
     def fill(self, store: wasmtime.Store, tests: SiteTests) -> None:

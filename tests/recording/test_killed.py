@@ -72,7 +72,7 @@ def test_saved_readings_of_impossible_robots_are_rejected() -> None:
     block.readings.single.append(
         (12).to_bytes(4, "little"), (-5).to_bytes(8, "little", signed=True), bytes(8), bytes(4 * 45)
     )
-    saved = b"".join(block.unsaved().parts())
+    saved = b"".join(block.take_unsaved().parts())
     with pytest.raises(ValueError, match="a reading is not valid"):
         list(saved_messages(saved))
 
@@ -83,7 +83,7 @@ def test_the_end_of_a_chunk_does_not_depend_on_saved_data() -> None:
     for content in (b"\xff" * 1000, b'"\n' * 100, b"plain"):
         block.add_output(5, 0, 1, content)
     before = block.size
-    saved = b"".join(block.unsaved().parts())
+    saved = b"".join(block.take_unsaved().parts())
     assert [channel for channel, _, _ in saved_messages(saved)] == [topics.OUTPUT]
     assert block.size == before
-    assert not list(saved_messages(b"".join(block.unsaved().parts())))
+    assert not list(saved_messages(b"".join(block.take_unsaved().parts())))

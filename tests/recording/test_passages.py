@@ -187,7 +187,7 @@ def test_the_order_of_readings_does_not_depend_on_how_often_they_were_saved(
     for name in ("often", "once"):
         if name == "once":
             nothing = Second(Shape(robots, 0, has_turret=False), 0, [b""] * COLUMNS, [], [], [])
-            monkeypatch.setattr(Block, "unsaved", lambda _block, nothing=nothing: nothing)
+            monkeypatch.setattr(Block, "take_unsaved", lambda _block, nothing=nothing: nothing)
         path = tmp_path / f"{name}.mcap"
         recorder = Recorder(path, RecorderOptions(), RunDescription().metadata(), {})
         programs = [executable] * robots

@@ -259,7 +259,7 @@ def said(number: int) -> list[Part]:
     """Return what is saved of a second in which nothing happens but an event."""
     block = Block(0.0, Shape(1, 0, has_turret=False))
     block.add_entry(topics.EVENT, 1000 * number, {"n": number})
-    return list(block.unsaved().parts())
+    return list(block.take_unsaved().parts())
 
 
 class StoppedFile(io.BytesIO):

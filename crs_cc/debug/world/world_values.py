@@ -19,7 +19,7 @@ from crs_cc.ir.types import DOUBLE, INT, CType
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.model.world import Robot, Wall
-from crs_cc.sim.state.messages import ARRIVED, COMING
+from crs_cc.sim.state.messages import ARRIVED, IN_TRANSIT
 
 if TYPE_CHECKING:
     from crs_cc.sim.engine.environment import Environment
@@ -54,6 +54,11 @@ def _degrees(angle_rad: float) -> float:
     return math.degrees(angle_rad) % 360.0
 
 
+def _in_transit(environment: Environment) -> int:
+    """Return the number of messages in flight, counted once per receiver."""
+    return int((environment.state.messages.receptions["status"] == IN_TRANSIT).sum())
+
+
 def _receptions(environment: Environment, robot: int, status: int) -> int:
     """Return the number of messages to a robot with a status."""
     found = environment.state.messages.receptions
@@ -77,7 +82,7 @@ WORLD_VALUES: Final[tuple[WorldValue, ...]] = (
     WorldValue("timestep", "", "", "the number of the current timestep",
                lambda env, _: env.state.cycle, INT),
     WorldValue("messages", "", "", "messages in flight, counted once per receiver",
-               lambda env, _: int((env.state.messages.receptions["status"] == COMING).sum()), INT),
+               lambda env, _: _in_transit(env), INT),
     WorldValue("queued", "", "", "messages waiting for their channel",
                lambda env, _: len(env.state.messages.outbox), INT),
 )  # fmt: skip
@@ -123,7 +128,7 @@ ROBOT_VALUES: Final[tuple[WorldValue, ...]] = (
     WorldValue("sent", "", "", "messages sent so far",
                lambda env, at: env.state.messages.sent[at], INT),
     WorldValue("messages", "", "", "messages in flight to it",
-               lambda env, at: _receptions(env, at, COMING), INT),
+               lambda env, at: _receptions(env, at, IN_TRANSIT), INT),
     WorldValue("inbox", "", "", "messages that have arrived and are unread",
                lambda env, at: _receptions(env, at, ARRIVED), INT),
     WorldValue("present", "", "", "1 while the robot is in the world, else 0",

@@ -1,8 +1,9 @@
 """Stop marks of debug builds: a byte for each site in the user's files, `STOP` to stop.
 
-It is in a memory of its own, after the watched ranges (`runtime.watch_ranges`), and followed by two
-constant maps, which `stop_before_all` selects: one in which all statements are set, for stepping,
-and one in which the returns from calls are set, too, for going to a number of sites passed.
+The marks are in a memory of their own, after the watched ranges (`runtime.watch_ranges`), and
+followed by two constant maps, which `stop_before_all` selects: one in which all statements are set,
+for stepping, and one in which the returns from calls are set, too, for going to a number of sites
+passed.
 
 At a site marked `TEST` the function saves its registers as if it stopped, and calls the site's
 test, see `site_tests`. If that says that the program need not stop, the function resumes itself:
@@ -63,7 +64,7 @@ def add_marks(module: Module, sites: Sequence[StatementSite]) -> None:
 
 
 def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: bool) -> list[Instr]:
-    """Stop at a marked site, when enough others have been passed.
+    """Return code that stops at a marked site, when enough others have been passed.
 
     Args:
         marks: index of the memory of the marks.

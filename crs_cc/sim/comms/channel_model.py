@@ -113,7 +113,7 @@ class ChannelModel:
             sent = _Batch.of(batch, self._channels, places_m)
             reached = self._reached(state, sent, self._hearing, transit.full())
             transit.add(*self._sent_on(batch, *reached, end_s))
-        transit.set_out()
+        transit.commit()
 
     def _reached(
         self, state: EnvState, sent: _Batch, hearing: Hearing, full: BoolArray

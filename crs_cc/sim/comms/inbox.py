@@ -24,7 +24,7 @@ from crs_cc.core.arrays import (
 )
 from crs_cc.sim.comms.message_log import Fate, note
 from crs_cc.sim.geometry.cell_list import expand
-from crs_cc.sim.state.messages import ARRIVED, COMING, GONE, MessageState
+from crs_cc.sim.state.messages import ARRIVED, DONE, IN_TRANSIT, MessageState
 
 INBOX: Final = 64
 MAX_INCOMING: Final = 256
@@ -44,7 +44,7 @@ class Transit:
         self._messages = messages
         self._packets, self._receptions = [messages.packets], [messages.receptions]
         self._count = len(messages.packets)
-        left: BoolArray = messages.receptions["status"] != GONE
+        left: BoolArray = messages.receptions["status"] != DONE
         receivers: Int32Array = messages.receptions["receiver"][left]
         self.held = np.bincount(receivers, minlength=len(messages.sent))
 
@@ -76,7 +76,7 @@ class Transit:
         self._count += len(packets)
         self.held += more
 
-    def set_out(self) -> None:
+    def commit(self) -> None:
         """Put the messages in transit, by receiver and arrival time."""
         messages = self._messages
         if len(self._receptions) > 1:
@@ -114,7 +114,7 @@ class Inboxes:
             self._packet = table["packet"].astype(np.intp)
             self._end = np.cumsum(np.bincount(receiver, minlength=robots))
             self._head = np.concatenate([[0], self._end[:-1]])[:robots]
-            on_way = np.bincount(receiver[table["status"] == COMING], minlength=robots)
+            on_way = np.bincount(receiver[table["status"] == IN_TRANSIT], minlength=robots)
             self._coming = self._end - on_way
         return table
 
@@ -123,10 +123,10 @@ class Inboxes:
         status = self._rows(messages)["status"]
         head, end = self._head.take(rows), self._end.take(rows)
         is_left = head < end
-        if all_of(is_left) and not any_of(status[head] == GONE):
+        if all_of(is_left) and not any_of(status[head] == DONE):
             return head, is_left
         left = np.flatnonzero(is_left)
-        while len(left := left[status[head[left]] == GONE]):
+        while len(left := left[status[head[left]] == DONE]):
             head[left] += 1
             left = left[head[left] < end[left]]
         self._head[rows] = head
@@ -155,13 +155,13 @@ class Inboxes:
         before = self.count(messages, rows)
         self._coming[rows] = first + np.bincount(owner, minlength=len(rows))
         came = table.take(place)
-        coming = came["status"] == COMING
+        coming = came["status"] == IN_TRANSIT
         if not all_of(coming):
             owner, place, came = owner[coming], place[coming], came[coming]
         more = np.bincount(owner, minlength=len(rows))
         rank = np.arange(len(owner)) + (before - np.cumsum(more) + more).take(owner)
         fits = rank < INBOX
-        table["status"][place] = np.where(fits, ARRIVED, GONE)
+        table["status"][place] = np.where(fits, ARRIVED, DONE)
         fate = np.where(came["corrupted"], int(Fate.CORRUPTED), int(Fate.DELIVERED))
         fate = np.where(fits, fate, int(Fate.INBOX)).astype(np.int8)
         note(messages, fate, messages.packets, came["arrives_s"], came["receiver"],
@@ -186,7 +186,7 @@ class Inboxes:
             have = np.flatnonzero(left)
             have = have[status[head[have]] == ARRIVED]
             head, takers = head[have], rows[have]
-        status[head] = GONE
+        status[head] = DONE
         self._head[takers] = head + 1
         packets = messages.packets.take(self._packet.take(head))
         return have, packets, self._arrives_s.take(head)
@@ -207,15 +207,15 @@ def clear(messages: MessageState, present: BoolArray) -> None:
     if not absent.any():
         return
     table = messages.receptions = messages.receptions.copy()
-    late = table[absent & (table["status"] == COMING)]
+    late = table[absent & (table["status"] == IN_TRANSIT)]
     note(messages, Fate.ABSENT, messages.packets, late["arrives_s"], late["receiver"],
          which=late["packet"])  # fmt: skip
-    table["status"][absent] = GONE
+    table["status"][absent] = DONE
 
 
-def tidy(messages: MessageState) -> None:
+def remove_finished(messages: MessageState) -> None:
     """Remove messages that can no longer be received."""
-    left = np.flatnonzero(messages.receptions["status"] != GONE)
+    left = np.flatnonzero(messages.receptions["status"] != DONE)
     packet = messages.receptions["packet"][left]
     is_kept = np.zeros(len(messages.packets), dtype=np.bool_)
     is_kept[packet] = True

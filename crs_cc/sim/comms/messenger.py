@@ -17,7 +17,7 @@ from crs_cc.sim.model.communication import ANY
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.events import EventLog
-from crs_cc.sim.state.messages import COMING, EVERYBODY, GROUPS, NO_GROUP, PACKET
+from crs_cc.sim.state.messages import EVERYBODY, GROUPS, IN_TRANSIT, NO_GROUP, PACKET
 
 
 class Messenger:
@@ -30,7 +30,7 @@ class Messenger:
         self._robots = tuple(robot.id for robot in world.robots)
         self._channel_numbers = numbers_of(self._channels.names)
         self._robot_numbers = numbers_of(self._robots)
-        self._posted: list[Records] = []  # in this cycle; for who looks on, no state
+        self._posted: list[Records] = []  # in this cycle; for observers, not part of the state
 
     # -- requests of programs ----------------------------------------------------------------------
 
@@ -102,7 +102,7 @@ class Messenger:
     def is_idle(self, state: EnvState) -> bool:
         """Return whether no message is queued or in transit."""
         messages = state.messages
-        coming = messages.receptions["status"] == COMING
+        coming = messages.receptions["status"] == IN_TRANSIT
         return not (len(messages.outbox) or coming.any())
 
     def outages_s(self, state: EnvState) -> FloatArray:
@@ -141,11 +141,11 @@ class Messenger:
         if len(messages.receptions):
             rows = np.arange(len(self._robots))
             self._inboxes.deliver(messages, rows, np.full(len(rows), np.nextafter(to_s, 0.0)))
-        packets = outbox.depart(messages, self._channels, to_s)
+        packets = outbox.take_started(messages, self._channels, to_s)
         if len(packets):
             self._channel_model.transmit(state, constants.scene, packets, to_s)
         if len(messages.packets):
-            inbox.tidy(messages)
+            inbox.remove_finished(messages)
 
 
 def wait(context: RequestContext) -> None:

@@ -51,7 +51,7 @@ def post(messages: MessageState, channels: Channels, packets: Records) -> BoolAr
     return np.asarray(~full)
 
 
-def depart(messages: MessageState, channels: Channels, end_s: float) -> Records:
+def take_started(messages: MessageState, channels: Channels, end_s: float) -> Records:
     """Remove and return the messages whose transmission begins before a time, in that order."""
     if not len(messages.outbox):
         return np.zeros(0, PACKET)

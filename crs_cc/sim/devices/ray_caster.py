@@ -33,7 +33,7 @@ from crs_cc.sim.kernels.program import kernels
 from crs_cc.sim.kernels.surveys import Shapes, scan
 
 if TYPE_CHECKING:
-    from crs_cc.sim.geometry.outline_query import Prospect
+    from crs_cc.sim.geometry.outline_query import ObstacleQuery
     from crs_cc.sim.state.bodies import Bodies
     from crs_cc.sim.state.env_state import EnvState
 
@@ -110,7 +110,7 @@ class RayCaster:
 
     def shapes_at_height(
         self, state: EnvState, z_m: FloatArray | float, spread: FloatArray | float
-    ) -> Prospect:
+    ) -> ObstacleQuery:
         """Return what beams that start at a height can hit, see `Outlook.at`."""
         obstacles = self.obstacles(state)
         return obstacles if self._outlook is None else self._outlook.at(z_m, spread)

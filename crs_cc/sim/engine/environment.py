@@ -236,7 +236,7 @@ class Environment:
 
     @property
     def last_state(self) -> EnvState:
-        """The state since the last cycle that was executed, for who only reads what moves.
+        """The state since the last cycle that was executed, for callers that only read what moves.
 
         Nothing moves in skipped cycles; timers and what they fill are not up to date.
         """

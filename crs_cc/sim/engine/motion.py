@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.engine.falls import log_falls
 from crs_cc.sim.engine.step import NO_SLICES, Slices, slices_of
-from crs_cc.sim.kernels.tables import ADVANCED, HELD_UP
+from crs_cc.sim.kernels.tables import ADVANCED, NOT_HANDLED
 from crs_cc.sim.state.bodies import NO_CONTACTS, Contacts
 
 if TYPE_CHECKING:
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 def move(data: WorldData, *, tells_slices: bool) -> tuple[Slices, Contacts, list[int]]:
-    """Move the bodies along the slices of the cycle, which are complete now, and end these.
+    """Move the bodies along the slices of the cycle, which are complete now, and reset the slices.
 
-    Return the robots whose batteries are empty, too.
+    Return the slices if `tells_slices`, the contacts, and the robots whose batteries are empty.
     """
     end_s = data.end_s
     state, constants, handling = data.state, data.constants, data.devices.handling
     before_m = state.bodies.position_m[: len(state.heading_rad)].copy()
-    slices, contacts, found = NO_SLICES, NO_CONTACTS, HELD_UP
+    slices, contacts, found = NO_SLICES, NO_CONTACTS, NOT_HANDLED
     times_s = data.timestep_s, end_s
     if data.physics.may_skip_cycle(state.bodies, state.drive.moved_m, traction.facing_rad(state)):
         if tells_slices:

@@ -52,39 +52,39 @@ import numpy as np
 
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import blocks
-from crs_cc.sim.geometry.outline_query import Prospect
+from crs_cc.sim.geometry.outline_query import ObstacleQuery
 from crs_cc.sim.geometry.pings import Pings, Points
 from crs_cc.sim.kernels import surveys
 from crs_cc.sim.kernels.program import kernels, pairs
 from crs_cc.sim.kernels.tables import PING_SIZE
 
-_NO_VOICES: Final = np.zeros((0, 4))
+_NO_CROSSTALK: Final = np.zeros((0, 4))
 _MANY: Final = 1 << 10  # more shapes of a ping than this may be equal ones
 
 
 def first_echo(
     pings: Pings,
-    obstacles: Prospect,
-    voices: Points | None = None,
-    hushed: FloatArray | None = None,
+    obstacles: ObstacleQuery,
+    crosstalk: Points | None = None,
+    echo_range: FloatArray | None = None,
 ) -> FloatArray:
     """Return the distance of each ping's first echo.
 
     Args:
         pings: the pings.
         obstacles: the obstacles.
-        voices: further targets, heard if they are in the beam and nothing hides them.
-        hushed: the distance at which each object, as in `Scene.names`, is heard, relative to that
-            of a hard one, (objects,); None if all are hard.
+        crosstalk: pings of other sonars, heard if they are in the beam and nothing hides them.
+        echo_range: the distance at which each object, as in `Scene.names`, is heard, relative to
+            that of a hard one, (objects,); None if all are hard.
 
     Returns:
         distances from the transducers [m], infinite without an echo, shape (k,).
     """
     found_m = np.empty(len(pings))
     for part, outlines in obstacles.blocks(pings.place):
-        heard = None if voices is None else voices.of_pings(part)
-        shapes = _Shapes.near(pings.part(part), outlines, heard, hushed)
-        found_m[part] = shapes.first_echo(hushed=hushed is not None)
+        heard = None if crosstalk is None else crosstalk.of_pings(part)
+        shapes = _Shapes.near(pings.part(part), outlines, heard, echo_range)
+        found_m[part] = shapes.first_echo(absorbing=echo_range is not None)
     return found_m
 
 
@@ -93,53 +93,58 @@ class _Shapes:
     """Pings, and all that may be in their beams, by rising ping.
 
     Attributes:
-        counts: how many faces, circles and voices each has, shape (k, 3).
+        counts: how many faces, circles and pings of other sonars each has, shape (k, 3).
         faces: ends, length and share of the faces.
-        rounds: centre, radius and share of the circles.
-        voices: position, reported distance and share of the voices.
+        circles: centre, radius and share of the circles.
+        crosstalk: position, reported distance and share of pings of other sonars.
     """
 
     pings: Pings
     counts: IndexArray
     faces: FloatArray
-    rounds: FloatArray
-    voices: FloatArray
+    circles: FloatArray
+    crosstalk: FloatArray
 
     @classmethod
     def near(
-        cls, pings: Pings, obstacles: Prospect, voices: Points | None, hushed: FloatArray | None
+        cls,
+        pings: Pings,
+        obstacles: ObstacleQuery,
+        crosstalk: Points | None,
+        echo_range: FloatArray | None,
     ) -> Self:
         """Return what may be in the beams."""
         place, own, count = pings.place, pings.own, len(pings)
-        if count == 1 and voices is None:
-            faces, rounds = obstacles.segment_rows(place), obstacles.circle_rows(place, own)
-            if len(faces) <= _MANY and len(rounds) <= _MANY:
-                rounds = rounds[rounds[:, 1] != own[0]]
-                counts = np.array([[len(faces), len(rounds), 0]])
-                return cls(pings, counts, _heard(faces, hushed), _heard(rounds, hushed), _NO_VOICES)
+        if count == 1 and crosstalk is None:
+            faces, circles = obstacles.segment_rows(place), obstacles.circle_rows(place, own)
+            if len(faces) <= _MANY and len(circles) <= _MANY:
+                circles = circles[circles[:, 1] != own[0]]
+                counts = np.array([[len(faces), len(circles), 0]])
+                parts = _heard(faces, echo_range), _heard(circles, echo_range)
+                return cls(pings, counts, *parts, _NO_CROSSTALK)
         ping, start, end, length_m = obstacles.segments_near(place)
-        share = 1.0 if hushed is None else hushed[obstacles.segment_objects(place)]
+        share = 1.0 if echo_range is None else echo_range[obstacles.segment_objects(place)]
         faces, face_count = _table(count, ping, (start, end), (length_m, share))
         ping, middle, radius_m = obstacles.circles_near(place, own)
-        share = 1.0 if hushed is None else hushed[obstacles.circle_objects(place, own)]
-        rounds, round_count = _table(count, ping, (middle,), (radius_m, share))
-        heard, voice_count = np.zeros((0, 4)), np.zeros(count, np.intp)
-        if voices is not None:
-            numbers = voices.reported_m, voices.share
-            heard, voice_count = _table(count, voices.ping, (voices.place,), numbers)
-        counts = np.column_stack([face_count, round_count, voice_count])
-        return cls(pings, counts, faces, rounds, heard)
+        share = 1.0 if echo_range is None else echo_range[obstacles.circle_objects(place, own)]
+        circles, circle_count = _table(count, ping, (middle,), (radius_m, share))
+        heard, crosstalk_count = np.zeros((0, 4)), np.zeros(count, np.intp)
+        if crosstalk is not None:
+            numbers = crosstalk.reported_m, crosstalk.share
+            heard, crosstalk_count = _table(count, crosstalk.ping, (crosstalk.place,), numbers)
+        counts = np.column_stack([face_count, circle_count, crosstalk_count])
+        return cls(pings, counts, faces, circles, heard)
 
-    def first_echo(self, *, hushed: bool) -> FloatArray:
+    def first_echo(self, *, absorbing: bool) -> FloatArray:
         """Return the first echo of each ping [m].
 
         Args:
-            hushed: whether there are absorbing surfaces.
+            absorbing: whether there are absorbing surfaces.
         """
-        table, shapes = self._table(), (self.faces, self.rounds, self.voices)
+        table, shapes = self._table(), (self.faces, self.circles, self.crosstalk)
         widths = [each.shape[1] for each in shapes]
         if table.size + sum(each.size for each in shapes) + len(table) <= kernels().room:
-            return surveys.echoes(kernels(), (table, *shapes), hushed=hushed)
+            return surveys.echoes(kernels(), (table, *shapes), absorbing=absorbing)
         ends = np.vstack([np.zeros((1, 3), np.intp), self.counts.cumsum(axis=0)])
         found_m = np.empty(len(table))
         sizes = (self.counts * widths).sum(axis=1) + PING_SIZE + 1
@@ -148,7 +153,7 @@ class _Shapes:
                 each[ends[part.start, kind] : ends[part.stop, kind]]
                 for kind, each in enumerate(shapes)
             ]
-            found_m[part] = surveys.echoes(kernels(), (table[part], *few), hushed=hushed)
+            found_m[part] = surveys.echoes(kernels(), (table[part], *few), absorbing=absorbing)
         return found_m
 
     def _table(self) -> FloatArray:
@@ -164,11 +169,11 @@ class _Shapes:
         return table
 
 
-def _heard(rows: FloatArray, hushed: FloatArray | None) -> FloatArray:
+def _heard(rows: FloatArray, echo_range: FloatArray | None) -> FloatArray:
     """Return rows of shapes as the kernel of echoes reads them, from those for rays."""
     found = np.empty((len(rows), rows.shape[1] - 1))
     found[:, :-1] = rows[:, 2:]
-    found[:, -1] = 1.0 if hushed is None else hushed[rows[:, 1].astype(np.intp)]
+    found[:, -1] = 1.0 if echo_range is None else echo_range[rows[:, 1].astype(np.intp)]
     return found
 
 

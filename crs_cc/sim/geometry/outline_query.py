@@ -11,10 +11,10 @@ from typing import Protocol
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 
 
-class Prospect(Protocol):
+class ObstacleQuery(Protocol):
     """Returns pairs of a robot and an outline, including all within reach."""
 
-    def blocks(self, place: ComplexArray) -> Iterator[tuple[slice, Prospect]]:
+    def blocks(self, place: ComplexArray) -> Iterator[tuple[slice, ObstacleQuery]]:
         """Yield parts of the robots whose pairs are few enough, each with the outlines for it."""
 
     def segment_rows(self, place: ComplexArray) -> FloatArray:

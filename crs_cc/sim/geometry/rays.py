@@ -32,7 +32,7 @@ import numpy as np
 
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import parts
-from crs_cc.sim.geometry.outline_query import Prospect
+from crs_cc.sim.geometry.outline_query import ObstacleQuery
 from crs_cc.sim.kernels import exact, surveys
 from crs_cc.sim.kernels.program import kernels
 from crs_cc.sim.kernels.tables import RAY_BINS
@@ -95,7 +95,7 @@ class Fan:
 def nearest(
     fan: Fan,
     poses: FloatArray,
-    obstacles: Prospect,
+    obstacles: ObstacleQuery,
     own: IndexArray | None = None,
     objects: IndexArray | None = None,
 ) -> FloatArray:

@@ -33,12 +33,13 @@ class Surfaces:
         colour: the colour, 0xRRGGBB.
         infrared: reflectance for infrared light, NaN for the value that the sensor's definition
             assumes; None if that holds for all.
-        hushed: the distance at which each is heard, relative to a hard one; None if all are hard.
+        echo_range: the distance at which each is heard, relative to a hard one; None if all are
+            hard.
     """
 
     colour: Int32Array
     infrared: FloatArray | None
-    hushed: FloatArray | None
+    echo_range: FloatArray | None
 
     @classmethod
     def of(cls, scene: Scene) -> Self:

@@ -96,7 +96,7 @@ int __crs_finish(int count, const struct cycle *cycle, const double *joined, dou
 
     empty[0] = empty[1] = 0;
     if (cycle->is_free && glide(count, cycle->timestep, robot, tables->bodies, before) > SAME)
-        return HELD_UP;
+        return NOT_HANDLED;
     for (i = 0; i < count; i++, robot++) {
         const struct constants *constants = &tables->kinds[(int)robot->kind];
 

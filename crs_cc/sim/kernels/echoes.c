@@ -337,20 +337,20 @@ static void try_corners(void)
     }
 }
 
-static void try_voices(const struct voice *voices, int count)
+static void try_crosstalk(const struct crosstalk_ping *crosstalk, int count)
 {
     int i;
 
     for (i = 0; i < count; i++)
-        hear(&voices[i].place, voices[i].reported, voices[i].share, 1);
+        hear(&crosstalk[i].place, crosstalk[i].reported, crosstalk[i].share, 1);
 }
 
 /* How a ping is computed depends on itself and on whether there are soft objects, never on the
    other pings of the call. */
-void __crs_echoes(int count, int hushed, const double *pings, double *face_table,
-                  double *round_table, const double *voice_table, double *out)
+void __crs_echoes(int count, int absorbing, const double *pings, double *face_table,
+                  double *round_table, const double *crosstalk_table, double *out)
 {
-    const struct voice *voices = (const struct voice *)voice_table;
+    const struct crosstalk_ping *crosstalk = (const struct crosstalk_ping *)crosstalk_table;
     int number, inside;
 
     ping = (const struct ping *)pings;
@@ -359,7 +359,7 @@ void __crs_echoes(int count, int hushed, const double *pings, double *face_table
     for (number = 0; number < count; number++, ping++) {
         double glancing = cos(ping->critical);
         /* whether it matters what is hidden or is no corner */
-        int shaped = hushed || ping->falloff > 0 || ping->critical < ANY_ANGLE || ping->voices > 0;
+        int shaped = absorbing || ping->falloff > 0 || ping->critical < ANY_ANGLE || ping->crosstalk > 0;
 
         found = INFINITY;
         cosine = cos(ping->half);
@@ -374,12 +374,12 @@ void __crs_echoes(int count, int hushed, const double *pings, double *face_table
             try_ends(shaped);
             if (shaped) {
                 try_corners();
-                try_voices(voices, (int)ping->voices);
+                try_crosstalk(crosstalk, (int)ping->crosstalk);
             }
         }
         out[number] = inside ? 0 : found;
         faces += (int)ping->faces;
         rounds += (int)ping->rounds;
-        voices += (int)ping->voices;
+        crosstalk += (int)ping->crosstalk;
     }
 }

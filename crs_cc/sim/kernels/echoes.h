@@ -9,7 +9,7 @@ struct point {
 struct ping {
     struct point place, start, axis;
     double half, range, falloff, critical;
-    double faces, rounds, voices;       /* how many are its own */
+    double faces, rounds, crosstalk;       /* how many are its own */
 };
 
 struct face {
@@ -22,7 +22,7 @@ struct round {
     double radius, share;
 };
 
-struct voice {
+struct crosstalk_ping {
     struct point place;
     double reported, share;
 };

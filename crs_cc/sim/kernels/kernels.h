@@ -49,7 +49,7 @@ struct tables {
 };
 
 /* What kernels on robots return. */
-enum { ADVANCED, SENSOR_DUE, TIMEOUT_DUE, HELD_UP };
+enum { ADVANCED, SENSOR_DUE, TIMEOUT_DUE, NOT_HANDLED };
 
 /* Kernels on robots: `rows` are their rows in the tables, 0 for the first `count` ones. */
 int __crs_advance(int count, int renews, const long long *rows, double last, const double *to,
@@ -108,13 +108,13 @@ struct cycle {
 /* End a cycle of all robots, see cycle.c. `empty` gets how many robots' batteries ran empty, whether any
    is empty at the end of the next cycle, and which ran empty.
    `before` is where they were; if they move freely that is set here, too. If rounding errors of their
-   places are too large, they have moved, but nothing else is done: then return HELD_UP. */
+   places are too large, they have moved, but nothing else is done: then return NOT_HANDLED. */
 int __crs_finish(int count, const struct cycle *cycle, const double *joined, double *before,
                  const struct tables *tables, int *empty);
 
 /* The first echo of each of some pings, see echoes.c. The tables of shapes are overwritten. */
-void __crs_echoes(int count, int hushed, const double *pings, double *faces, double *rounds,
-                  const double *voices, double *out);
+void __crs_echoes(int count, int absorbing, const double *pings, double *faces, double *rounds,
+                  const double *crosstalk, double *out);
 
 /* What sonars report instead of true distances, see sonars.c: columns, changed in place. */
 void __crs_errors(int count, double *columns);
@@ -129,7 +129,7 @@ struct surroundings {
 };
 
 /* Fire the sonars that are due up to a time of each robot, at most one of each, and hear the echoes
-   up to then. Return whether another is due, or HELD_UP before anything is changed if a robot may not
+   up to then. Return whether another is due, or NOT_HANDLED before anything is changed if a robot may not
    have moved as its wheels did. */
 int __crs_fire(int count, const long long *rows, const double *to,
                const struct surroundings *around, const struct tables *tables);

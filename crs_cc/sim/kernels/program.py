@@ -286,8 +286,8 @@ class Kernels:
             sizes: how many numbers describe the beams; the numbers of segments, and of circles.
 
         Returns:
-            `ADVANCED`; `SENSOR_DUE` if more are due; `HELD_UP` if nothing was done, as robots may
-            not have moved as their wheels did.
+            `ADVANCED`; `SENSOR_DUE` if more are due; `NOT_HANDLED` if nothing was done, as
+            robots may not have moved as their wheels did.
         """
         self._select(FIRE, len(to_s), rows, to_s.tobytes() + numbers, *sizes)
         return self.result
@@ -340,8 +340,8 @@ class Kernels:
             before_m: where they were, if they have moved already, (count, 2).
 
         Returns:
-            `ADVANCED`, or `HELD_UP` if they have moved, but for rounding errors nothing else was
-            done; the robots whose batteries are empty now; and whether any is by the end of the
+            `ADVANCED`, or `NOT_HANDLED` if they have moved, but for rounding errors nothing else
+            was done; the robots whose batteries are empty now; and whether any is by the end of the
             next cycle.
         """
         before = b"" if before_m is None else before_m.tobytes()

@@ -53,7 +53,7 @@ int __crs_serve(int count, const long long *rows, const struct service *service,
         const struct robot *robot = &tables->robots[rows ? rows[i] : i];
 
         if (!is_simple(robot, sets_speeds))
-            return HELD_UP;
+            return NOT_HANDLED;
         clocks[i] = clocks[i] > robot->clock ? clocks[i] : robot->clock;
         clocks[i] = clocks[i] < service->end ? clocks[i] : service->end;
     }

@@ -109,7 +109,7 @@ static struct ping ping_of(const struct beam *beam, const struct robot *robot,
     ping.range = beam->range;
     ping.falloff = beam->falloff;
     ping.critical = beam->critical;
-    ping.voices = 0;
+    ping.crosstalk = 0;
     return ping;
 }
 
@@ -185,7 +185,7 @@ int __crs_fire(int count, const long long *rows, const double *to,
 
         if (robot->fires <= to[i]
             && (robot->hindered || robot->slipping || robot->deadline < to[i]))
-            return HELD_UP;
+            return NOT_HANDLED;
     }
     for (i = 0; i < count; i++) {
         long long row = rows ? rows[i] : i;

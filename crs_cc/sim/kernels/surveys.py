@@ -48,14 +48,14 @@ class Shapes(NamedTuple):
         return tuple(found)
 
 
-def echoes(instance: Kernels, tables: Sequence[FloatArray], *, hushed: bool) -> FloatArray:
+def echoes(instance: Kernels, tables: Sequence[FloatArray], *, absorbing: bool) -> FloatArray:
     """Return the first echo of each ping [m], see `echoes.c` for the tables.
 
     Args:
         instance: the instance of the kernels.
         tables: a row for each ping; then one for each face near a ping, by rising ping; the
-            same of circles, and of voices.
-        hushed: whether there are absorbing surfaces.
+            same of circles, and of crosstalk.
+        absorbing: whether there are absorbing surfaces.
 
     Raises:
         WorldError: there are more shapes within reach than the arena holds.
@@ -69,7 +69,7 @@ def echoes(instance: Kernels, tables: Sequence[FloatArray], *, hushed: bool) -> 
         raise WorldError.at(Location("<world>"), text)
     for table, place in zip(tables, places, strict=True):
         instance.arena[place : place + table.size] = table.reshape(-1)
-    instance.call(ECHOES, count, hushed, *places[1:], end)
+    instance.call(ECHOES, count, absorbing, *places[1:], end)
     return instance.arena[end : end + count].copy()
 
 

@@ -14,7 +14,7 @@ from crs_cc.requests import NUM_STATE
 ADVANCED: Final = 0
 SENSOR_DUE: Final = 1
 TIMEOUT_DUE: Final = 2
-HELD_UP: Final = 3
+NOT_HANDLED: Final = 3
 """What `Kernels.advance` returns, as in `kernels.h`."""
 
 (

@@ -39,9 +39,9 @@ RECEPTION: Final = np.dtype(
 )
 """The reception of a message by one robot: on its way, or in its inbox."""
 
-COMING: Final = 0
+IN_TRANSIT: Final = 0
 ARRIVED: Final = 1
-GONE: Final = 2
+DONE: Final = 2
 """Status of a reception: on its way, in the inbox, read or rejected."""
 
 SHUT: Final = np.dtype(

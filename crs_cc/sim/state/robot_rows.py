@@ -31,9 +31,9 @@ from crs_cc.sim.kernels.tables import (
     BATTERY_SIZE,
     BODIES,
     BODY_SIZE,
-    HELD_UP,
     KIND,
     KINDS,
+    NOT_HANDLED,
     REPLY,
     RING_SIZE,
     RINGS,
@@ -230,7 +230,7 @@ class RobotRows:
         """
         resident = self.resident_kernels(kinds)
         if resident is None:
-            return HELD_UP, *_NO_REPLIES
+            return NOT_HANDLED, *_NO_REPLIES
         return resident.serve(_selected(rows), service, *asked)
 
     def fire(
@@ -251,7 +251,11 @@ class RobotRows:
             kinds: the robots' constants.
         """
         resident = self.resident_kernels(kinds) if len(self.sonars) <= RINGS else None
-        return HELD_UP if resident is None else resident.fire(_selected(rows), to_s, numbers, sizes)
+        return (
+            NOT_HANDLED
+            if resident is None
+            else resident.fire(_selected(rows), to_s, numbers, sizes)
+        )
 
     def charges(self, rows: Rows, for_s: FloatArray, kinds: RobotKinds) -> FloatArray:
         """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).

@@ -11,7 +11,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry import cell_list
 from crs_cc.sim.geometry.cell_list import blocks, expand
-from crs_cc.sim.geometry.outline_query import Prospect
+from crs_cc.sim.geometry.outline_query import ObstacleQuery
 from crs_cc.sim.geometry.pings import ANY_ANGLE, Pings, Points
 from crs_cc.sim.kernels import exact
 
@@ -26,9 +26,9 @@ _STRAIGHT: Final = 1e-3  # sine of the angle below which a face continues in ano
 
 def first_echo(
     pings: Pings,
-    obstacles: Prospect,
+    obstacles: ObstacleQuery,
     voices: Points | None = None,
-    hushed: FloatArray | None = None,
+    echo_range: FloatArray | None = None,
 ) -> FloatArray:
     """Return the distance of each ping's first echo.
 
@@ -36,8 +36,8 @@ def first_echo(
         pings: the pings.
         obstacles: the obstacles.
         voices: further targets, heard if they are in the beam and nothing hides them.
-        hushed: the distance at which each object, as in `Scene.names`, is heard, relative to that
-            of a hard one, (objects,); None if all are hard.
+        echo_range: the distance at which each object, as in `Scene.names`, is heard, relative to
+            that of a hard one, (objects,); None if all are hard.
 
     Returns:
         distances from the transducers [m], infinite without an echo, shape (k,).
@@ -45,18 +45,18 @@ def first_echo(
     # Pings that are computed in different ways never share a call, so that the echo of one does not
     # depend on the others, not even in the last bit.
     falls = pings.falloff > 0.0
-    shaped = falls | (pings.critical_rad < ANY_ANGLE) | (hushed is not None)
+    shaped = falls | (pings.critical_rad < ANY_ANGLE) | (echo_range is not None)
     if voices is not None:
         shaped[voices.ping] = True
     found_m = np.empty(len(pings))
     for falling, shaping in ((False, False), (False, True), (True, True)):
         mine = np.flatnonzero((falls == falling) & (shaped == shaping))
         if len(mine) == len(pings):
-            return _first_echo(pings, obstacles, voices, hushed, falls=falling, shaped=shaping)
+            return _first_echo(pings, obstacles, voices, echo_range, falls=falling, shaped=shaping)
         if len(mine):
             some, heard = pings.part(mine), None if voices is None else _of_pings(voices, mine)
             found_m[mine] = _first_echo(
-                some, obstacles, heard, hushed, falls=falling, shaped=shaping
+                some, obstacles, heard, echo_range, falls=falling, shaped=shaping
             )
     return found_m
 
@@ -70,9 +70,9 @@ def _of_pings(voices: Points, pings: IndexArray) -> Points:
 
 def _first_echo(
     pings: Pings,
-    obstacles: Prospect,
+    obstacles: ObstacleQuery,
     voices: Points | None,
-    hushed: FloatArray | None,
+    echo_range: FloatArray | None,
     *,
     falls: bool,
     shaped: bool,
@@ -82,7 +82,7 @@ def _first_echo(
     shares = _RAYS if falls else _SIDES
     for part, outlines in obstacles.blocks(pings.place):
         heard = None if voices is None else voices.of_pings(part)
-        block = _Block(pings.part(part), outlines, heard, hushed)
+        block = _Block(pings.part(part), outlines, heard, echo_range)
         found_m[part] = block.first_echo(shares, shaped=shaped)
     return found_m
 
@@ -92,9 +92,9 @@ class _Block:
     """Pings that are computed together; see `first_echo` for the attributes."""
 
     pings: Pings
-    obstacles: Prospect
+    obstacles: ObstacleQuery
     voices: Points | None
-    hushed: FloatArray | None
+    echo_range: FloatArray | None
 
     def first_echo(self, shares: FloatArray, *, shaped: bool) -> FloatArray:
         """Return the distance of each ping's first echo.
@@ -103,8 +103,8 @@ class _Block:
         is whether it matters which targets are hidden or are no corners.
         """
         pings = self.pings
-        faces, pierced = _faces(pings, self.obstacles, self.hushed)
-        rounds, covered = _rounds(pings, self.obstacles, self.hushed)
+        faces, pierced = _faces(pings, self.obstacles, self.echo_range)
+        rounds, covered = _rounds(pings, self.obstacles, self.echo_range)
         found_m = self._on_rays(faces, rounds, shares, shaped=shaped)
         if not shaped:
             for points in (_feet(faces, rounds), _ends(faces)):
@@ -133,7 +133,7 @@ class _Block:
         self, faces: _Faces, rounds: _Rounds, shares: FloatArray, *, shaped: bool
     ) -> FloatArray:
         """Return the first echo along rays of each beam, infinite for none."""
-        pings, hushed = self.pings, self.hushed
+        pings, echo_range = self.pings, self.echo_range
         angle_rad = pings.half_rad[:, None] * shares
         rays = exact.turn(angle_rad)
         reach_m = pings.reach_m(np.arange(len(pings))[:, None], angle_rad)
@@ -144,7 +144,7 @@ class _Block:
             np.minimum.at(free_m, faces.ping, face_m)
             np.minimum.at(free_m, rounds.ping, round_m)
             reach_m = np.minimum(reach_m, free_m + _BEFORE_M)
-        if hushed is not None:
+        if echo_range is not None:
             face_m[face_m > loud_m[faces.ping] * faces.share[:, None]] = np.inf
             round_m[round_m > loud_m[rounds.ping] * rounds.share[:, None]] = np.inf
         glancing_m = faces.away_m / np.maximum(exact.cos(pings.critical_rad[faces.ping]), 1e-12)
@@ -218,7 +218,7 @@ def _hits_m(shapes: _Faces | _Rounds, rays: ComplexArray) -> FloatArray:
 
 
 def _faces(
-    pings: Pings, obstacles: Prospect, hushed: FloatArray | None
+    pings: Pings, obstacles: ObstacleQuery, echo_range: FloatArray | None
 ) -> tuple[_Faces, IndexArray]:
     """Return the faces that may be in beams, and the pings whose transducers are on or in one."""
     ping, a, b, length_m = obstacles.segments_near(pings.place)
@@ -239,13 +239,13 @@ def _faces(
     kept = np.flatnonzero(keep)
     kept = kept[np.argsort(ping[kept], kind="stable")]
     share = np.ones(len(kept))
-    if hushed is not None:
-        share = hushed[obstacles.segment_objects(pings.place)[kept]]
+    if echo_range is not None:
+        share = echo_range[obstacles.segment_objects(pings.place)[kept]]
     return _Faces(ping[kept], a[kept], b[kept] - a[kept], -behind_m[kept], share), pierced
 
 
 def _rounds(
-    pings: Pings, obstacles: Prospect, hushed: FloatArray | None
+    pings: Pings, obstacles: ObstacleQuery, echo_range: FloatArray | None
 ) -> tuple[_Rounds, IndexArray]:
     """Return the circles that may be in beams, and the pings whose transducers are in one."""
     ping, middle, radius_m = obstacles.circles_near(pings.place, pings.own)
@@ -259,8 +259,8 @@ def _rounds(
     kept = np.flatnonzero(keep)
     kept = kept[np.argsort(ping[kept], kind="stable")]
     share = np.ones(len(kept))
-    if hushed is not None:
-        share = hushed[obstacles.circle_objects(pings.place, pings.own)[kept]]
+    if echo_range is not None:
+        share = echo_range[obstacles.circle_objects(pings.place, pings.own)[kept]]
     return _Rounds(ping[kept], middle[kept], radius_m[kept], share), ping[inside]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
-from crs_cc.sim.geometry.outline_query import Prospect
+from crs_cc.sim.geometry.outline_query import ObstacleQuery
 from crs_cc.sim.geometry.rays import NO_THING, Fan
 from crs_cc.sim.kernels import exact
 
@@ -13,7 +13,7 @@ _HEAD = 6  # numbers before the rows of beams
 
 
 def nearest(
-    fan: Fan, poses: FloatArray, obstacles: Prospect, own: IndexArray
+    fan: Fan, poses: FloatArray, obstacles: ObstacleQuery, own: IndexArray
 ) -> tuple[FloatArray, IndexArray]:
     """Return the measured distance of each beam of each robot, and the object that it hits."""
     count, place = len(fan), poses[:, 0] + 1j * poses[:, 1]

@@ -322,10 +322,10 @@ def test_many_soft_objects_in_one_place_take_bounded_memory_and_time():
     rng = np.random.default_rng(1)
     places = zip(*rng.uniform([[3.0], [-0.3], [0.0]], [[3.6], [0.3], [1.5]], (3, 300)), strict=True)
     boxes = [Box(f"b{number}", Pose(*place), 1, 1) for number, place in enumerate(places)]
-    around, hushed = obstacles_of(*boxes), np.full(len(boxes), 0.8)
+    around, echo_range = obstacles_of(*boxes), np.full(len(boxes), 0.8)
     pings = Pings.of([(0j, 0j, toward) for toward in np.linspace(-0.2, 0.2, 16)], 0.4, RANGE_M)
     tracemalloc.start()
-    found_m = first_echo(pings, around, hushed=hushed)
+    found_m = first_echo(pings, around, echo_range=echo_range)
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert peak < 100e6  # all pairs of corners and sides at once were 1.7 GB
@@ -347,7 +347,7 @@ def test_many_pings_near_many_objects_take_bounded_memory():
 def test_equal_soft_objects_take_time_in_proportion_to_their_number(monkeypatch):
     """Each corner was compared with each side: 99,000 boxes would have taken an hour."""
     boxes = [Box(f"b{number}", Pose(3, 0), 1, 1) for number in range(5_000)]
-    around, hushed = obstacles_of(*boxes), np.full(len(boxes), 0.8)
+    around, echo_range = obstacles_of(*boxes), np.full(len(boxes), 0.8)
     pings, faces = Pings.of([(0j, 0j, 0.2)], 0.4, RANGE_M), []
 
     def counted(instance, tables, *others, **options):
@@ -356,7 +356,7 @@ def test_equal_soft_objects_take_time_in_proportion_to_their_number(monkeypatch)
 
     all_echoes = surveys.echoes
     monkeypatch.setattr(surveys, "echoes", counted)
-    assert first_echo(pings, around, hushed=hushed) == pytest.approx(2.5)
+    assert first_echo(pings, around, echo_range=echo_range) == pytest.approx(2.5)
     assert sum(faces) < 10
 
 
@@ -370,13 +370,13 @@ def test_block_size_changes_no_bit(pairs, lobe, monkeypatch):
     which = np.arange(0, len(pings), 3)
     place = np.random.default_rng(1).uniform(0.5, 2.0, len(which)) + 0j
     voices = Points(which, place, np.abs(place), np.ones(len(which)))
-    hushed = np.random.default_rng(2).uniform(0.3, 1.0, len(scene.names))
+    echo_range = np.random.default_rng(2).uniform(0.3, 1.0, len(scene.names))
 
     def heard():
         return [
             first_echo(pings, around),
             first_echo(pings, around, voices),
-            first_echo(pings, around, hushed=hushed),
+            first_echo(pings, around, echo_range=echo_range),
         ]
 
     whole = heard()

@@ -126,7 +126,7 @@ class Watcher:
             for name, fan in FANS.items()
         }
         found["heat"] = self.room_m(x_m, y_m)[1:]
-        place, hushed = complex(x_m, y_m), self.around.surfaces.hushed
+        place, echo_range = complex(x_m, y_m), self.around.surfaces.echo_range
         beams = [(place, place + RADIUS_M * np.exp(1j * (at + heading_rad)), at + heading_rad)
                  for at in AROUND]  # fmt: skip
         for name, (half_deg, lobe_rad, critical_rad) in SONARS.items():
@@ -134,7 +134,7 @@ class Watcher:
             pings = replace(pings, own=np.zeros(len(pings), dtype=np.intp))
             obstacles = self.around.obstacles(self.state)
             found[name], found[f"soft {name}"] = (
-                first_echo(pings, obstacles, hushed=soft) for soft in (None, hushed)
+                first_echo(pings, obstacles, echo_range=soft) for soft in (None, echo_range)
             )
         if not len(self.lights):
             return found

@@ -16,7 +16,7 @@ from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.kernels import tables
 from crs_cc.sim.kernels.program import Kernels
-from crs_cc.sim.kernels.tables import ADVANCED, HELD_UP, REPLY
+from crs_cc.sim.kernels.tables import ADVANCED, NOT_HANDLED, REPLY
 from crs_cc.sim.state import robot_rows
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.rows import ALL
@@ -118,7 +118,7 @@ def test_a_robot_that_was_held_up_is_only_moved() -> None:
     state.drive.hindered[5] = True
     moved_m = state.bodies.position_m + state.drive.moved_m
     found = state.rows.finish(state, (STEP_S, END_S), None, constants.kinds)
-    assert found[:2] == (HELD_UP, [])
+    assert found[:2] == (NOT_HANDLED, [])
     assert np.array_equal(state.bodies.position_m, moved_m)
     assert state.drive.moved_m.any()
 

@@ -45,8 +45,8 @@ def test_echoes_are_those_of_numpy(seed: int, lobe: float, critical: float) -> N
     which = np.arange(0, len(pings), 3)
     place = random.uniform(0.2, 3.0, len(which)) + 1j * random.uniform(-0.1, 0.1, len(which))
     voices = Points(which, place, random.uniform(0.2, 3.0, len(which)), np.ones(len(which)))
-    hushed = random.uniform(0.3, 1.0, len(scene.names))
-    for arguments in ((None, None), (voices, None), (None, hushed), (voices, hushed)):
+    echo_range = random.uniform(0.3, 1.0, len(scene.names))
+    for arguments in ((None, None), (voices, None), (None, echo_range), (voices, echo_range)):
         found_m = first_echo(pings, around, *arguments)
         assert found_m.tolist() == numpy_echoes.first_echo(pings, around, *arguments).tolist()
 

@@ -37,7 +37,7 @@ from crs_cc.requests import CODES
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.drive.constants import weighted
-from crs_cc.sim.kernels.tables import ADVANCED, HELD_UP
+from crs_cc.sim.kernels.tables import ADVANCED, NOT_HANDLED
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state import motion_profile
 from crs_cc.sim.state.rows import simplest, take
@@ -82,12 +82,12 @@ def advance(
     if late.any():
         stopped = np.arange(len(state.drive.clock_s))[rows][late]
         deadline_s = state.drive.deadline_s[stopped]
-        _turn(state, constants, stopped, deadline_s)
+        _advance_axes(state, constants, stopped, deadline_s)
         _stop(state, constants, stopped, ~state.drive.limp[stopped])
         state.drive.deadline_s[stopped] = np.inf
         _note_command(state, stopped, CODES["CONF_TM"])
     if advance_freely(state, constants, rows, to_s) != ADVANCED:
-        _turn(state, constants, rows, to_s)
+        _advance_axes(state, constants, rows, to_s)
 
 
 def advance_freely(
@@ -113,7 +113,7 @@ def advance_freely(
         `ADVANCED`, or what happens to one of them; then some of the others may be advanced.
     """
     if not moves_as_commanded(state, constants):
-        return HELD_UP
+        return NOT_HANDLED
     return state.rows.advance(rows, to_s, last_s, constants.kinds, renews=renews)
 
 
@@ -141,7 +141,7 @@ def rest_s(state: EnvState, rows: IndexArray) -> FloatArray:
     return np.asarray(np.maximum(end_s, state.drive.clock_s[rows]))
 
 
-def _turn(
+def _advance_axes(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
     """Advance the axes of robots, some of which are degraded, or on slopes."""

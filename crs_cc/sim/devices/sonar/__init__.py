@@ -80,7 +80,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
     from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
-    from crs_cc.sim.geometry.outline_query import Prospect
+    from crs_cc.sim.geometry.outline_query import ObstacleQuery
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
@@ -260,7 +260,7 @@ class SonarRing:
         return good
 
     def set_mode(self, context: RequestContext) -> BoolArray:
-        """Select a mode for the next pings of a sonar; refuse unknown modes."""
+        """Select a mode for the next pings of a robot's sonars; refuse unknown modes."""
         mode = context["mode"]
         good = np.asarray((mode >= 0) & (mode < self._modes[context.rows]))
         sonar_state(context.state).mode[context.rows[good]] = mode[good]
@@ -323,12 +323,14 @@ class SonarRing:
         gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
         deviates = self._errors.draw(rows, before)
         affected = self._errors.affected_by_crosstalk(rows, sonar.mode[rows], deviates)
-        voices = None
+        crosstalk = None
         if len(affected):
             from_s, to_s = at_s[affected], (at_s + gives_up_s)[affected]
-            voices = crosstalk_pings(state, self._beams, pings, affected, from_s=from_s, to_s=to_s)
+            crosstalk = crosstalk_pings(
+                state, self._beams, pings, affected, from_s=from_s, to_s=to_s
+            )
         shapes = self._shapes_hit(state, rays, pings, number)
-        distance_m = first_echo(pings, shapes, voices, rays.surfaces.hushed)
+        distance_m = first_echo(pings, shapes, crosstalk, rays.surfaces.echo_range)
         reported_m = self._reported_m(state, constants, (rows, number, at_s), distance_m, deviates)
         in_time = 2 * reported_m / SOUND_MPS <= gives_up_s
         heard_s = at_s + np.where(in_time, 2 * reported_m / SOUND_MPS, gives_up_s)
@@ -398,12 +400,12 @@ class SonarRing:
         mode = sonar_state(state).mode[rows[each]]
         pings = self._beams.pings(rows[each], number, place[each], turn[each], mode)
         shapes = self._shapes_hit(state, rays, pings, number)
-        heard_m = first_echo(pings, shapes, hushed=rays.surfaces.hushed)
+        heard_m = first_echo(pings, shapes, echo_range=rays.surfaces.echo_range)
         return heard_m.reshape(-1, MAX_SONARS)
 
     def _shapes_hit(
         self, state: EnvState, rays: RayCaster, pings: Pings, number: IndexArray
-    ) -> Prospect:
+    ) -> ObstacleQuery:
         """Return what pings of the sonars with these numbers can hit."""
         if rays.all_alike:
             return rays.obstacles(state)

@@ -61,7 +61,7 @@ class SimpleFirings:
 
     def know(self, rays: RayCaster) -> bool:
         """Return whether all shapes are hard and high, and beams few."""
-        return self._are_few and rays.all_alike and rays.surfaces.hushed is None
+        return self._are_few and rays.all_alike and rays.surfaces.echo_range is None
 
     def tables(self) -> KernelTables:
         """Return what the kernel of calm time is told."""
