@@ -45,8 +45,8 @@ class ObservationSpec:
     Attributes:
         name: its name.
         shape: the shape of its arrays.
-        low: the smallest value; also stands for smaller ones.
-        high: the largest value; also stands for larger ones, such as no echo.
+        low: the smallest value; smaller ones are clipped to it.
+        high: the largest value; larger ones, such as no echo, are clipped to it.
     """
 
     name: str

@@ -67,7 +67,7 @@ def find(root: Node, name: str) -> Node:
     """Return the element with a name.
 
     Raises:
-        ValueError: there is none; the message names what there is.
+        ValueError: there is none; the message lists the existing ones.
     """
     node = root
     if name in ("", root.tag):

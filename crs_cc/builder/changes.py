@@ -1,6 +1,6 @@
 """The simple changes: add, set, remove, move, turn, mirror.
 
-Each function returns a `Plan` and changes nothing. Values are texts as they stand in the file.
+Each function returns a `Plan` and changes nothing. Values are texts as in the file.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ def pins(document: Document, tags: Collection[str], gone: Sequence[Node] = ()) -
     Args:
         document: the document.
         tags: the kinds that come or go.
-        gone: the elements that go, or are written anew.
+        gone: the elements that are removed or rewritten.
     """
     used, left = referenced_ids(document.root), set(map(id, gone))
     found: list[Splice] = []

@@ -56,7 +56,7 @@ def included_files(document: Document, folder: Path | None) -> Iterator[Document
                 text = read_below(folder, str(path), ".xml", MAX_BYTES)
                 found = Document(text, str(folder / path))
             except (ValueError, WorldError):
-                continue  # the loader says what is wrong with it
+                continue  # the loader reports the error
             work.append((path.parent, found))
             yield found
 

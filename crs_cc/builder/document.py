@@ -130,7 +130,7 @@ class Document:
         """Replace ranges of bytes; nothing changes if the result is not well-formed.
 
         Args:
-            title: what it is, for those who undo it.
+            title: its description, for undoing it.
             splices: what is replaced.
 
         Raises:

@@ -1,6 +1,6 @@
 """The floor of a world as a grid of the places that bodies can reach.
 
-What could just be passed counts as passable, and movable objects are in nobody's way: where a body
+What could just be passed counts as passable, and movable objects are ignored: where a body
 cannot go by this grid, it cannot go.
 """
 
@@ -25,7 +25,7 @@ Cells: TypeAlias = NDArray[np.bool_]
 
 
 class FloorGrid:
-    """The floor as a grid, and where bodies of each size can go on it.
+    """The floor as a grid, and where bodies of each size can move on it.
 
     Attributes:
         cell_m: the size of its cells.

@@ -64,7 +64,7 @@ def raised(
     """Raise the ground along a path, in its middle by `rise_m`, and less towards the brush's rim.
 
     Each pixel is raised once, as far as the brush came nearest to it. Numbers of the file that stay
-    are not written anew; a map that came from a picture gets numbers.
+    are not rewritten; a map that came from a picture gets numbers.
 
     Args:
         document: the document.

@@ -1,7 +1,7 @@
 """Edits of elements as splices: attributes, new elements, removed elements.
 
 What is new is written as the rest of the file: its indentation, its line ends, its encoding. What
-goes takes its line with it if nothing else stands there.
+is removed takes its line with it if nothing else is on it.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ ORDER: Final = (
     *("wall", "box", "cylinder", "polygon", "object", "light", "sound"),
     *("source", "nest", "robot", "scatter", "degradation", "communication", "goal"),
 )
-"""The order of elements in a world; those that are there may stand otherwise."""
+"""The order of new elements in a world; existing ones may be in a different order."""
 
 FIRST: Final = ("area", "surface", "heightmap")
-"""Elements that must stand before all others."""
+"""Elements that must come before all others."""
 
 LAST: Final = ("link", "host", "sensor", "setup")
-"""Elements of a robot definition that must stand behind all others, in this order."""
+"""Elements of a robot definition that must come after all others, in this order."""
 
 _NAME: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]*")
 _NO_XML: Final = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")

@@ -84,7 +84,7 @@ class Motion:
         return replace(back, x_m=-x_m, y_m=-y_m)
 
     def heading(self, heading_rad: float) -> float:
-        """Return what becomes of a heading, at most a turn."""
+        """Return a transformed heading, at most a full turn."""
         if not self.mirrors:
             return math.fmod(heading_rad + self.turn_rad, math.tau)
         return math.remainder(self.turn_rad - heading_rad, math.tau)

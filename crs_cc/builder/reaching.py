@@ -1,7 +1,7 @@
 """Goals that cannot be met because walls or fixed objects are in the way.
 
 The floor is filled from the start of each robot, on a grid, as far as its body has room. What could
-just be passed counts as passable, and movable objects are in nobody's way: a warning is right, no
+just be passed counts as passable, and movable objects are ignored: a warning is right, no
 warning proves nothing.
 """
 

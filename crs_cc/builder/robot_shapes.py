@@ -51,7 +51,7 @@ def robot_shapes(document: Document) -> dict[str, list[Shape]]:
         try:
             shapes = list(_shapes(node, radius_m))
         except ValueError:
-            continue  # the loader says what is wrong
+            continue  # the loader reports the error
         if shapes:
             found[address(node)] = shapes
     return found

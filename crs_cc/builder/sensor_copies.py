@@ -18,7 +18,7 @@ _BODY: Final = r"<!--(?:(?!-->).)*-->"
 _COMMENT: Final = re.compile(
     rf"(?<=\n)[ \t]*{_BODY}[ \t]*\n|(?<=\S)[ \t]*{_BODY}|{_BODY}[ \t]*", re.DOTALL
 )
-"""A comment, with its line if nothing else stands there, or with the space before or behind it."""
+"""A comment, with its line if nothing else is on it, or with the space before or after it."""
 
 
 def is_sensor(node: Node) -> bool:

@@ -1,9 +1,9 @@
 """The positions of elements and attributes in the bytes of an XML document.
 
 No library writes XML back byte for byte: quotes, spaces between attributes and character references
-are lost in a tree. Here the bytes stay what they are, and the tree says where each part of them is,
-so that a change replaces these parts and no others. Expat checks the form; the loader of worlds
-checks everything else.
+are lost in a tree. Here the bytes are unchanged, and the tree has the location of each part of
+them, so that a change replaces only the affected parts. Expat checks the syntax; the loader of
+worlds checks everything else.
 
 >>> room = parse(b"<world><wall id = 'w'  x1='1m'/></world>", "room.xml").root
 >>> wall = room.children[0]
@@ -53,8 +53,8 @@ class Node:
         close: where its end tag begins; `open_end` if it has none.
         end: where it ends.
         attributes: its attributes, in their order.
-        attribute_at: where each attribute stands, with the white space before it.
-        value_at: where each value stands, without its quotes.
+        attribute_at: the span of each attribute, with the white space before it.
+        value_at: the span of each value, without its quotes.
         children: its child elements.
         text: its own text.
     """

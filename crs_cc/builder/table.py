@@ -1,6 +1,6 @@
 """The table of operations: those of the page, the shell and Python, by the same names.
 
-A row says what an operation acts on and what values it takes. `operations` works out what it
+A row states what an operation acts on and its values. `operations` works out what it
 changes, `WorldBuilder.apply` does it; the command line makes a subcommand of each row, and the page
 sends the name of a row with its values.
 

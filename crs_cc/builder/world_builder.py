@@ -66,9 +66,9 @@ _MARGIN_M, _ROOM_M = 1.0, 0.4
 class WorldBuilder:
     """A world file, a robot definition, or a file of definitions that is being edited.
 
-    Elements are named by their ids, or by where they stand: `crate`, `surface/ramp[1]`,
+    Elements are named by their ids, or by their positions in the tree: `crate`, `surface/ramp[1]`,
     `define[table]/leg0`. Lengths and angles are numbers in metres and radians, or texts with units,
-    which are written as they are. Nothing but what is changed is written anew.
+    which are written as they are. Only changed parts are rewritten.
 
     Attributes:
         document: the file as it is now.
@@ -129,7 +129,7 @@ class WorldBuilder:
         """Return an element; it is valid until the next change.
 
         Raises:
-            ValueError: there is none with this name.
+            ValueError: there is no element with this name.
         """
         return find(self.document.root, name)
 
@@ -401,8 +401,8 @@ class WorldBuilder:
             scale: the size of a pixel, or of a unit of SVG [m]; by default the physical size of an
                 SVG file.
             thickness: the thickness of walls that are lines [m].
-            x: where the plan's own x = 0 comes to be.
-            y: where its y = 0 comes to be.
+            x: the x coordinate of the plan's origin.
+            y: its y coordinate.
 
         Returns:
             the names of the elements, and what was left out.
@@ -467,7 +467,7 @@ class WorldBuilder:
         The old file is replaced in one step by the new one. Under another name, it must not exist.
 
         Raises:
-            WorldError: it is invalid, or the file has been changed by somebody else.
+            WorldError: it is invalid, or the file has been changed externally.
             ValueError: it has no name yet.
             OSError: it cannot be written.
         """

@@ -1,7 +1,7 @@
 """The file of an edited world: reading, detecting changes by others, replacing atomically.
 
 The new text is written beside the old file, brought to the disk, and then takes its name in one
-step. So at any instant, also after `kill -9` or a power failure, the name stands for all of the old
+step. So at any instant, also after `kill -9` or a power failure, the name refers to all of the old
 text or all of the new one.
 """
 

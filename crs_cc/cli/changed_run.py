@@ -31,7 +31,7 @@ class ChangedRun:
         Args:
             debugger: has the programs and the world of the run.
             changes: all changes, in their order.
-            changed: is told of each change that has been made.
+            changed: is called with each change that has been made.
         """
         self._debugger = debugger
         self._left = deque(changes)

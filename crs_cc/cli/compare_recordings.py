@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from crs_cc.recording.recording import Recording
 
 _PIECE: Final = 20
-"""Timesteps that each run goes on before the other one follows."""
+"""The number of timesteps by which each run advances before the other one."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ Examples:
   crs completion fish > ~/.config/fish/completions/crs.fish
 """
 VARIABLE: Final = "_CRS_COMPLETE"
-"""Where such a script says what it wants, as click expects it of a command `crs`."""
+"""The variable with the instruction of such a script, as click expects it for the command `crs`."""
 
 
 @click.command(epilog=_EXAMPLES, short_help="Print a shell completion script.")

@@ -14,7 +14,7 @@ def parse_time(_ctx: click.Context, _option: click.Parameter, text: str | None) 
     """Return the seconds of `12.5s`, `300ms`, or a number of seconds.
 
     Raises:
-        click.BadParameter: it is none of these.
+        click.BadParameter: it is not one of these.
     """
     if text is None:
         return None

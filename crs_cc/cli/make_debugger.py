@@ -42,7 +42,7 @@ def make_debugger(
         output: receives what they write.
         read: returns what they read.
         observer: is notified of timesteps.
-        waiting: says what there is to read.
+        waiting: returns how much input is available.
     """
     return Debugger(
         loaded.world,

@@ -49,7 +49,7 @@ class Pace:
         self._started_s = time.monotonic() - simulated_s / self.speed
 
     def simulated_s(self) -> float:
-        """Return the simulated time that real time has come to [s]."""
+        """Return the simulated time that corresponds to the real time [s]."""
         return (time.monotonic() - self._started_s) * self.speed
 
     def left_s(self, simulated_s: float) -> float:

@@ -20,7 +20,7 @@ def written_file(
         name: the option.
         text: its help.
         to: the parameter that receives it; by default the option's name.
-        metavar: what stands for the file in the help.
+        metavar: the placeholder of the file in the help.
     """
     kind = click.Path(dir_okay=False, path_type=Path)
     return click.option(name, to or _plain(name), type=kind, metavar=metavar, help=text)

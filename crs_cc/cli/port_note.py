@@ -1,6 +1,6 @@
 """The file that a server leaves for other commands of the same user, with its address.
 
-It is a file in the user's cache that nobody else can read, because it holds a token.
+It is a file in the user's cache that only the user can read, because it contains a token.
 """
 
 from __future__ import annotations

@@ -104,7 +104,7 @@ WRITES: Final = click.option(
     "--files", "outputs", type=click.Path(file_okay=False, path_type=Path), metavar="DIR",
     help="Save to DIR the files that the programs write; with several robots, to DIR/ROBOT.",
 )  # fmt: skip
-"""The option of what becomes of files that programs write."""
+"""The option that determines where the files that programs write are kept."""
 
 SEED: Final = click.option(
     "--seed", type=click.IntRange(min=0), metavar="N",

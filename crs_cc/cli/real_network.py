@@ -33,7 +33,7 @@ PIECE: Final = 4096
 """The most bytes that one change brings."""
 
 MAX_UNSENT: Final = 2**20
-"""Bytes that wait for somebody in the real network who does not read; then the connection ends."""
+"""Limit of the unsent bytes of a connection to the real network; beyond it, it is closed."""
 
 MAX_CONNECTIONS: Final = 64
 _LAST_WORDS_S: Final = 1.0  # for what programs have sent before they ended
@@ -71,7 +71,7 @@ class RealNetwork:
             session: the run, before its first timestep.
             machines: what programs can reach.
             forwards: what leads to programs.
-            noted: is told of each change that is made.
+            noted: is called with each change that is made.
 
         Raises:
             click.UsageError: a name is unknown or taken.

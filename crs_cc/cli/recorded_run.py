@@ -26,7 +26,7 @@ class RecordedRunCheck:
     """Replays the recorded input of a run, and warns once if the run diverges.
 
     Attributes:
-        warned: is told when it does, besides a warning on standard error.
+        warned: is called when it does, besides a warning on standard error.
     """
 
     def __init__(self, recording: Recording) -> None:

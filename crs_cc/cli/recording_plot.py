@@ -67,7 +67,7 @@ def recorded_picture(recording: Recording) -> Picture:
 def movables_at(
     world: WorldModel, objects: Sequence[str], frame: Frame, robots: int
 ) -> Iterator[tuple[Thing, bool]]:
-    """Yield the movable objects where a frame says, and whether they were moved.
+    """Yield the movable objects at their poses in a frame, and whether they were moved.
 
     Args:
         world: the world.

@@ -71,7 +71,7 @@ class Resumption:
 
         Args:
             session: the run.
-            made: is told of each.
+            made: is called with each.
 
         Raises:
             ReplayMismatch: one is not possible now: the run takes another course.
@@ -99,7 +99,7 @@ class Resumption:
 
     def _mismatch(self, session: Session, reason: str = "") -> ReplayMismatch:
         text = f"the run differs from its recording at {session.time_s:.2f} s"
-        hint = "it goes on with the same world, seed, programs and version only"
+        hint = "it can only continue with the same world, seed, programs and version"
         return ReplayMismatch.at(
             Location(str(self._path)), f"{text}: {reason}" if reason else text, hint
         )

@@ -32,7 +32,7 @@ _UNLIMITED: Final = 2**30
 
 
 class RunChanges:
-    """The changes of a file, to be made as a run comes to their times."""
+    """The changes of a file, which are made when a run reaches their times."""
 
     def __init__(self, path: Path, timestep_s: float) -> None:
         """Read a file.
@@ -63,7 +63,7 @@ class RunChanges:
 
         Args:
             session: the run.
-            made: is told of each.
+            made: is called with each.
 
         Raises:
             click.UsageError: one is invalid or impossible.

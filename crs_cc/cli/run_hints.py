@@ -10,7 +10,7 @@ from crs_cc.core.source import Diagnostic, Location
 from crs_cc.session.session import Session
 
 SILENT_S: Final = 5.0
-"""Real time without output after which a run on a terminal says where it stands [s]."""
+"""Real time without output after which a run on a terminal reports its progress [s]."""
 
 SILENT_SIMULATED_S: Final = 600.0
 """Simulated time after which other runs do, so that what they say depends on no clock [s]."""

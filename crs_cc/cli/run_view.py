@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class RunView:
-    """Shows a run to pages, and holds it as long as they pause it."""
+    """Shows a run to pages, and stops it while they pause it."""
 
     def __init__(
         self, loaded: Loaded, options: RunOptions, seed: int, front: Front | None = None
@@ -58,7 +58,7 @@ class RunView:
         Args:
             session: the run.
             has_ended: returns whether the user has interrupted it.
-            changed: is told of each change that pages make; calls `change`.
+            changed: is called with each change that pages make; calls `change`.
             repeats_until_s: up to when it is a recorded run again [s], which nothing may change.
 
         Raises:
@@ -71,7 +71,7 @@ class RunView:
         self._run = AttachedRun(session, self._watcher, changed, repeats_until_s)
         self._screen = Screen(self._run, self._feed, self._player, self._port, self._front)
         address = self._screen.server.address()
-        if self._front is None:  # whoever has opened the front has announced it
+        if self._front is None:  # the front is announced where it is opened
             self._announced.enter_context(announced(self._screen.server.port, address))
         say(f"crs: open {address}")
         say(f"crs: view only: {self._screen.server.address('view')}")

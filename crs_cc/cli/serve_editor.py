@@ -39,9 +39,9 @@ def serve_editor(where: str, read: Callable[[Sequence[str]], DebugOptions]) -> i
         OSError: the port is in use.
     """
 
-    def open_run(line: Sequence[str], output: Output, tell: Callable[[str], None]) -> Debugger:
+    def open_run(line: Sequence[str], output: Output, report: Callable[[str], None]) -> Debugger:
         try:
-            return _open(read(line), output, tell)
+            return _open(read(line), output, report)
         except click.ClickException as error:
             raise DebugError(error.format_message()) from None
 
@@ -71,14 +71,14 @@ def _serve_port(port: int, open_run: OpenRun) -> None:
     serve_port(port, open_run, token, announce)
 
 
-def _open(options: DebugOptions, output: Output, tell: Callable[[str], None]) -> Debugger:
+def _open(options: DebugOptions, output: Output, report: Callable[[str], None]) -> Debugger:
     diagnostics = Diagnostics()
     loaded = load(options, diagnostics, debug=True)
     messages = diagnostics.messages
     for message in messages[:WARNINGS_BEFORE_RUN]:
-        tell(render(message, coloured=False))
+        report(render(message, coloured=False))
     if len(messages) > WARNINGS_BEFORE_RUN:
-        tell(left_out_text(len(messages) - WARNINGS_BEFORE_RUN))
+        report(left_out_text(len(messages) - WARNINGS_BEFORE_RUN))
     read, waiting = fixed_input(options)
     debugger = make_debugger(loaded, options, output, read or no_input, waiting=waiting)
     end_at(debugger, options.max_time_s or loaded.world.duration_s)

@@ -24,7 +24,7 @@ class ServeOptions(RunOptions):
         start: when to begin: when `all` robots have their programs, or `now`, with the first.
         on_loss: what to do when a host is lost: `wait` for another one, `stop` its programs, or
             `restart` them here.
-        resume: the recording at whose end the run goes on; None for a new run.
+        resume: the recording at whose end the run continues; None for a new run.
         hosts: the address of the Dask cluster whose workers run the programs; empty for hosts that
             users start.
         per_host: how many robots a host on the cluster has; None for a host on each thread.

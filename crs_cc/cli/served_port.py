@@ -35,7 +35,7 @@ class ServedPort:
 
     Attributes:
         number: of the port.
-        access: who may do what.
+        access: the tokens of each role.
         front: where pages connect; None for nowhere.
         fingerprint: of the certificate; empty without TLS.
     """

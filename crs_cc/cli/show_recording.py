@@ -195,7 +195,7 @@ def comparison(found: Comparison, paths: tuple[Path, Path]) -> Iterator[str]:
         yield f"{paths[0]}, {paths[1]}: no difference up to {found.time_s:.2f} s"
         for path, end_s in zip(paths, found.ends_s, strict=True):
             if end_s > min(found.ends_s):
-                yield f"  {path} goes on to {end_s:.2f} s"
+                yield f"  {path} continues to {end_s:.2f} s"
         return
     yield f"the first difference is at {found.time_s:.3f} s (timestep {found.timestep}):"
     yield f"  {paths[0]} | {paths[1]}"

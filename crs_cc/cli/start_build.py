@@ -36,7 +36,7 @@ class Trial:
         """Start a run; return the address of its page.
 
         Raises:
-            ValueError: it does not start; the message says why.
+            ValueError: it does not start; the message is the reason.
         """
         self.end()
         idle = [robot.id for robot in builder.world().robots if not robot.program]

@@ -148,7 +148,7 @@ def _new_debugger(
     debugger = make_debugger(loaded, options, output, read, observer=recorded, waiting=waiting)
     if recorded is None:
         end_at(debugger, options.max_time_s or loaded.world.duration_s)
-    else:  # it may have run longer than its world says
+    else:  # it may have run longer than its world specifies
         recorded.begin(debugger)
     is_given = options.stdin is not None or options.input is not None
     debugger.run.console.is_typed = recorded is None and not is_given

@@ -130,7 +130,7 @@ class Script:
 class OwnInput:
     """Our standard input, which all robots share.
 
-    A file or a pipe is always ready; a read may have to wait for whoever writes to the pipe.
+    A file or a pipe is always ready; a read may have to wait for the writer of the pipe.
     """
 
     def __init__(self) -> None:

@@ -88,7 +88,7 @@ class VendorClients:
 
         Args:
             session: the run.
-            pointing: where programs ask the user for a pose; None if nobody looks.
+            pointing: asks the user for poses for programs; None without a page.
             must_not_wait: returns whether the timestep must end without waiting for clients.
 
         Raises:

@@ -19,7 +19,7 @@ from crs_cc.cli.view_address import address_of, is_address
 
 _ADDRESSES: Final = "crs_cc.addresses"
 _ANSWER_S: Final = 2.0
-"""How long to wait for who serves a run [s]."""
+"""Timeout for the process that serves a run [s]."""
 
 _EXAMPLES: Final = """
 \b

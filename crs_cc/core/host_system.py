@@ -2,7 +2,7 @@
 
 Linux is where crs is developed and tested. Here is what macOS and Windows do not have: names that
 `os` lacks there, modules that cannot be imported, files below `/proc`. Where a safeguard of Linux
-is missing, the next best takes its place; `docs/platforms.md` says which.
+is missing, the next best is used instead, see `docs/platforms.md`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 _NOFOLLOW: Final = getattr(os, "O_NOFOLLOW", 0)
 _ALWAYS: Final = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
-"""Of every file that is opened: do not wait for who writes to a pipe; bytes as they are."""
+"""The flags of every opened file: do not wait for the writer of a pipe; no conversion of bytes."""
 
 _HAS_FOLDERS: Final = os.open in os.supports_dir_fd and hasattr(os, "O_DIRECTORY")
 _FOLDER: Final = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0)
@@ -175,7 +175,7 @@ def limit_waits(connection: Any, longest_s: float) -> None:
     BlockingIOError, elsewhere TimeoutError.
 
     Args:
-        connection: a socket, or what stands for one.
+        connection: a socket, or an object with its interface.
         longest_s: the limit [s].
     """
     import socket
@@ -222,7 +222,7 @@ def open_regular(path: Path, flags: int, *, follow: bool = True) -> int:
 def open_beneath(folder: Path, parts: Sequence[str], flags: int, *, make: bool = False) -> int:
     """Return a descriptor of a regular file below a folder, without following any link there.
 
-    The path is opened part by part, so that whoever changes the folder meanwhile cannot lead out
+    The path is opened part by part, so that concurrent changes of the folder cannot lead out
     of it. Where the system cannot do that, every part is looked at before the file is opened.
 
     Args:

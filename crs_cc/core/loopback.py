@@ -3,8 +3,9 @@
 A server listens on the loopback interface, so no other machine reaches it. But each user and each
 web page on this machine does: hence a token that only the user knows, and the names of host and
 origin, which a foreign page cannot choose (a name of its own that resolves to 127.0.0.1 stands in
-`Host`: DNS rebinding). Where the system says whose a client is, `host_system.is_of_another_user`
-refuses those of others. A client that sends half a message, or does not read, is not waited for.
+`Host`: DNS rebinding). If the system reports the owner of a connection, those of other users are
+rejected, see `host_system.is_of_another_user`. A client that sends half a message, or does not
+read, is not waited for.
 
 >>> token = new_token()
 >>> is_token(token, token), is_token("", token), is_token(token[:-1] + "é", token)

@@ -27,7 +27,7 @@ Number: TypeAlias = FloatArray | float
 def nearest_fraction(
     across_x: Number, across_y: Number, along_x: Number, along_y: Number
 ) -> FloatArray:
-    """Return which share of segments lies before their points nearest to places, 0 to 1."""
+    """Return the fraction of segments, 0 to 1, at the points nearest to given positions."""
     length2 = along_x * along_x + along_y * along_y
     share = (across_x * along_x + across_y * along_y) / np.where(length2 > 0.0, length2, 1.0)
     return np.asarray(np.clip(share, 0.0, 1.0))

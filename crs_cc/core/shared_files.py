@@ -1,6 +1,6 @@
 """The locations of the samples, worlds and documentation pages.
 
-In a checkout they stand beside the package; a build copies them into it (`setup.py`).
+In a checkout they are beside the package; a build copies them into it (`setup.py`).
 """
 
 from __future__ import annotations

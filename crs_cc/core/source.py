@@ -129,7 +129,7 @@ class Diagnostics:
         messages: every message so far.
         lines: the lines of each known file, for messages.
         digests: a hash of each file that was looked for, found or not, when it was first read; the
-            result is valid as long as these are.
+            result is valid while these are.
         stage: the part of the compiler that is running.
     """
 

@@ -14,16 +14,16 @@ Read `engine` first: the operations of the debugger, without a user interface. I
 - `watch`: accesses to watched bytes, detected inside the sandbox; `watchpoints`: the expressions
   that users watch; `world_watch`: those that use the world or several programs; `run_values`:
   how expressions use these.
-- `past`: questions about the recorded past; `last_write`: who wrote an object before; `why`: a tree
-  of where a value came from, whose nodes are in `cause`; through `message_cause` to other robots,
-  `motion_cause` to what moves objects, `echo_cause` to what sensors met, and `battery_cause` to
-  what drains batteries; `evaluation_point`: where operands are evaluated; `repeated_writes`: many
-  writes as one cause; `statement_source`: the text of what a statement did; `returned_value`: what
-  a call has returned; `skips`: functions that steps do not enter; `call_sites`: calls that a step
-  can be told to enter.
-- `branches`: alternative histories; `branch_comparison`: the differences between two of them, told
-  by `difference_text`; `branch_facts`: their states at many timesteps; `first_difference`: the
-  first of these in which two runs differ.
+- `past`: questions about the recorded past; `last_write`: the last write of an object; `why`: a
+  tree of where a value came from, whose nodes are in `cause`; through `message_cause` to other
+  robots, `motion_cause` to what moves objects, `echo_cause` to what sensors met, and
+  `battery_cause` to what drains batteries; `evaluation_point`: where operands are evaluated;
+  `repeated_writes`: many writes as one cause; `statement_source`: the text of what a statement
+  did; `returned_value`: what a call has returned; `skips`: functions that steps do not enter;
+  `call_sites`: calls that a step can choose to enter.
+- `branches`: alternative histories; `branch_comparison`: the differences between two of them, as
+  texts of `difference_text`; `branch_facts`: their states at many timesteps; `first_difference`:
+  the first of these in which two runs differ.
 - `data/`: C expressions, and values by their types.
 - `world/`: displays of the world, its events, and changes to it and to the run; `uploads`: programs
   that a user brings to a run, for robots that join; `interventions`: all that a user has done, and

@@ -112,7 +112,7 @@ class Branches:
             self._all.pop(oldest).history.release()
         self._count += 1
         self.add(f"run{self._count}")
-        run.is_off_timeline = False  # the state is that from which the new branch goes on
+        run.is_off_timeline = False  # the new branch continues from this state
 
     def switch(self, name: str) -> Branch:
         """Switch to another branch, where the user left it.

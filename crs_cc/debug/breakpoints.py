@@ -33,7 +33,7 @@ class Breakpoint:
         watch: what a watchpoint watches; None for the other kinds.
         condition: a C expression that must not be 0; empty for none.
         ignore: how many hits are still ignored.
-        every: of so many hits only the last stops the run.
+        every: only every n-th hit stops the run.
         hits: how often it was hit, ignored hits included.
         temporary: whether it is deleted when hit.
         stops_left: after how many more stops it is disabled, 0 if it is; None for never.

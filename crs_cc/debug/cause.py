@@ -37,8 +37,9 @@ class Cause:
         causes: what it was computed from.
         expression: the expression whose value it is; empty for a fact.
         beam: the beam that a reading is from, if it is of a sonar.
-        times: how many writes it stands for, in each of which the object was changed by itself. It
-            is about the value after the last of them; position and causes are those of the first.
+        times: the number of writes that it represents, in each of which the object depended on
+            itself. The value is that after the last of them; position and causes are those of the
+            first.
         function: the function of the statement, by the linker's name; empty for the innermost.
     """
 

@@ -60,7 +60,7 @@ def _elements(text: str) -> list[str]:
 
 
 def by(here: str, there: str) -> str:
-    """Return by how much two values differ; empty if they are no numbers with the same units.
+    """Return the difference of two values; empty if they are not numbers with the same units.
 
     >>> by("1.250 m", "1.5 m"), by("3", "7"), by("yes", "no"), by("1 m", "2 deg")
     ('0.25 m', '4', '', '')

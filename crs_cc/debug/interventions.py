@@ -15,7 +15,7 @@ from crs_cc.debug.stop import Stop
 from crs_cc.debug.timeline.position import Position
 
 _MAX_TEXT: Final = 60
-"""Of a longer line only so much is shown [characters]."""
+"""Longer lines are truncated to this length [characters]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,7 @@ def revert(debugger: Debugger, number: int) -> Stop:
         number: its number among the interventions, from 0.
 
     Raises:
-        DebugError: there is none of that number.
+        DebugError: there is none with that number.
     """
     done = interventions(debugger)
     if not 0 <= number < len(done):

@@ -1,4 +1,4 @@
-"""The value of a call that has just returned, as the function's type says."""
+"""The value of a call that has just returned, by the function's type."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Breakpoints, watchpoints and catchpoints as data, for recordings.
 
-Their commands are not kept: whoever opens a run of somebody else would execute them.
+Their commands are not saved: opening another user's run would execute them.
 """
 
 from __future__ import annotations

@@ -34,7 +34,7 @@ class Stop:
         time_s: the clock of the program that stopped, or else of the world [s].
         robot: the robot whose program it is; -1 for none.
         breakpoints: the numbers of the breakpoints, watchpoints and catchpoints that it hit.
-        text: a description; empty if the reason says it all.
+        text: a description; empty if the reason needs none.
         function: the function that it is about, by the linker's name; empty for the
             innermost.
         returned: the value that a finished function has returned.

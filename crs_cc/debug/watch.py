@@ -17,7 +17,7 @@ An expression is watched as the set of objects that its evaluation reads. Once o
 been written, the expression is evaluated again and the set is renewed, so `cur->next` follows
 `cur`. At no statement in between can its value have changed: it is a function of what it reads.
 
-A watch on a local variable lasts as long as the function's activation, which is identified by
+A watch on a local variable exists as long as the function's activation, which is identified by
 its frame and by how many statements had started when it was entered (`StackFrame.entered`). So it
 is active again when the run goes back into it, and inactive before it.
 """

@@ -1,6 +1,6 @@
 """Watchpoints: what is watched, given by an expression, and reports of accesses to it.
 
-An expression is watched by its value, evaluated anew whenever something that it depends on has
+An expression is watched by its value, evaluated again whenever something that it depends on has
 been written: `*p` is what `p` points to by then. By its location it is evaluated once: `*p` is what
 `p` points to now. Either lasts as long as the function whose variables are concerned is active.
 """

@@ -1,6 +1,6 @@
 """The why-tree: the writes that a value came from, each with the values it was computed from.
 
-The last write of an object is found as `last_write` does. Its statement says what it was computed
+The last write of an object is found as by `last_write`. Its statement shows what it was computed
 from; each of these operands is an object with a last write of its own, before that statement. So
 the tree goes back through assignments, arguments, return values, messages from other robots and
 `State[]` to readings of sensors, to what was typed, to the user's changes and to initial values. A
@@ -75,7 +75,7 @@ from crs_cc.runtime.diagnosis.inspect import StackFrame
 
 MAX_NODES: Final = 40
 MAX_DEPTH: Final = 12
-"""A tree has at most so many nodes and levels; `why` at one of its instants goes on."""
+"""Limits of the nodes and levels of a tree; `why` at one of its times continues it."""
 
 _COPIES: Final = frozenset({"memcpy", "memmove"})
 
@@ -160,7 +160,7 @@ class Why:
     def _object(
         self, point: EvaluationPoint, name: str, depth: int, own: MemoryObject | None
     ) -> Cause | None:
-        """Return where the value of an operand came from; None if it is no object in memory.
+        """Return where the value of an operand came from; None if it is not an object in memory.
 
         The run is at the place, and somewhere else after that.
         """
@@ -194,7 +194,7 @@ class Why:
     ) -> Cause:
         """Return the node of a write, with the written values as its causes.
 
-        It may stand for several writes, of which it is the first.
+        It may represent several writes, of which it is the first.
         """
         robot, access = wanted.robot, write.access
         self._run.seek(write.before)

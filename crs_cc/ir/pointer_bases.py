@@ -48,7 +48,7 @@ NEAR: Final = 16
 """No two objects are closer to each other [bytes], see `runtime.layout.red_zone`."""
 
 _MAX_DISTANCE: Final = 64
-"""Distances are not followed further than this, so that loops come to an end [bytes]."""
+"""The maximum distance that is followed, so that loops terminate [bytes]."""
 
 MAX_BLOCKS: Final = 2000
 """Larger functions are not analysed."""

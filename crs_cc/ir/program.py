@@ -129,7 +129,7 @@ class Data:
 
     Attributes:
         name: the linker's name; a static object is prefixed with its file.
-        content: the initial bytes, as long as `size`; None if all are zero.
+        content: the initial bytes, `size` of them; None if all are zero.
         tentative: whether it is declared without initialiser, so that other files may define it.
     """
 

@@ -53,7 +53,7 @@ class Cluster:
 
         Args:
             module: the module that a process runs, see `crs_cc.jobs.worker.serve`.
-            where: the scheduler's address, such as `tcp://hall:8786`; `dask://` stands for `tls://`
+            where: the scheduler's address, such as `tcp://hall:8786`; `dask://` means `tls://`
                 if Dask's configuration names certificates, else for `tcp://`. Or a connection,
                 which stays open.
 
@@ -77,7 +77,7 @@ class Cluster:
         import distributed
 
         connect: Any = distributed.Client  # without types
-        logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # we tell of errors
+        logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # we report errors
         try:
             return connect(_with_scheme(address), timeout=_CONNECT_S, set_as_default=False)
         except (OSError, ValueError) as error:
@@ -141,7 +141,7 @@ class Cluster:
         return Started(self, self._client.submit(_run_beside, *arguments, key=key))
 
     def run(self, tasks: Iterable[Task], retries: int = 0) -> Generator[Outcome, None, None]:
-        """Yield what becomes of tasks, in the order in which they end.
+        """Yield the outcomes of tasks, in the order in which they end.
 
         Tasks are taken from their iterator when the cluster has room for them; what is still to do
         is cancelled when the generator is closed before its end, or raises.
@@ -193,7 +193,7 @@ class Cluster:
         try:
             return future.result()
         except FutureCancelledError as error:
-            hint = "what has ended is kept: go on with another one, or on this machine"
+            hint = "finished runs are kept: continue on another cluster, or on this machine"
             raise self._error(f"connection to the cluster lost: {error.reason}", hint) from None
         except KilledWorker as error:
             text = f"{error.allowed_failures + 1} workers ended while they ran it"

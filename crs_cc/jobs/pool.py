@@ -95,7 +95,7 @@ class Pool:
             worker.stop()
 
     def run(self, tasks: Iterable[Task], retries: int = 0) -> Generator[Outcome, None, None]:
-        """Yield what becomes of tasks, in the order in which they end.
+        """Yield the outcomes of tasks, in the order in which they end.
 
         Tasks are taken from their iterator when a process is free. Processes are stopped when the
         generator is closed before its end, or raises.
@@ -129,7 +129,7 @@ class Pool:
 
 
 class _Queue:
-    """Tasks that threads take, each with a worker of its own, and what becomes of them.
+    """Tasks that threads execute, each with its own worker, and their outcomes.
 
     Attributes:
         done: outcomes; errors, which end everything; and None from each thread at its end.
@@ -157,7 +157,7 @@ class _Queue:
             return None if self.is_closed.is_set() else next(self._todo, None)
 
     def _persist(self, worker: Worker, number: int, task: Task) -> Outcome:
-        """Return what becomes of a task, which is tried again if its process crashes."""
+        """Return the outcome of a task, which is retried if its process crashes."""
         for _ in range(self._retries):
             found = worker.run(number, task)
             if found.kind != "crashed" or self.is_closed.is_set():
@@ -173,11 +173,11 @@ class Worker:
         self._process: subprocess.Popen[bytes] | None = None
 
     def run(self, number: int, task: Task) -> Outcome:
-        """Return what becomes of a task."""
+        """Return the outcome of a task."""
         process = self._start() if self._process is None else self._process
         self._process = process
         assert process.stdin is not None
-        with contextlib.suppress(BrokenPipeError):  # it has been killed: reading says so
+        with contextlib.suppress(BrokenPipeError):  # it has been killed: reading reports it
             process.stdin.write(json.dumps(task.job).encode() + b"\n")
             process.stdin.flush()
         limit_s, what = task.prepare_s, task.preparing
@@ -245,7 +245,7 @@ def _line_of(process: subprocess.Popen[bytes]) -> bytes:
     assert process.stdout is not None
     try:
         return process.stdout.readline()
-    except ValueError:  # closed by who stopped it
+    except ValueError:  # closed when it was stopped
         return b""
 
 

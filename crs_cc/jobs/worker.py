@@ -4,7 +4,7 @@ It reads a job from each line of standard input, and writes lines of JSON to sta
 `ready` once; for each job `prepared`, when it has been, its result, and `done`. A child is a copy
 of this process, with all that a run needs loaded, so that it starts in milliseconds. It does one
 job, or some that are alike, and leaves no memory behind. Where processes cannot be copied
-(Windows), this one ends after one job, and is started anew.
+(Windows), this one ends after one job, and is started again.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def serve(
         work: does a job, in a child; one with a true `is_last` in its result does no more.
         load: loads for a job, in this process, what later jobs may need as well; trusted, and it
             does not raise.
-        batch_key: says which jobs can be done by one child, one after the other; by default none.
+        batch_key: returns a key of jobs that one child can run in sequence; by default, none can.
     """
     channel = os.dup(1)
     with open(os.devnull, "wb") as nowhere:  # noqa: PTH123 - what jobs print is not ours
@@ -91,7 +91,7 @@ def serve(
 class _Child:
     """A fork of this process that executes jobs until it is ended or fails.
 
-    The end of standard input says that whoever gave the jobs has ended, perhaps killed: nothing
+    The end of standard input means that the parent has ended, or was killed: nothing
     else would stop a run without an end then.
 
     Attributes:
@@ -118,12 +118,12 @@ class _Child:
         """Run a job in the child; return the exit code if the child has ended."""
         waiting = select.poll()
         waiting.register(self._answers, select.POLLIN)
-        waiting.register(sys.stdin.fileno(), 0)  # its end is always told
+        waiting.register(sys.stdin.fileno(), 0)  # its end is always reported
         try:
             os.write(self._jobs, line)
         except BrokenPipeError:  # it has been killed
             return self._wait()
-        if self._answers not in dict(waiting.poll()):  # nobody is left to tell
+        if self._answers not in dict(waiting.poll()):  # there is no parent left
             os.kill(self._pid, signal.SIGKILL)
             return self._wait()
         return None if os.read(self._answers, 1) else self._wait()

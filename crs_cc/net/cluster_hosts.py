@@ -31,7 +31,7 @@ us."""
 
 _PREPARE_S: Final = 600.0
 _NO_LIMIT_S: Final = 1e9
-"""In effect no time limit: a host runs as long as the run."""
+"""In effect no time limit: a host runs until the end of the run."""
 
 
 @dataclass(frozen=True, slots=True)

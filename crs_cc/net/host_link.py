@@ -34,8 +34,8 @@ RESTORE: Final = struct.Struct("<Q?")
 
 MAX_LOG_GRANTS: Final = 500
 MIN_LOG_BYTES: Final = 512 * 2**10
-"""Memories are fetched again after so many grants, or when the log is larger than the memories and
-than this size [bytes]. So fetching takes less time than granting. Chosen by us."""
+"""Memories are fetched again after this number of grants, or when the log is larger than the
+memories and than this size [bytes]. So fetching takes less time than granting. Chosen by us."""
 
 _GRANT, _RAN, _FAILED = Kind.GRANT, Kind.RAN, Kind.FAILED
 """Looked up once, because access to a member of an enumeration runs Python code."""

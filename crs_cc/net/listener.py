@@ -1,6 +1,6 @@
 """The single port of an environment, for hosts and for pages that show the run.
 
-The first bytes of a connection tell them apart. Each connection is handled in a thread of its own,
+The first bytes of a connection distinguish them. Each connection is handled in a thread of its own,
 with limits of time and memory, so that a silent or invalid one does not affect others.
 """
 

@@ -129,7 +129,7 @@ class McapReader:
         """Return the content of an attached file.
 
         Raises:
-            RecordingError: there is none, or it is damaged.
+            RecordingError: it is missing or damaged.
         """
         extent = self.attachments.get(name)
         if extent is None:

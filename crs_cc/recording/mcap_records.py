@@ -34,7 +34,7 @@ HIDDEN: Final = 0x80
 """The opcode of a record that is skipped: from 0x80 on they belong to applications."""
 
 SAVED: Final = 0x81
-"""That of what is saved until a chunk takes its place: a chunk's head, and what `saved` says."""
+"""The opcode of saved data until a chunk replaces it: a chunk's header, and data as in `saved`."""
 
 ZSTD: Final = "application/zstd"
 """The media type of an attachment that is compressed; its name has `ZSTD_NAME` behind it."""

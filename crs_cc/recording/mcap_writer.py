@@ -60,8 +60,8 @@ MAX_CHUNK: Final = 256 * 1024
 """A chunk is cut when it is larger [bytes]."""
 
 BLOCK: Final = 300
-"""Messages from so many bytes on are blocks of zstd of their own: each has a table of how often its
-bytes are. Together, those of few robots take 5 % more."""
+"""Messages from this size on [bytes] are separate zstd blocks: each has its own table of byte
+frequencies. In one block, those of few robots take 5 % more."""
 
 _Pending = tuple[int, int, Channel, bytes]  # log time [ns], order, channel, content
 

@@ -88,7 +88,7 @@ class Recording:
         path: the file.
         description: what was run.
         versions: of crs, Python and packages that recorded it.
-        rosters: who was there from when on, by time.
+        rosters: the robots and objects from given times on, by time.
         result: how the run ended; None if the recording is not complete.
     """
 
@@ -146,7 +146,7 @@ class Recording:
             raise self._mcap.error(text[:400]) from None
 
     def roster_at(self, time_ns: int) -> Roster:
-        """Return who was there at a time."""
+        """Return the robots and objects at a time."""
         place = bisect_right([each.time_ns for each in self.rosters], time_ns)
         return self.rosters[max(0, place - 1)]
 

@@ -15,7 +15,7 @@ FORMAT_VERSION: Final = 6
 RUN: Final = "crs.run"
 ROSTER: Final = "crs.roster."
 RESULT: Final = "crs.result"
-"""Names of metadata: what was run, who was there from when on, and how it ended."""
+"""Names of metadata: the run, its robots and objects over time, and its result."""
 
 
 def _entries(topic: str) -> Channel:

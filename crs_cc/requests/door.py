@@ -1,7 +1,7 @@
 """The message and the slot: the binary interface between program and runtime.
 
-A slot is followed by its program's `TIMING`, which is the runtime's own: it is no part of what
-passes between them.
+A slot is followed by its program's `TIMING`, which is private to the runtime and not part of
+this interface.
 
 >>> slot_offset("run"), slot_offset("message"), SLOT.itemsize
 (0, 64, 384)

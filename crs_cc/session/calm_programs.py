@@ -32,7 +32,7 @@ class CalmPrograms:
         is_allowed: whether there is any; only tests switch it off.
         is_worthwhile: whether anything was done in it when it was last tried, or something has been
             asked of a robot since; programs that print do so without it.
-        passages: what has passed since they were last taken, if an observer is to hear of it.
+        passages: the passages since they were last taken, if an observer needs them.
     """
 
     def __init__(self, state: SessionState, hints: Hints) -> None:
@@ -46,14 +46,14 @@ class CalmPrograms:
         self.passages: list[Passage] = []
 
     def run(self, cycles: int, *, keeps: bool) -> int:
-        """Run programs and cycles as long as it is calm.
+        """Run programs and cycles while it is calm.
 
         Args:
             cycles: how many cycles may end at most; with 0, programs use up the current one.
-            keeps: whether an observer is to hear of them.
+            keeps: whether an observer needs the passages.
 
         Returns:
-            why it has ended, see `kernels.calm`: `REFUSED` if the session has to go on.
+            why it has ended, see `kernels.calm`: `REFUSED` if the session must continue by itself.
         """
         state, hints = self._state, self._hints
         environment = state.environment

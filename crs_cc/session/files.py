@@ -193,7 +193,7 @@ class Disk:
     def entry(self, name: bytes, index: int) -> bytes | int:
         """Return the name of a folder's entry, with a slash if it is a folder, empty at the end.
 
-        Folders exist as long as there are files in them, and the topmost one always does.
+        Folders exist while they contain files, and the topmost one always exists.
         """
         path = normal(name)
         if path in self._names:

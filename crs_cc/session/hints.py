@@ -92,7 +92,7 @@ class Hints:
     def most_units(self) -> FloatArray:
         """Return the speeds above which `vm` is noted, (robots, 3), infinite if it was before.
 
-        It is the same array as long as that holds.
+        It is the same array while that holds.
         """
         drives = self._environment.drives
         if self._most is None or self._most_of is not drives:

@@ -62,7 +62,7 @@ _ON_LINK = np.isin(
     np.arange(DEVICE_CODES.stop + 1),
     [*(REQUESTS.keys() - HOST_CODES - NETWORK_CODES), *DEVICE_CODES],
 )
-"""By code, whether a request is sent over the link; the last stands for all codes beyond."""
+"""By code, whether a request is sent over the link; the last is for all larger codes."""
 _RAN, _USED_UP, _ENDED = range(3)
 
 
@@ -118,8 +118,8 @@ class Session:
             threads: how many threads may run programs, see `Fleet`, and measure, see
                 `Environment`; results do not depend on it.
             observer: is notified of those in which something can happen, without `slices` if
-                there is no trace. If it has a method `passed`, that is told of calm timesteps, all
-                at once, see `sim.engine.passage`.
+                there is no trace. If it has a method `passed`, that is called with calm timesteps,
+                all at once, see `sim.engine.passage`.
             fleet: the programs where they are loaded already, perhaps on other machines.
 
         Raises:
@@ -253,7 +253,7 @@ class Session:
         return self.advance(1)
 
     def advance(self, most: int, *, calmly: bool = False) -> bool:
-        """Run at least one timestep, and further ones as long as nothing has happened in the world.
+        """Run at least one timestep, and further ones while nothing has happened in the world.
 
         Args:
             most: the maximum number of timesteps, at least 1.
@@ -291,7 +291,7 @@ class Session:
     def run_round(self) -> bool:
         """Run programs for one round; return False when all have used up the cycle.
 
-        Further rounds follow as long as no program asks for anything but the time. A debug build
+        Further rounds follow while no program requests anything but the time. A debug build
         that stops at a breakpoint ends the call in the middle of the round; `halted` is its robot.
         The next call continues from there.
         """

@@ -41,7 +41,7 @@ VERSION: Final = 2
 PAGE: Final = 4096
 MAX_BASE_BYTES: Final = 512 * 2**20
 MAX_ROBOT_BYTES: Final = 2 * 2**20
-"""What a snapshot may take in memory: so much, and so much more for each robot."""
+"""The maximum size of a snapshot in memory: a base, and an addition for each robot."""
 
 _HEAD: Final = struct.Struct("<16sI32sQ")  # magic, version, SHA-256 and size of the content
 _MAX_DEPTH: Final = 40
@@ -101,7 +101,7 @@ def read_snapshot(
         fresh: a snapshot of its start, which shows the classes that its state is made of.
 
     Raises:
-        RecordingError: it is no snapshot, of another version or of another session.
+        RecordingError: it is not a snapshot, or of another version or session.
         OSError: it cannot be read.
     """
     place = Location(str(path))

@@ -12,7 +12,7 @@ from crs_cc.core.errors import CrsError
 from crs_cc.session.host import Client
 
 Value = str | int | float | bool
-"""A value of a parameter, as it stands in the file."""
+"""A value of a parameter, as in the file."""
 
 Link = Literal["serial", "ideal"]
 
@@ -88,7 +88,7 @@ class Search:
         method: how to search.
         trials: how many combinations are tried.
         batch: how many are chosen before the results of the last ones are known: with more, more
-            runs go on at a time.
+            runs are executed at a time.
         maximize: whether larger is better.
         seed: the random seed of the search.
     """

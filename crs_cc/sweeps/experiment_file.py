@@ -33,7 +33,7 @@ _T = TypeVar("_T")
 
 
 class InvalidError(ValueError):
-    """What an experiment's file says is not possible."""
+    """An experiment's file requests something impossible."""
 
 
 def read_text(path: Path) -> str:

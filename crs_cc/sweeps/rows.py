@@ -1,4 +1,4 @@
-"""The rows of a sweep on the disk: appended as runs end, so that a killed sweep can go on.
+"""The rows of a sweep on the disk: appended as runs end, so that a killed sweep can be resumed.
 
 `rows.jsonl` has a line of JSON for each run, in the order in which they ended. A line that was cut
 off is dropped when the file is opened again, as is a second one of the same run.

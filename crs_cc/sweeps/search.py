@@ -1,8 +1,8 @@
 """Searches for the best parameters by Optuna (extra `search`), instead of running all.
 
-Trials are chosen in batches, and told their values when all runs of a batch have ended; each batch
-has a random seed of its own. So what is tried is a function of the experiment: it depends neither
-on the number of processes nor on interruptions. The study is `study.db`, in Optuna's own format.
+Trials are chosen in batches, and their values are reported when all runs of a batch have ended;
+each batch has its own random seed. So the trials are a function of the experiment: they depend
+neither on the number of processes nor on interruptions. The study is `study.db`, of Optuna.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ class ParameterSearch:
         found = [value for value, _ in (value_of(row, self._search.measure) for row in rows)
                  if value is not None]  # fmt: skip
         if self.study.get_trials(deepcopy=False)[number].state != TrialState.RUNNING:
-            return  # it was told before an interruption
+            return  # it was reported before an interruption
         if found:
             self.study.tell(number, median(found))
         else:

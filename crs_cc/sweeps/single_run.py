@@ -28,7 +28,7 @@ Status = Literal["ended", "run-time error", "limit", "time out", "crashed", "mea
 
 STATUSES: Final[dict[Status, str]] = {
     "ended": "the run ended normally",
-    "run-time error": "a program was stopped by an error; the others went on",
+    "run-time error": "a program was stopped by an error; the others continued",
     "limit": "a program computed or printed more than is allowed",
     "time out": "the run exceeded `wall_s`, a last resort that depends on the machine",
     "crashed": "the process of the run died at each attempt",

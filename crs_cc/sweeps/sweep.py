@@ -59,7 +59,7 @@ _TOGETHER_S: Final = 20.0
 """Real time of a run in a batch, which should take less than a second: then it is run alone."""
 
 RunTasks = Callable[[Iterable[Task], int], Generator[Outcome, None, None]]
-"""Yields what becomes of tasks, so many of which are tried again when their process crashes."""
+"""Yields the outcomes of tasks, given the number of retries when a process crashes."""
 
 
 @dataclass(slots=True)
@@ -107,7 +107,7 @@ class Sweep:
         Args:
             path: its file.
             folder: the folder of its results.
-            text: what it says; by default the content of the file.
+            text: its text; by default the content of the file.
 
         Raises:
             ExperimentError: it is invalid.
@@ -151,8 +151,8 @@ class Sweep:
         Args:
             jobs: how many runs at a time on this machine.
             dask: the address of the scheduler of a Dask cluster to run on instead.
-            resume: go on with the rows in the folder.
-            report: is told of the progress, after each run.
+            resume: continue from the rows in the folder.
+            report: is called with the progress after each run.
             pool: runs tasks; by default chosen by `jobs` and `dask`.
 
         Raises:
@@ -212,7 +212,7 @@ class Sweep:
     def _check_folder(self, *, resume: bool) -> None:
         has_rows = (self.folder / _PLAN).exists()
         if has_rows and not resume:
-            hint = "go on with --resume, or name another folder with --out"
+            hint = "continue it with --resume, or choose another folder with --out"
             raise self._error("already has the results of a sweep", hint)
         names = {path.name for path in self.folder.iterdir()} if self.folder.is_dir() else set()
         if not has_rows and names - {ROBOTS}:

@@ -64,7 +64,7 @@ def sweep(
         out: the folder of the results.
         jobs: how many runs at a time; by default as many as there are processors.
         dask: the address of the scheduler of a Dask cluster to run on instead.
-        resume: go on with a sweep that was interrupted; the table of one that is complete is
+        resume: continue a sweep that was interrupted; the table of one that is complete is
             returned as it is.
 
     Raises:

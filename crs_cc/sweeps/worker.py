@@ -137,7 +137,7 @@ def _guarded(job: dict[str, Any], do: Callable[[], dict[str, Any]]) -> dict[str,
 
 
 def _message(error: CrsError, job: dict[str, Any]) -> str:
-    """Return the first message of an error; that about the experiment is told with its place."""
+    """Return the first message of an error, with its location if it is about the experiment."""
     first = error.diagnostics[0]
     if first.location.file != job["path"]:
         return "\n".join(each.render() for each in error.diagnostics[:_SHOWN])

@@ -2,7 +2,7 @@
 
 `runtime/lib/index.txt` lists the unit that defines each name, so that only the units that a program
 uses are compiled. A test compares it to the sources, and updates it with `--update-goldens`. What
-is not in this package, such as the functions of devices, is added by whoever makes a library.
+is not in this package, such as the functions of devices, is added by the caller.
 """
 
 from __future__ import annotations

@@ -9,14 +9,14 @@ is an engine command, and part of the run's history.
 - `feed` keeps what is known of the run (frames, events, output) and passes on what is new; a
   `watcher` tells it what happens in a session. `frame_store` holds frames in blocks, `world_data`
   describes the world, `robot_table` the robots, `devices_in_view` what is drawn of their devices,
-  `sources` where a program stands, `values` its variables, `stops` where the run stops.
+  `sources` the current line of a program, `values` its variables, `stops` its breakpoints.
 - `screen` connects them with the pages: it checks commands in the thread of the `server` and
   carries them out in that of the run. `messages` is the form of the channel, `clients` what waits
   for each page.
 - `control` changes the run for the control panel, and writes changes out; `instruments` reads
   robots, `message_log` keeps what became of messages; `panel_commands` has their commands.
 - `other_runs` are recordings beside the run; `comparing` has the commands that compare it with one
-  of them or with a branch: `comparison` by what is known, along `trajectories`, and
+  of them or with a branch: `comparison` of the available data, along `trajectories`, and
   `exact_comparison` by variables.
 - `page` writes a recorded run as one HTML file, with the same modules; `page_comparison`
   another run into it, with which it is compared.
@@ -30,7 +30,7 @@ is an engine command, and part of the run's history.
 How a panel is added: a module in `static/panels/` that exports its row (`id`, `title`, `side`,
 `needs`, `make`; below the view also a `key` and a `summary`), and its name in
 `static/panels/index.js`. `make(root, model, look, page)` fills its element; it listens by
-`model.on("status", draw)` (the kinds stand in `model.js`) and acts by `await model.ask("name",
+`model.on("status", draw)` (`model.js` lists the kinds) and acts by `await model.request("name",
 {field: value})`. What it asks for is a row of the table in `commands.py`: name, summary, function,
 fields, and whether it needs the token for control. What it must be told besides is a message,
 `screen.server.broadcast_latest("kind", message("kind", ...))`, which the model hands on when it has

@@ -21,7 +21,7 @@ ALLOWED: Final = frozenset(each.name for each in COMMANDS) - REFUSED
 
 
 def check_command(command: Command) -> None:
-    """Raise DebugError if a command is none of the page, wherever it comes from."""
+    """Raise DebugError if a command is not permitted for pages, however it is called."""
     if command.name not in ALLOWED:
         raise DebugError(f"'{command.name}' is not available in the browser")
 

@@ -1,7 +1,7 @@
 """A run that another command runs and pages look at: they may pause it, set its speed, change it.
 
-Changes are made between two timesteps, before the run goes on, and are recorded by whoever records
-the run. Nothing is taken back, since it only goes forward.
+Changes are made between two timesteps, before the run continues, and are recorded with the run.
+They cannot be undone, since the run only goes forward.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class AttachedRun:
     Attributes:
         can: it plays and pauses, and is changed.
         timestep_s: the length of a timestep.
-        halt: why it stands.
+        halt: why it is stopped.
     """
 
     can = frozenset({"play", "change"})
@@ -50,8 +50,8 @@ class AttachedRun:
 
         Args:
             session: the run.
-            watcher: tells pages what happens in it.
-            changed: is told of each change that is made here; calls `note`.
+            watcher: reports its progress to pages.
+            changed: is called with each change that is made here; calls `note`.
             repeats_until_s: up to when it is a recorded run again [s], so that nothing may change.
         """
         self.halt = Halt()

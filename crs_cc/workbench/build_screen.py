@@ -1,7 +1,7 @@
 """The page of the world builder: a world that is edited, and the pages that edit it.
 
 Pages send operations of the builder's table, by their names; the builder's document is the only
-truth, and each change is told to all pages. So a page that is loaded again, or comes back from a
+truth, and each change is sent to all pages. So a page that is loaded again, or comes back from a
 run, is where it was.
 """
 
@@ -102,7 +102,7 @@ class BuildScreen:
     # -- messages to pages -------------------------------------------------------------------------
 
     def greet(self, client: Client) -> None:
-        """Send a page that has connected all that it must know."""
+        """Send a page that has connected its initial data."""
         known = {"operations": _operations(), "colours": list(NAMED)}
         client.put(message("hello", version=VERSION, role=client.role, **known))
         client.put(self._document())
@@ -246,7 +246,7 @@ class BuildScreen:
         return None if world is None else world_data(world, [each.id for each in world.robots])
 
     def _run(self, _: dict[str, Any]) -> str:
-        self.builder.world()  # or says what is wrong
+        self.builder.world()  # raises the error, if any
         return self._start_run(self.builder)
 
 
@@ -271,7 +271,7 @@ def _operations() -> list[dict[str, Any]]:
 def _thing(node: Node, name: str) -> dict[str, Any]:
     found: dict[str, Any] = {"name": name, "tag": node.tag, "attributes": node.attributes}
     if node.tag == "object":
-        with contextlib.suppress(ValueError):  # the loader says what is wrong with it
+        with contextlib.suppress(ValueError):  # the loader reports the error
             x_m, y_m = quantity(node, "x", LENGTH), quantity(node, "y", LENGTH)
             found["pose"] = [x_m, y_m, quantity(node, "heading", ANGLE, 0.0)]
     return found

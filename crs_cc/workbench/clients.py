@@ -59,7 +59,7 @@ class Client:
 
     Attributes:
         role: what its token allows.
-        since: how many of the messages to all pages its first message has told.
+        since: the number of broadcast messages whose content its first message had.
         frame_number: the number of the last frame that it was sent.
         wake: set when there is something to send.
         is_lost: whether its connection must end.

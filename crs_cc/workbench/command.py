@@ -26,9 +26,9 @@ class Command:
         fields: the names and types of its fields.
         controls: whether it needs the token for control.
         needs: what the run must be able to do, one of its `can`; empty for nothing.
-        asks: whether it changes nothing, so that nobody else need be told.
+        asks: whether it changes nothing, so that other pages need not be notified.
         longest: the most characters of a field.
-        at_once: whether it is carried out in the server's thread, while the run goes on: only what
+        at_once: whether it is executed in the server's thread, during the run: only what
             is thread-safe.
     """
 

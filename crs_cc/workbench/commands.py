@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from crs_cc.workbench.context import Context
 
 MAX_RECORDING_BYTES: Final = 48 * 2**20
-"""Of a recording that is sent to a page."""
+"""The maximum size of a recording that is sent to a page."""
 
 
 def _play(screen: Context) -> None:
@@ -110,7 +110,7 @@ def _recording(screen: Context) -> bytes:
 
 
 RUNNING: Final = (
-    Command("play", "Let the run go on.", _play, needs="play"),
+    Command("play", "Continue the run.", _play, needs="play"),
     Command("pause", "Let the run wait.", _pause, needs="play", at_once=True),
     Command("step", "Advance by timesteps, or go back by them if negative.", _step,
             {"timesteps": int}, needs="seek"),
@@ -159,7 +159,7 @@ QUESTIONS: Final = (
             questions.go_to, {"place": str, "robot": int}, needs="debug"),
     Command("why", "Return where the value of an expression came from.", questions.why,
             {"expression": str}, needs="debug"),
-    Command("changes", "Return the values that an expression has had.", questions.changes,
+    Command("changes", "Return the past values of an expression.", questions.changes,
             {"robot": int, "expression": str, "begin_s": float, "end_s": float}, needs="debug"),
     Command("when", "Return when a condition became true.", questions.when,
             {"condition": str}, needs="debug"),

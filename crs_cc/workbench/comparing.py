@@ -92,7 +92,7 @@ def broadcast_runs(screen: Context) -> None:
 
 
 COMPARING: Final = (
-    Command("compare", "Return how another run differs from this one, by what is known.",
+    Command("compare", "Return how another run differs from this one, by the available data.",
             _compare, {"name": str}, controls=False, asks=True),
     Command("next_difference", "Search for the first variable that differs.",
             _next_difference, {"name": str, "anew": bool}, needs="debug", asks=True),

@@ -37,7 +37,7 @@ MAX_POINTS: Final = 500
 
 _MAX_TEXT: Final = 80
 _STORED: Final = 1.6e-4  # of a pose [m, rad]: frames have four digits
-_BETWEEN: Final = 5e-3  # of one that lies between two frames
+_BETWEEN: Final = 5e-3  # for a pose between two frames
 
 Difference = dict[str, Any]
 """When two runs first differ in something: time `t`, `robot`, `what`, the values `here` and

@@ -21,7 +21,7 @@ class Context(Protocol):
     Attributes:
         run: the run.
         feed: what is known of it.
-        player: when it goes on.
+        player: controls when it continues.
         server: sends messages to pages.
         robot: the selected robot.
         pointing: poses for which programs have asked the user.

@@ -36,7 +36,7 @@ class DebuggedRun:
     Attributes:
         can: it plays, goes to other times, is changed, and is debugged.
         timestep_s: the length of a timestep.
-        halt: why it stands, or stood last.
+        halt: why it is stopped, or was stopped last.
         has_changed: whether a user has changed it here.
     """
 

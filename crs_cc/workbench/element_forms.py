@@ -68,7 +68,7 @@ def _filled(schema: str, node: Node) -> dict[str, Any]:
 
 
 def _said_default(text: str) -> str | None:
-    """Return what a help text says of a missing attribute, if the schema has no default.
+    """Return the default that a help text states, if the schema has none.
 
     >>> _said_default("Colour seen by cameras. Default: grey.")
     'grey'

@@ -1,8 +1,8 @@
-"""What is known of a run that is watched: for pages that are connected, and for those to come.
+"""The data of a run that is displayed, for connected pages and those that connect later.
 
-Whoever runs it tells the feed what happens; the feed keeps it within bounds and passes it on. What
-has been told before is not told again, so a run that goes back and forth changes nothing here until
-it takes another course (`truncate`).
+The run adds data to the feed, which stores a limited amount and forwards it. Data that is already
+stored is not sent again, so going back and forth in a run changes nothing here until the run
+diverges (`truncate`).
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 MAX_EVENTS: Final = 20_000
 MAX_OUTPUT: Final = 4 * 2**20
-_FRAME_S: Final = 0.03  # of real time between two frames that are sent: no screen shows more
+_FRAME_S: Final = 0.03  # minimum real time between sent frames: no screen shows more
 _SLACK_S: Final = 1e-9
 
 Event = tuple[float, str, int, str, float | None, float | None]
@@ -42,24 +42,24 @@ Roster = tuple[float, tuple[str, ...], tuple[str, ...]]
 
 
 class Feed:
-    """What is known of a run.
+    """The data of a run.
 
     Attributes:
-        description: what does not change: title, world, what can be done.
-        frames: where everything was.
-        messages: what became of messages.
-        trace: what robots did and measured.
-        frame_s: simulated time between two frames, at least.
-        server: passes on what is new; None to keep it only.
-        end_s: the latest time that is known [s].
+        description: the constant data: title, world, capabilities.
+        frames: the poses.
+        messages: the messages and their outcomes.
+        trace: the robots' activity and measurements.
+        frame_s: the minimum simulated time between two frames.
+        server: broadcasts new data; None to store it only.
+        end_s: the latest time with data [s].
     """
 
     def __init__(self, description: dict[str, Any], frame_s: float, first: int = 0) -> None:
         """Create an empty feed.
 
         Args:
-            description: what does not change, as JSON.
-            frame_s: simulated time between two frames, at least.
+            description: the constant data, as JSON.
+            frame_s: the minimum simulated time between two frames.
             first: the number of its first block of frames.
         """
         self.description = description
@@ -79,7 +79,7 @@ class Feed:
     def greet(self, client: Client) -> None:
         """Send a page its first message, with the whole contents; thread-safe."""
         with self._lock:
-            self._flush()  # the others must know of the block that this page is told
+            self._flush()  # the others must know the block that this page receives
             client.since = self.server.sent if self.server else 0
             known = self._contents()
             text = message("hello", version=VERSION, role=client.role, **known)
@@ -135,7 +135,7 @@ class Feed:
         Args:
             time_s: when.
             values: numbers [m, rad], (columns, rows).
-            is_last: whether the run stops here, so that it must be shown.
+            is_last: whether the run stops here, so that the frame must be shown.
         """
         last_s = self.frames.end_s
         self.end_s = max(self.end_s, time_s)
@@ -194,7 +194,7 @@ class Feed:
             self._broadcast("truncate", time_s=time_s, blocks=self.frames.index())
 
     def fork(self) -> Feed:
-        """Return an independent copy, which no page gets to see."""
+        """Return an independent copy that is not sent to pages."""
         with self._lock:
             other = copy.copy(self)
             other._lock, other.server = threading.Lock(), None
@@ -215,11 +215,11 @@ class Feed:
             self._broadcast("replace", **self._course())
 
     def events(self) -> list[Event]:
-        """Return the events that are known."""
+        """Return the stored events."""
         return list(self._events)
 
     def output(self) -> list[Output]:
-        """Return the output that is known."""
+        """Return the stored output."""
         return list(self._output)
 
     def _broadcast(self, kind: str, **fields: Any) -> None:

@@ -81,7 +81,7 @@ class FrameStore:
             self._keep(begin_s, end_s, content)
 
     def flush(self) -> Block | None:
-        """Complete the block that is being filled; None if there is none."""
+        """Complete the current block; return None if there is none."""
         with self._lock:
             return self._close() if self._frames else None
 

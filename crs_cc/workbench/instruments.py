@@ -50,7 +50,7 @@ NO_ECHO: Final = "no echo"
 NOT_ASKED: Final = "values of programs are available only in runs of crs view"
 
 Value = float | str
-"""A number, or why there is none."""
+"""A number, or the reason why it is missing."""
 
 
 def rows(screen: Context, robots: str) -> dict[str, Any]:

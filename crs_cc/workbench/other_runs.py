@@ -64,7 +64,7 @@ class OtherRuns:
 
     Attributes:
         runs_again: has the programs of a recorded run run again; None where nothing can.
-        own: the recording that is shown; None for a run that is none.
+        own: the displayed recording; None for a live run.
         compared: what is known of runs that were compared: pages may fetch their frames.
     """
 
@@ -151,7 +151,7 @@ class OtherRuns:
             raise DebugError(f"{name}: {text}") from None
 
     def find(self, name: str) -> OtherRun | None:
-        """Return the run of a name; None if there is none."""
+        """Return the run with a name; None if there is none."""
         return self._runs.get(name)
 
     def block(self, number: int) -> bytes | None:

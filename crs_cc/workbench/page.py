@@ -1,8 +1,8 @@
 """A recorded run as one HTML page that opens from disk, without a network.
 
 The page holds the modules of the viewer as `data:` URLs in an import map, and the run as JSON. Its
-frames stay packed, a block for each second, and are unpacked as they are looked at. What would make
-the page too large for a browser is thinned, and the page says so.
+frames stay packed, in a block for each second, and are unpacked when they are viewed. Data that
+would make the page too large for a browser is thinned, and the page states so.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from crs_cc.workbench.feed import Feed
 
 MAX_BYTES: Final = 50 * 2**20
-"""Of a page: Firefox and Chromium open it; of pages with 1 GB, users say that they do not."""
+"""The maximum size of a page. Firefox and Chromium open it; with 1 GB, they do not."""
 
 MAX_PATHS: Final = 50
 MAX_POINTS: Final = 1000

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 MAX_ROBOTS: Final = 50
 MAX_POINTS: Final = 500
-"""The distances of so many robots are held, with so many points each."""
+"""Limits of the robots whose distances are included, and of the points of each."""
 
 
 @dataclass(frozen=True, slots=True)

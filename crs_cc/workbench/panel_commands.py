@@ -42,7 +42,7 @@ PANEL: Final = (
             instruments.history,
             {"robot": int, "expressions": str, "begin_s": float, "end_s": float, "count": int},
             controls=False, asks=True),
-    Command("near", "Return who came close to what, a robot's own at first.",
+    Command("near", "Return close approaches, those of one robot first.",
             instruments.close_approaches, {"robot": int}, controls=False, asks=True),
     Command("traffic", "Return what became of messages, from a number on.", _traffic,
             {"since": int}, controls=False, at_once=True),

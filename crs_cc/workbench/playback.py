@@ -45,7 +45,7 @@ class Playback:
 
     Attributes:
         timestep_s: the time between two frames.
-        halt: why it stands, or stood last.
+        halt: why it is stopped, or was stopped last.
         end_s: when the recording ends [s].
         robot: the selected robot.
         world: its world.

@@ -1,4 +1,4 @@
-"""Play and pause, speed, and the loop of a span: when the run may go on, and how far.
+"""Play and pause, speed, and the loop of a span: when the run may continue, and how far.
 
 Whoever runs it asks before each piece how many timesteps it may take; the player waits as long as
 the user wants, and carries out what pages ask for meanwhile. All of that happens in the thread of
@@ -38,7 +38,7 @@ class Player:
     """Decides when a run advances.
 
     Attributes:
-        is_playing: whether it goes on.
+        is_playing: whether the run continues.
         speed: simulated by real time; infinite for as fast as possible.
         rate: what it has been lately.
         span: the times [s] between which it is repeated; None for no loop.

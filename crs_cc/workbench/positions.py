@@ -28,7 +28,7 @@ def position_of(debugger: Debugger, text: str) -> Position:
     """Return the position that a page wants to go to.
 
     Raises:
-        DebugError: there is none, or the run has not been there.
+        DebugError: it is invalid, or the run has not reached it.
     """
     found = _POSITION.fullmatch(text)
     if found is None:

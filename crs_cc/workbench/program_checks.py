@@ -1,4 +1,4 @@
-"""Programs of a world that is edited, compiled in the background: what `crs check` says of them.
+"""Programs of a world that is edited, compiled in the background, with the messages of `crs check`.
 
 Each program is checked by a process of its own, one at a time, for a limited time; what it says is
 kept until the file changes.
@@ -97,7 +97,7 @@ def _version(path: str, dialect: str) -> Version | None:
     try:
         stat = Path(path).stat()
     except OSError:
-        return None  # the loader says what is wrong
+        return None  # the loader reports the error
     return Version(path, dialect, stat.st_size, stat.st_mtime_ns)
 
 

@@ -82,7 +82,7 @@ def unit_of(environment: Environment, robot: int, expression: str) -> str:
 
 
 def reading_unit(environment: Environment, robot: int, device: str, element: int = 0) -> str:
-    """Return the unit of an element of a robot's device; empty where there is none."""
+    """Return the unit of an element of a robot's device; empty if it has none."""
     degradable = degradables().get(device)
     if degradable is None:
         return ""

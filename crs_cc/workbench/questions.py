@@ -62,7 +62,7 @@ def changes(
     `EXPRESSION at LINE` has its values whenever the program was at that line.
 
     Raises:
-        DebugError: it cannot be watched, or the run goes on.
+        DebugError: it cannot be watched, or the run is not stopped.
     """
     if screen.player.is_playing:
         raise DebugError("the run is not paused: pause it first")

@@ -1,4 +1,4 @@
-"""The table of the robots: what each does, and what its sensors have told last."""
+"""The table of the robots: the activity of each, and its last sensor readings."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ MAX_ROBOTS: Final = 200
 """Rows that are sent; of more robots those around the selected one. Chosen by us."""
 
 MAX_PLAYING: Final = 24
-"""Robots whose lines are looked up while the run goes on, which takes a fraction of a ms each."""
+"""Limit of the robots whose lines are looked up during the run, a fraction of a ms each."""
 
 
 def status(
@@ -41,9 +41,9 @@ def status(
 
     Args:
         session: the run.
-        run: the run as the debugger has it; None if it does not know where programs stand.
+        run: the run in the debugger; None if the programs' positions are unknown.
         selected: the robot.
-        is_playing: whether it goes on, so that time is short.
+        is_playing: whether it is running, so that time is short.
     """
     count = len(session.fleet)
     first = max(0, min(selected - MAX_ROBOTS // 2, count - MAX_ROBOTS))

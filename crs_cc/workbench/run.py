@@ -22,7 +22,7 @@ class Halt:
 
     Attributes:
         reason: a word: `paused`, `breakpoint`, `error`, `end`, ...
-        text: a sentence; empty if the word says it all.
+        text: a sentence; empty if the reason needs none.
         robot: the robot that it is about; -1 for none.
     """
 
@@ -96,7 +96,7 @@ class Run(Protocol):
 
         Args:
             text: the change, see `run_edits.ALL_EDITS`.
-            is_playing: whether it goes on.
+            is_playing: whether it is running.
 
         Raises:
             DebugError: the change is invalid or impossible; nothing has changed.

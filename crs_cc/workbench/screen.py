@@ -44,7 +44,7 @@ class Screen:
     Attributes:
         run: the run.
         feed: what is known of it.
-        player: when it goes on.
+        player: controls when it continues.
         server: serves the pages.
         robot: the selected robot.
         pointing: poses for which programs have asked the user.
@@ -91,7 +91,7 @@ class Screen:
                 self.player.restart()
             self.tick()
 
-    # -- what pages are told ---------------------------------------------------------------------
+    # -- messages to pages -----------------------------------------------------------------------
 
     def tick(self) -> None:
         """Report the progress of a running run, at a limited rate."""
@@ -185,7 +185,7 @@ class Screen:
     def greet(self, client: Client) -> None:
         """Send a page that has connected all that it must know."""
         self.feed.greet(client)
-        self._panel = ""  # the new page has not been told
+        self._panel = ""  # the new page does not have it
         self.player.submit(self.publish)
         self.player.submit(lambda: broadcast_runs(self))
 

@@ -1,12 +1,12 @@
 """The server of the page: files over HTTP and the channel as a WebSocket, on loopback only.
 
-It runs in a thread of its own, so that the run goes on while pages are slow. Its methods may be
+It runs in its own thread, so that slow pages do not delay the run. Its methods may be
 called by any thread.
 
 Who may connect: the address must name this machine (`Host`), a page must be one of ours (`Origin`),
 and the channel needs one of two tokens: with that for viewing, commands that change the run are
-refused. Other users of this machine are refused where the system says whose a connection is. The
-files hold no secret: they are the same on every machine.
+rejected. Other users of this machine are rejected if the system reports the owner of a connection.
+The files contain no secrets: they are the same on every machine.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 CHANNEL: Final = "/channel"
 MAX_CLIENTS: Final = 100
 _ONCE: Final = ("Host", "Origin", "Sec-WebSocket-Protocol")
-"""The headers that are read; who gives one twice would be asked which one counts."""
+"""The headers that are read; a request with a duplicate is rejected as ambiguous."""
 
 _TOO_FAST, _TOO_SLOW, _GOING = 1008, 1013, 1001  # RFC 6455 7.4.1, and IANA's registry
 _STOP_S: Final = 5.0
@@ -93,7 +93,7 @@ class Server:
             receiver: what the pages talk to.
             port: the port.
             page: the path of the page.
-            front: what stands before it; by default pages connect directly.
+            front: the server in front of it; by default pages connect directly.
 
         Raises:
             OSError: the port is in use.

@@ -1,4 +1,4 @@
-"""What the source pane shows: where a program stands, its stack, and what has gone wrong."""
+"""The contents of the source pane: the current line of a program, its stack, and its error."""
 
 from __future__ import annotations
 

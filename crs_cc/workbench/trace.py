@@ -52,7 +52,7 @@ class Difference:
 
 
 Samples = tuple[list[float], list[float | None]]
-"""Times [s] and values, None where there is none."""
+"""Times [s] and values, None for missing ones."""
 
 
 class Trace:

@@ -1,4 +1,4 @@
-"""Tells a feed what happens in a session, whoever runs it."""
+"""Reports the progress of a session to a feed."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ _SLACK_S: Final = 1e-9
 class Watcher:
     """Watches a session: its frames, events, and what programs write.
 
-    What lies before the latest timestep that it has seen is known, and not told again.
+    Data before the latest observed timestep is known, and not reported again.
 
     Attributes:
-        feed: what is told.
+        feed: receives the data.
     """
 
     def __init__(self, feed: Feed) -> None:
@@ -56,7 +56,7 @@ class Watcher:
             return
         self.feed.trace.add(session.environment)
         if session.timesteps <= self._timesteps:
-            if session.timesteps == self._timesteps:  # as far as it is known, ends are told
+            if session.timesteps == self._timesteps:  # only new ends are reported
                 self._alive = tuple(session.state.alive.tolist())
             return
         self._timesteps = session.timesteps

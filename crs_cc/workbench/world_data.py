@@ -1,4 +1,4 @@
-"""A world as the page draws it, as JSON: what stands in it, its ground, its kinds of robots."""
+"""A world as JSON for the page: its objects, its ground, its types of robots."""
 
 from __future__ import annotations
 

@@ -90,7 +90,7 @@ def test_identical_runs_have_no_difference_in_their_common_part(
     assert status == 0
     assert shown.splitlines() == [
         "near.mcap, short.mcap: no difference up to 2.00 s",
-        "  near.mcap goes on to 4.00 s",
+        "  near.mcap continues to 4.00 s",
     ]
 
 

@@ -32,7 +32,7 @@ def read_plan(
         thickness_m: the thickness of walls that are lines.
 
     Raises:
-        WorldError: it cannot be read; the message says why.
+        WorldError: it cannot be read; the message is the reason.
     """
     text, file = read_file(path), str(path)
     readers: dict[str, Callable[[], PlanElements]] = {

@@ -16,7 +16,7 @@ def read_png(data: bytes, scale_m: float | None, threshold: float = 0.5) -> Plan
         threshold: pixels darker than this share of white are wall.
 
     Raises:
-        ValueError: it is no such file, is too large, or has no scale.
+        ValueError: it is not such a file, is too large, or has no scale.
     """
     if scale_m is None:
         raise ValueError("a picture has no physical size: give the scale, the size of a pixel")
@@ -33,7 +33,7 @@ def dark_boxes(data: bytes, threshold: float) -> list[tuple[float, float, float,
     """Return left, bottom, right and top of the boxes that a picture shows, as shares of it.
 
     Raises:
-        ValueError: it is no PNG file, or shows too many.
+        ValueError: it is not a PNG file, or shows too many.
     """
     dark = grey_values(data) < threshold
     found = rectangles(dark)

@@ -1,4 +1,4 @@
-"""Models of SDF (sdformat.org) for Gazebo: boxes and cylinders that stand upright."""
+"""Models of SDF (sdformat.org) for Gazebo: upright boxes and cylinders."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def read_sdf(text: bytes, file: str) -> PlanElements:
 
     Raises:
         WorldError: it is not well-formed.
-        ValueError: it is no SDF file, or too large.
+        ValueError: it is not an SDF file, or too large.
     """
     root = parse(text, file).root
     if root.tag != "sdf":
@@ -78,7 +78,7 @@ def _height(value_m: float) -> dict[str, str]:
 
 
 def _pose(drawn: PlanElements, node: Node, around: Pose | None) -> Pose | None:
-    """Return where an element is; None if it does not stand upright."""
+    """Return the pose of an element; None if it is not upright."""
     own = next(_children(node, "pose"), None)
     if own is not None and own.attributes.get("relative_to"):
         drawn.omit(node.tag, "it is placed relative to something else")

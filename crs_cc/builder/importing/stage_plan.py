@@ -28,7 +28,7 @@ def read_stage(text: str, picture: Callable[[str], bytes]) -> PlanElements:
         picture: returns the contents of a picture that it names.
 
     Raises:
-        ValueError: it is no such file, or too large.
+        ValueError: it is not such a file, or too large.
     """
     drawn = PlanElements()
     kinds: dict[str, Block] = {}
@@ -135,7 +135,7 @@ def _numbers(words: Sequence[str], count: int) -> list[float]:
     """Return numbers; those that are missing are 0.
 
     Raises:
-        ValueError: one is none.
+        ValueError: one is invalid.
     """
     found = [float(word) for word in words[:count]]
     if not all(map(math.isfinite, found)):

@@ -52,7 +52,7 @@ def read_svg(text: bytes, file: str, scale_m: float | None, thickness_m: float) 
     Args:
         text: the file.
         file: its name in messages.
-        scale_m: the size of one of its units; by default what its physical size says.
+        scale_m: the size of one of its units; by default from its physical size.
         thickness_m: the thickness of walls.
 
     Raises:
@@ -178,7 +178,7 @@ class _Reader:
         return {"colour": found} if found and found != "#000000" else {}
 
 
-class _Unreadable(Exception):  # noqa: N818 - says why something is left out
+class _Unreadable(Exception):  # noqa: N818 - the reason why something is omitted
     """Something that is left out."""
 
 
@@ -214,7 +214,7 @@ def _declarations(text: str) -> Iterator[tuple[str, str]]:
 
 
 def _colour(text: str) -> str | None:
-    """Return a colour as worlds have it; None if it is none."""
+    """Return a colour in the notation of worlds; None if it is invalid."""
     try:
         red, green, blue = rgb(text)
     except ValueError:

@@ -52,7 +52,7 @@ def grade_all(
         submissions: the submissions.
         cases: what each of them is run in.
         settings: how to run them.
-        done: is told of each run that has ended.
+        done: is called with each run that has ended.
 
     Raises:
         OSError: a picture or a recording cannot be written.

@@ -170,7 +170,7 @@ class GradedRun:
     def earned(self) -> float:
         """The points of the goals that were met.
 
-        A goal that lasts as long as the run counts only if the run came to its end.
+        A goal that lasts until the end of the run counts only if the run was completed.
         """
         return sum(goal.points for goal in self.goals if self.counts(goal))
 

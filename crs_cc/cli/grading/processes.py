@@ -12,7 +12,7 @@ _MODULE: Final = "crs_cc.cli.grading.worker"
 
 
 def run_all(jobs: Sequence[Job], processes: int, done: Callable[[], None]) -> list[GradedRun]:
-    """Return what becomes of each job, in their order.
+    """Return the outcome of each job, in order.
 
     Args:
         jobs: the jobs.

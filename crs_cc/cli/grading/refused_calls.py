@@ -1,8 +1,8 @@
 """Calls that only the vendor's simulator answers: they are rejected in submissions.
 
-`place_robot` puts the robot where it wants to be, `new_world` removes what is in its way, `get_rpx`
-tells the true poses. A program may not even contain such a call; one that posts the request behind
-it in another way is found out while it runs.
+`place_robot` moves the robot anywhere, `new_world` removes obstacles, and `get_rpx` returns the
+true poses. A program may not even contain such a call; one that makes the request in another way is
+detected while it runs.
 """
 
 from __future__ import annotations

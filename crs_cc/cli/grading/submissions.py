@@ -2,7 +2,7 @@
 
 Each entry of a folder of submissions is a submission: a C file, or a folder with the C files and
 headers of a program. Links are not followed, whatever they point to; nor are devices, pipes and the
-like. An entry that is no program is listed as such, so that nobody is forgotten.
+like. An entry that is not a program is listed as such, so that none is forgotten.
 """
 
 from __future__ import annotations

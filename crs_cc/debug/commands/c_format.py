@@ -34,7 +34,7 @@ def string_literal(text: str) -> str:
     """Return the content of a C string literal.
 
     Raises:
-        DebugError: it is none.
+        DebugError: it is invalid.
     """
     if not _LITERAL.fullmatch(text):
         raise DebugError(f"{text} is not a format string in double quotes")

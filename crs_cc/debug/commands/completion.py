@@ -31,7 +31,7 @@ _KEYWORD: Final = re.compile(r"(?<![\w.-])-?[a-z][a-z-]+")
 
 
 _UNENDED: Final = ("/", ":", "(")
-"""After these a completed word goes on."""
+"""The characters after which a completed word continues."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,7 @@ def _enable(context: CommandContext, text: str, *, on: bool) -> Answer:
 
 
 def _enable_for(context: CommandContext, limit: str, text: str) -> None:
-    """Enable breakpoints until they have stopped the run once, or so many times."""
+    """Enable breakpoints until they have stopped the run once, or a number of times."""
     stops: int | None = None if limit == "delete" else 1
     if limit == "count":
         count, _, text = require_argument(text, "how many stops: enable count COUNT N").partition(

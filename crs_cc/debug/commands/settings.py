@@ -51,7 +51,7 @@ class Setting:
         return _UNLIMITED if value == self.highest else str(value)
 
     def parse(self, text: str) -> int:
-        """Return the value that a text means; raise DebugError if it is none."""
+        """Return the value of a text; raise DebugError if it is invalid."""
         if self.is_switch:
             if text not in _SWITCH:
                 raise DebugError(f"invalid value '{text}' of '{self.name}' (expected on or off)")

@@ -14,7 +14,7 @@ from crs_cc.debug.commands.stack import line_count, source_lines
 from crs_cc.debug.errors import DebugError
 
 _MAX_LINE: Final = 1000
-"""Of a longer line only so much is searched [characters]."""
+"""Longer lines are searched only up to this length [characters]."""
 
 
 def _search(context: CommandContext, text: str, *, by: int) -> Answer:

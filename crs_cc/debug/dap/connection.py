@@ -9,13 +9,13 @@ from crs_cc.debug.dap.framing import Message, encode
 from crs_cc.debug.dap.inbox import ClientRequest
 
 NOBODY = ClientRequest(0, "", {})
-"""Whom to answer when a message says not what it wants."""
+"""The sequence number in answers to messages without a valid one."""
 
 
 LOOKING: Final = frozenset(
     {"completions", "dataBreakpointInfo", "evaluate", "scopes", "stackTrace", "variables"}
 )
-"""Requests that clients make by themselves; nobody wants a window for each that fails."""
+"""Requests that clients make by themselves; their failures are not shown to the user."""
 
 
 class ClientDisconnectedError(Exception):

@@ -1,6 +1,6 @@
 """Access to a port: clients that know the token, and only one of them at a time.
 
-Until a client has shown the token it may only `initialize`, which tells it nothing of the user's.
+Until a client has sent the token it may only `initialize`, which reveals nothing of the user's.
 Most editors send nothing of their own but the attributes of `launch`, so the token is one of these.
 
 >>> gate = Gate("a token nobody knows", threading.Lock())

@@ -67,7 +67,7 @@ class Inbox:
                 self._interrupt(None)
 
     def get(self, *, wait: bool = True) -> ClientRequest | None:
-        """Return the next request; None at the end, or if there is none and no wait is wanted."""
+        """Return the next request; None at the end, or if there is none and `wait` is false."""
         with self._changed:
             while wait and not self._requests and not self._closed:
                 self._changed.wait()

@@ -120,4 +120,4 @@ class ClientLocations:
 
 
 NO_PLACE: Final[Message] = {"line": 0, "column": 0}
-"""Where a robot stands whose program does not: the protocol wants numbers."""
+"""The location of a robot whose program has none: the protocol requires numbers."""

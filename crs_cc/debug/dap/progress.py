@@ -1,6 +1,6 @@
 """Progress of long moves: shown by the client while programs run, with a button to stop them.
 
-It is told from a thread of its own, as the engine's is busy. Nothing in the run depends on it.
+It is reported from a separate thread, as the engine's is busy. Nothing in the run depends on it.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Final
 from crs_cc.debug.dap.connection import ClientDisconnectedError, Connection
 
 DELAY_S: Final = 1.0
-"""Moves that take less are not told of, and it is told so often how far a move is [s]."""
+"""Shorter moves are not reported; also the interval between two reports [s]."""
 
 
 class Progress:
@@ -27,19 +27,19 @@ class Progress:
         self._number = 0
 
     @contextmanager
-    def of(self, title: str, told: Callable[[], str]) -> Iterator[None]:
+    def of(self, title: str, describe: Callable[[], str]) -> Iterator[None]:
         """Report a move if it takes long.
 
         Args:
             title: what is done.
-            told: returns how far it is; called by another thread.
+            describe: returns the progress; called by another thread.
         """
         if not self._wanted:
             yield
             return
         self._number += 1
         over = threading.Event()
-        work = threading.Thread(target=self._report, args=(title, told, over), daemon=True)
+        work = threading.Thread(target=self._report, args=(title, describe, over), daemon=True)
         work.start()
         try:
             yield
@@ -47,16 +47,16 @@ class Progress:
             over.set()
             work.join()
 
-    def _report(self, title: str, told: Callable[[], str], over: threading.Event) -> None:
+    def _report(self, title: str, describe: Callable[[], str], over: threading.Event) -> None:
         """Report the progress of a move until it is over."""
         key = {"progressId": f"move-{self._number}"}
         if over.wait(self._delay_s):
             return
         try:
-            start = {**key, "title": title, "message": told(), "cancellable": True}
+            start = {**key, "title": title, "message": describe(), "cancellable": True}
             self._connection.event("progressStart", start)
             while not over.wait(self._delay_s):
-                self._connection.event("progressUpdate", {**key, "message": told()})
+                self._connection.event("progressUpdate", {**key, "message": describe()})
             self._connection.event("progressEnd", {**key})
         except ClientDisconnectedError:
             return

@@ -117,7 +117,7 @@ def serve(
         try:
             Server(session, inbox, HANDLERS).serve()
         except ClientDisconnectedError:
-            pass  # then nobody is left to tell
+            pass  # the client is gone
         except Exception as error:
             sys.stderr.write(f"crs: {explain(error)}\n")
         finally:

@@ -86,7 +86,7 @@ class EditorSession:
         launch: what it has launched; None for nothing.
         handles: objects that it can refer to until the run moves.
         output: the programs' output.
-        progress: tells the client of moves that take long.
+        progress: reports long moves to the client.
         execution: the execution to start after the response; None for none.
         after_response: sends events after the response; None for none.
         has_started: whether the run has started.

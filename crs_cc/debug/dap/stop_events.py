@@ -25,7 +25,7 @@ _REASONS: Final[dict[Reason, str]] = {
     "goto": "goto",
     "interrupt": "pause",
 }
-"""The protocol's words for our reasons; `exited` is none of its own, as is allowed."""
+"""The protocol's names of our reasons; `exited` is not one of them, which is permitted."""
 
 _SAID: Final[dict[Reason, str]] = {
     **{reason: words.capitalize() for reason, words in WORDS.items()},

@@ -25,7 +25,7 @@ from crs_cc.runtime.diagnosis.inspect import StackFrame
 _STRING: Final = r'"(?:[^"\\]|\\.)*"'
 _UNSET: Final = re.compile(r"\s*\$([A-Za-z_]\w*)\s*")
 MAX_TEXT: Final = 1000
-"""Of longer texts only so much is looked at [bytes]."""
+"""Longer texts are truncated to this length [bytes]."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -119,7 +119,7 @@ class SourceNames:
         """
         unit = function.rpartition(":")[0]
         known = next((each for each in (unit, file) if each in self._paths), None)
-        if known is None:  # it stands in a header
+        if known is None:  # it is in a header
             files = [self._file(each) for each in self._paths]
             return next((each for each in files if each.defines(function)), files[0])
         return self._file(known)
@@ -324,7 +324,7 @@ class ExpressionCompiler:
 
     def _value(self, wanted: ConvenienceVariable) -> Value:
         name = wanted.name
-        if name.startswith("$"):  # so many before the last one
+        if name.startswith("$"):  # counted back from the last one
             back = name.removeprefix("$") or "1"
             last = max((int(each) for each in self._kept if each.isdigit()), default=0)
             name = str(last - int(back)) if back.isdigit() and len(back) < 9 else name

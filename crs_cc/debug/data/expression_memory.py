@@ -8,7 +8,7 @@ ALIGN: Final = 16
 
 
 class EvaluationError(Exception):
-    """An expression that cannot be evaluated; the text says why."""
+    """An expression that cannot be evaluated; the text is the reason."""
 
 
 class Scratch:

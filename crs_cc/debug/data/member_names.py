@@ -19,7 +19,7 @@ _SIMPLE: Final = re.compile(r"[\w.]+(?:(?:->|\[[^\[\]]*\])[\w.]*)*")
 
 
 def member_name(ctype: CType, offset: int, size: int) -> str | None:
-    """Return what some bytes are, after the name of the whole; None if they are no whole member.
+    """Return the member suffix for a range of bytes; None if it is not a complete member.
 
     Args:
         ctype: the type of the whole.

@@ -23,7 +23,7 @@ from crs_cc.runtime.diagnosis.inspect import StoppedProgram
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
 
 Explain = Callable[[int, int, bool], str]
-"""Returns why C may not read (or else write) so many bytes at an address."""
+"""Returns why C may not read (or else write) a number of bytes at an address."""
 
 _VALUED: Final = bytes([ByteState.WITH_VALUE])
 

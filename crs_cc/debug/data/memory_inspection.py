@@ -38,7 +38,7 @@ SHORT: Final = Style(longest=80, most_elements=16, repeats=REPEATS)
 FULL: Final = Style(
     longest=100_000, most_elements=200, longest_text=200, most_nested=20, repeats=REPEATS
 )
-"""For a value that somebody asked for."""
+"""For a value that the user requested."""
 
 
 STATE_NAMES: Final = ("State", "__report_State")

@@ -54,7 +54,7 @@ _TOKEN: Final = re.compile(rf"{_STRING}|{_CHARACTER}|\.\.\.|\.\.|.", re.DOTALL)
 _SETS: Final = re.compile(r"\s*\$([A-Za-z_]\w*)\s*=(?!=)(.*)", re.DOTALL)
 
 NAME: Final = "__crs_{}"
-"""What stands in C for the names that C does not have."""
+"""The C text for names that C does not have."""
 
 
 @dataclass(frozen=True, slots=True)

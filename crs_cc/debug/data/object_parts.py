@@ -144,7 +144,7 @@ def part_assigned(
 
     Returns:
         The first byte from the start of the struct, and how many; None if all of it is asked for,
-        or it is no struct.
+        or it is not a struct.
     """
     target, _ = assignment(text)
     with contextlib.suppress(DebugError):

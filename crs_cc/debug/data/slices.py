@@ -39,7 +39,7 @@ def row_of(wanted: Slice, part: Callable[[str], Value]) -> Row:
         part: evaluates a part of it.
 
     Raises:
-        DebugError: it is no row of objects in memory.
+        DebugError: it is not an array of objects in memory.
     """
     base = part(wanted.base)
     first = _whole(wanted.first, part)

@@ -61,7 +61,7 @@ class Terminal:
             stream: the stream.
             names: the robots' names.
             is_coloured: whether to write colours.
-            columns: returns how wide the screen is now; None if the stream is none.
+            columns: returns the current width of the screen; None if the stream has none.
         """
         self._stream = stream
         self._names = names

@@ -35,10 +35,10 @@ INTERVAL: Final = 10
 """Timesteps from one snapshot to the next, for one robot."""
 
 ROBOTS_LATER: Final = 8
-"""For every so many robots more, a timestep more: a snapshot's cost grows faster than a step's."""
+"""The interval grows by a timestep per this many robots: snapshots become costlier than steps."""
 
 NEAR, FINER = 1, 10
-"""So many intervals before the place that the user went back to, they are so much shorter."""
+"""The number of intervals before a revisited position, and the factor by which they are shorter."""
 
 MAX_REPLAY_INTERVALS: Final = 64
 """The most intervals that are run through at once on the way back."""

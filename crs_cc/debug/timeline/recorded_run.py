@@ -59,7 +59,7 @@ class RecordedRun:
         programs: by robot, its program.
         uploads: programs that the user has brought.
         world_robots: how many robots the world has; others may have been added.
-        last_timestep: at whose start the run ends, even if programs would go on.
+        last_timestep: at whose start the run ends, even if programs could continue.
         interrupted: set to make `advance` raise `InterruptedRunError`.
         is_off_timeline: whether the state is no state of the run: programs ran too far, or
             without the world. Then only `seek` or `restore` lead on.
@@ -185,7 +185,7 @@ class RecordedRun:
                 self.session.timesteps, self.session.fleet, self._sites()
             )
 
-    # -- going on ----------------------------------------------------------------------------
+    # -- continuing --------------------------------------------------------------------------
 
     def advance(self, limit: Position | None = None) -> RunEvent:
         """Advance to the next event.
@@ -455,7 +455,7 @@ class RecordedRun:
     def _snapshot(self) -> RunSnapshot:
         return RunSnapshot(self.session.snapshot(), self.console.snapshot())
 
-    # -- where a program stands ---------------------------------------------------------------
+    # -- the position of a program -------------------------------------------------------------
 
     def stopped(self, robot: int) -> StoppedProgram:
         """Return a program's memory and stack; cached until it moves."""

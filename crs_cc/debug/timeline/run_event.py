@@ -90,7 +90,7 @@ class RunEvent:
 
     Attributes:
         kind: a program stopped before a `statement`; a `round` or a `timestep` has ended; the
-            `limit` has been passed; or the run stands at an `edit` of the user's.
+            `limit` has been passed; or the run is at an `edit` of the user's.
         posted: the requests posted in the round: robot and code of each, ascending.
         ended: the programs that ended or failed in the round, or whose robots left with the
             timestep.

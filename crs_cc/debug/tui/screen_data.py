@@ -14,7 +14,7 @@ Key = tuple[str, ...]
 """Names a row of the variables for good: robot, function, and the way to it through the values."""
 
 Badge = Literal["stopped", "over", "error"]
-"""How a run stands: something runs on, nothing is left, the program was stopped by an error."""
+"""The state of a run: it can continue, it has ended, the program was stopped by an error."""
 
 OPEN: Final[frozenset[Key]] = frozenset({("locals",), ("watched",)})
 """The groups of variables that are unfolded at first."""

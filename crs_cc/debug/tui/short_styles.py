@@ -1,6 +1,6 @@
 r"""Shorter escape sequences for styles: only changes are sent.
 
-Rich resets each piece of text and gives its whole style anew, in 24-bit colours some forty bytes a
+Rich resets each piece of text and sends its whole style again, in 24-bit colours some forty bytes a
 piece. A terminal keeps a colour until it gets another one.
 
 >>> shorter("\x1b[31;48;2;9;9;9mif\x1b[0m\x1b[1;32;48;2;9;9;9m (\x1b[0m\x1b[32;48;2;9;9;9mx\x1b[0m")
@@ -55,11 +55,11 @@ class _Style:
             (self.background, other.background, "49"),
         )
         changes = [now or default for now, before, default in colours if now != before]
-        anew = ["0", *sorted(self.attributes), *(now for now, _, _ in colours if now)]
+        restated = ["0", *sorted(self.attributes), *(now for now, _, _ in colours if now)]
         if self == _Style() or not other.attributes <= self.attributes:
-            return ";".join(anew)
+            return ";".join(restated)
         more = ";".join([*sorted(self.attributes - other.attributes), *changes])
-        return min(more, ";".join(anew), key=len)
+        return min(more, ";".join(restated), key=len)
 
 
 def _codes(text: str) -> Iterator[str]:

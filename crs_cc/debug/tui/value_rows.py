@@ -49,7 +49,7 @@ def variables(shell: Shell, unfolded: frozenset[Key]) -> tuple[ValueRow, ...]:
 
 
 def _some(parts: Iterable[ValueRow], name: str) -> tuple[ValueRow, ...]:
-    """Return the rows of a group, or a row that says that there are none."""
+    """Return the rows of a group, or a row stating that it is empty."""
     return tuple(parts) or (ValueRow((name, ""), "", "nothing"),)
 
 

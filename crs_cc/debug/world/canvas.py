@@ -69,7 +69,7 @@ class Canvas:
             ends: x and y of both ends of each, (n, 4).
             style: their style, or that of each.
             rank: their rank.
-            gap: draw only one of so many dots.
+            gap: draw only one in this many dots.
         """
         numbers = self._numbers(style, len(ends))
         seen, ends = clipped(ends, ACROSS * self.columns, DOWN * self.rows)

@@ -41,7 +41,7 @@ def pose_of(words: Words, heading_rad: float = 0.0) -> Pose:
         heading_rad: the heading if there are two.
 
     Raises:
-        ValueError: some are invalid; a line says why for each.
+        ValueError: some are invalid; the text has a line for each.
     """
     found, wrong = [], []
     for kind, word in zip((LENGTH, LENGTH, ANGLE), words, strict=False):
@@ -55,7 +55,7 @@ def pose_of(words: Words, heading_rad: float = 0.0) -> Pose:
 
 
 def find_robot(environment: Environment, name: str) -> Robot:
-    """Return a robot; raise ValueError if there is none of this name."""
+    """Return a robot; raise ValueError if there is none with this name."""
     robots = environment.world.robots
     for robot in robots:
         if robot.id == name:

@@ -91,7 +91,7 @@ def _wrong_words(name: str) -> ValueError:
     return ValueError(f"expected: {name} {EDITS[name].syntax}")
 
 
-# -- who stands where ------------------------------------------------------------------------------
+# -- poses -----------------------------------------------------------------------------------------
 
 
 def _move(environment: Environment, words: Words) -> str:

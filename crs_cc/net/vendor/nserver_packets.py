@@ -79,7 +79,7 @@ class PacketReader:
         stride = 8 if self.is_wide else 4
         size = stride * count
         padding = 4 if self.is_wide and count else 0
-        # The padding stands for the half that the last element lacks.
+        # The padding is the missing half of the last element.
         if len(self._content) < begin + size:
             return None
         places = range(begin + padding, begin + size, stride)

@@ -38,7 +38,7 @@ def answer(packet: Packet, read_laser: Callable[[int], Exchange[list[int]]]) -> 
 
     Args:
         packet: the packet.
-        read_laser: reads so many readings of a prediction, as the client expects them.
+        read_laser: reads the laser readings of a prediction, in the form that the client expects.
     """
     kind, elements = packet.type, packet.elements
     if kind == 42:
@@ -73,7 +73,7 @@ def _polygon(name: str) -> Callable[[Elements], Request | None]:
 
 
 def _with_vertices(name: str, elements: Elements, others: int) -> Request | None:
-    """Return a request with a polygon, which begins the elements; None if it is none."""
+    """Return a request with a polygon, at the start of the elements; None if it is invalid."""
     count = elements[0] if elements else -1
     if not 0 <= count <= _MAX_VERTICES or len(elements) != 1 + 2 * count + others:
         return None

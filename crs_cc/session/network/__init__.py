@@ -1,5 +1,5 @@
 """The network of a run: sockets of programs, and data in transit between them.
 
-`sockets` has its state as plain records, `addresses` who is on it, `network` what programs do,
+`sockets` has its state as plain records, `addresses` its computers, `network` the operations,
 `delivery` what arrives, `outside` what comes from the real network, and `service` the requests.
 """

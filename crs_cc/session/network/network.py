@@ -53,7 +53,7 @@ class Network:
 
     Attributes:
         state: all that changes.
-        addresses: who is on it.
+        addresses: its computers.
         on_outside_event: called with each event of a connection of the real network and its
             number.
     """
@@ -124,7 +124,7 @@ class Network:
             self.remove((key[0], number), at_s)
         if socket.peer is None or socket.condition != "connected":
             return
-        if socket.received:  # what nobody reads any more is an error (RFC 2525, 2.17)
+        if socket.received:  # unread data at closing is an error (RFC 2525, 2.17)
             self.post(key, "reset", socket.peer, at_s)
         elif not socket.cannot_send:
             self.post(key, "end", socket.peer, at_s)

@@ -96,7 +96,7 @@ def connect(network: Network, key: Key, to: Endpoint, at_s: float) -> None:
         socket.remote = None if to == NOWHERE else to
         return
     if socket.condition == "connected" and socket.until and not socket.error:
-        socket.until = 0  # who asks for the first time after it has been made is told so
+        socket.until = 0  # the first query after connecting reports it
         return
     _check_can_connect(socket)
     if sum(each.source[0] == key[0] for each in network.state.segments.values()) >= MAX_SEGMENTS:

@@ -54,7 +54,7 @@ class Socket:
     Attributes:
         family: its family.
         kind: its type.
-        condition: where it stands; datagram sockets stay `new`.
+        condition: its state; datagram sockets stay `new`.
         local: its own address; None until it has one.
         remote: the other end's address, or where datagrams go; None for none.
         peer: the other end of a connection; None for none.

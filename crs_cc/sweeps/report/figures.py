@@ -40,7 +40,7 @@ _DECADES: Final = 50.0
 """The ratio of the largest to the smallest value from which an axis is logarithmic."""
 
 MAX_GROUPS: Final = 24
-"""Combinations in one figure; more cannot be told apart."""
+"""Limit of the combinations in one figure; more cannot be distinguished."""
 
 
 _WRAPPED: Final = 36

@@ -1,4 +1,4 @@
-"""What a report says of a sweep's results, as tables of texts."""
+"""The findings of a report on a sweep's results, as tables of texts."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from crs_cc.sweeps.report.statistics import adjusted_p_values, comparison, krusk
 from crs_cc.sweeps.rows import Row, failures
 
 MAX_COMPARED: Final = 10
-"""Combinations that are compared in pairs: more give tables that nobody reads."""
+"""Limit of the combinations that are compared in pairs: larger tables are unreadable."""
 
 
 @dataclass(frozen=True, slots=True)
