@@ -437,7 +437,11 @@ class Why:
         timestep_s = self._run.session.environment.timestep_s
         for each in lost_messages(self._run, robot, received_s, self._asked_s):
             position = Position(int(each.time_s / timestep_s), 0)
-            found.append(Cause(f"lost since: {each.text}", "", position, each.time_s, robot))
+            found.append(
+                Cause(
+                    f"a later message did not arrive: {each.text}", "", position, each.time_s, robot
+                )
+            )
         return tuple(found)
 
     def _has_sent(self, begun: int, message: ReceivedMessage) -> bool:

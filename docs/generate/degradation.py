@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 from functools import cache
+from types import SimpleNamespace
 from unittest.mock import MagicMock
 
 from crs_cc.sim.files.known_robots import known_robots
 from crs_cc.sim.files.world_xml import empty_world
+from crs_cc.sim.model import registry
 from crs_cc.sim.model.degradable import Degradable
 from crs_cc.sim.model.degradation import degradables, shown
 from crs_cc.sim.model.robot import RobotModel
@@ -48,12 +51,21 @@ def _elements(device: Degradable) -> str:
         if names:
             found.setdefault(shown(names), robot.name)
     if not found:  # no bundled robot has it
-        names = device.elements(MagicMock())
+        names = device.elements(_robot_with(device))
         numbers = "0" if device.width == 1 else f"0 to {device.width - 1}"
         return shown(names) if len(names) == device.width > 1 else numbers
     if len(found) == 1:
         return next(iter(found))
     return "; ".join(f"{each} ({name})" for each, name in found.items())
+
+
+def _robot_with(degradable: Degradable) -> RobotModel:
+    """Return a stand-in for a robot that has a device with its default attributes."""
+    row = next(each for each in registry.devices() if degradable in each.degradables)
+    robot = MagicMock(spec=RobotModel)
+    fields = dataclasses.fields(row.model)
+    robot.device.return_value = SimpleNamespace(**{each.name: each.default for each in fields})
+    return robot
 
 
 FILLERS: Fillers = {"devices": devices}

@@ -53,7 +53,7 @@ def robot_rows(session: Session, robot: int) -> list[Row]:
     model = environment.world.robots[robot].model
     rows = [
         Row("robot", f"{result.id}, number {robot}, a {model.name}"),
-        Row("program", f"{result.program}: {activity(session, robot)}"),
+        Row("program", f"{result.program}: {activity(session, robot, 'the robot ')}"),
         Row("clock", f"{instant(_clock_s(session, robot, result))}, {result.fuel:,} instructions"),
     ]
     if not environment.state.presence.present[robot]:
@@ -73,8 +73,14 @@ def robot_rows(session: Session, robot: int) -> list[Row]:
     return rows
 
 
-def activity(session: Session, robot: int) -> str:
-    """Return the activity of a robot's program, or its outcome."""
+def activity(session: Session, robot: int, mover: str = "") -> str:
+    """Return the activity of a robot's program, or its outcome.
+
+    Args:
+        session: the session.
+        robot: the robot.
+        mover: what is said before how the robot moves, such as `the robot `.
+    """
     result = session.state.robot_result(robot)
     if result.outcome == "exited":
         return f"exited with {result.exit_status}"
@@ -83,7 +89,7 @@ def activity(session: Session, robot: int) -> str:
     if result.outcome != "running":
         return "left the world" if result.outcome == "left" else "has not joined"
     what = _pause(session, robot)
-    return f"{_motion(session.environment, robot)}: {what}" if what else "runs"
+    return f"{mover}{_motion(session.environment, robot)} while {what}" if what else "runs"
 
 
 def _pause(session: Session, robot: int) -> str:
@@ -94,7 +100,7 @@ def _pause(session: Session, robot: int) -> str:
         return f"{_function(code)} waits for the link until {instant(due_s)}"
     clock_s = float(session.state.clock_s[robot])
     if math.isfinite(clock_s) and clock_s > session.time_s + session.environment.timestep_s:
-        return f"sleeps until {instant(clock_s)}"
+        return f"its program sleeps until {instant(clock_s)}"
     return _waits(session.environment, robot)
 
 
@@ -216,7 +222,7 @@ def _sonars(environment: Environment, robot: int) -> Iterator[Row]:
     )
     text = "no echo"
     if math.isfinite(echo_m[nearest.id]):
-        text = f"nearest {_echo(float(echo_m[nearest.id]))} by {nearest.id}"
+        text = f"nearest {_echo(float(echo_m[nearest.id]))}, sonar {nearest.id}"
     yield Row("sonar", text, children)
 
 

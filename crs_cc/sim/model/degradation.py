@@ -128,7 +128,7 @@ _OTHERS: Final = {
         ),
         Degradable(
             "wheels", "speed at which an axis moves the robot", SPEED, _axes, AXES,
-            "the axis slips in place", acts=True,
+            "the axis slips: it turns, but does not move the robot", acts=True,
         ),
     )
 }  # fmt: skip

@@ -53,7 +53,7 @@ def test_rows_of_a_robot_that_drives_and_waits(drives) -> None:
     assert rows["connected"] == "yes"
     assert rows["command"] == "pr, timestep 31 of 61"  # it came a moment after 0
     assert rows["program"].endswith(
-        "drives.c: drives: ws waits for right and left to stop, at most until 60.000 s"
+        "drives.c: the robot drives while ws waits for right and left to stop, at most until 60.000 s"
     )
     assert rows["driven"] == "0.254 m, 0 collisions"
     (right, left) = next(row for row in robot_rows(session, 0) if row.name == "command").children
@@ -67,7 +67,7 @@ def test_rows_of_a_program_on_the_link_and_of_an_absent_robot(drives) -> None:
     session = after(Session(world, [drives, drives], seed=1), 1)
     name = session.fleet.executable(0).name
     assert summary(session, 0)[:3] == ("0", "robot0", name)
-    assert summary(session, 0)[3].startswith("stands: pr waits for the link until 0.")
+    assert summary(session, 0)[3].startswith("stands while pr waits for the link until 0.")
     assert summary(session, 1) == (
         "1", "robot1", name, "has not joined", "0.000 s", "-", "-", "-"
     )  # fmt: skip

@@ -222,7 +222,8 @@ DEVICE = Device(
     ),
     degradables=(
         Degradable(
-            "antennae", "amount smelled", AMOUNT, elements_of("antennae", _elements), _WIDTH,
+            "antennae", "amount detected by an antenna (element f.a: antenna a in field f)", AMOUNT,
+            elements_of("antennae", _elements), _WIDTH,
             "the reading is 0",
         ),
     ),

@@ -187,7 +187,9 @@ DEVICE = Device(
     install=install,
     degradables=(
         Degradable(
-            "bumper", "state of a switch, by its bit: 1 if pressed, else 0; pressed from 0.5 on",
+            "bumper",
+            "state of a switch, numbered by its bit in State[33]: 1 if pressed, otherwise 0; after"
+            " degradation, a value of 0.5 or more counts as pressed",
             RATIO, elements_of("bumper", lambda model: at_numbers([one.bit for one in model.all])),
             BUMPER_BITS, "the switch reads as not pressed",
         ),

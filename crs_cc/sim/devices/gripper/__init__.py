@@ -277,7 +277,9 @@ DEVICE = Device(
     declarations=COMMANDS,
     degradables=(
         Degradable(
-            "gripper", "command of the gripper: 1 to close, from 0.5 on, otherwise to open", RATIO,
+            "gripper",
+            "command to the gripper: 0.5 or more to close (normally 1), otherwise to open",
+            RATIO,
             elements_of("gripper", lambda _model: ("0",)), 1,
             "the command is not received", acts=True,
         ),

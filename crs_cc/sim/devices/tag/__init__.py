@@ -113,7 +113,7 @@ DEVICE = Device(
     ),
     degradables=(
         Degradable(
-            "tag", "range of tagging", LENGTH, elements_of("tag", lambda _model: ("0",)), 1,
+            "tag", "tagging range", LENGTH, elements_of("tag", lambda _model: ("0",)), 1,
             "tagging has no effect", acts=True,
         ),
     ),
