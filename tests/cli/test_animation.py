@@ -77,7 +77,7 @@ def test_a_long_run_is_shown_faster(tmp_path: Path) -> None:
     assert 100 < made.n_frames < 150
 
 
-def test_other_pictures_are_refused(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_other_pictures_are_rejected(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "x.c", "--plot", str(tmp_path / "x.png")]) == 2
     assert "name it x.svg, or x.gif or x.apng for an animation" in capfd.readouterr().err
     assert main(["run", "x.c", "--plot", str(tmp_path / "x.gif"), "--plot-sensors"]) == 2

@@ -32,7 +32,7 @@ def in_a_folder_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     Path("drive.c").write_text(PROGRAM)
 
 
-def test_a_run_shows_and_records_what_has_become_of_goals(
+def test_a_run_shows_and_records_the_status_of_goals(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     arguments = ["drive.c", "goals.xml", "--json", "--summary", "--record", "run.mcap"]

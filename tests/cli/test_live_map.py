@@ -66,7 +66,7 @@ def test_a_live_map_changes_nothing_and_needs_a_terminal(
     assert "0 of 1 running" in rows[-1]
 
 
-def test_a_small_terminal_is_refused(
+def test_a_small_terminal_is_rejected(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     from crs_cc.cli.live_map import reason_against

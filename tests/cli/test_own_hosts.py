@@ -17,7 +17,7 @@ from crs_cc.net.handshake import Program
     [("/../a.c", "", ValueError), ("/home/a.c", "int main(void) { return x; }", CompileError)],
     ids=["outside", "invalid"],
 )
-def test_programs_that_cannot_be_compiled_here_are_refused(
+def test_programs_that_cannot_be_compiled_here_are_rejected(
     name: str, text: str, error: type[Exception]
 ) -> None:
     files = {name: b64encode(text.encode()).decode()}

@@ -131,7 +131,7 @@ def ends(
     )
 
 
-def test_leaving_writes_what_is_left_and_runs_exit_handlers(tmp_path: Path) -> None:
+def test_exiting_flushes_output_and_runs_exit_handlers(tmp_path: Path) -> None:
     before = (
         "atexit.register(print, 'handler'); print('out'); print('err', end='', file=sys.stderr)"
     )
@@ -158,7 +158,7 @@ def test_leaving_returns_to_a_profiler(tmp_path: Path) -> None:
     assert done.stdout == "returned 3\n"
 
 
-def test_a_full_disk_at_the_end_is_not_hidden(tmp_path: Path) -> None:
+def test_a_full_disk_at_the_end_is_reported(tmp_path: Path) -> None:
     before = "sys.stdout = open('/dev/full', 'w'); print('lost')"
     done = ends(tmp_path, before)
     assert done.returncode != 3

@@ -205,7 +205,7 @@ def test_several_files_make_one_program(capfd: pytest.CaptureFixture[str]) -> No
     assert capfd.readouterr() == ("", "")
 
 
-def test_headers_are_found_in_the_folders_given(capfd: pytest.CaptureFixture[str]) -> None:
+def test_headers_are_found_in_the_given_folders(capfd: pytest.CaptureFixture[str]) -> None:
     Path("include").mkdir()
     Path("include/size.h").write_text("#define SIZE 9\n")
     Path("uses.c").write_text('#include "size.h"\nint main(void) { return SIZE; }\n')
@@ -305,7 +305,7 @@ def test_runs_are_reproducible_in_another_process(
 
 
 @pytest.mark.parametrize("other", ["loop.c", "null.c", "deep.c", "flood.c"])
-def test_a_robot_whose_program_misbehaves_changes_nothing_for_the_others(
+def test_a_misbehaving_program_does_not_affect_the_other_robots(
     other: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     Path("deep.c").write_text("int f(int n) { return f(n + 1) + n; }\nint main() { return f(0); }")
@@ -364,7 +364,7 @@ def test_the_picture_of_a_program_of_several_files_names_the_first() -> None:
         ("x" * 300 + "/a.svg", "File name too long."),
     ],
 )
-def test_a_picture_that_cannot_be_written_is_refused_before_the_run(
+def test_a_picture_that_cannot_be_written_is_rejected_before_the_run(
     picture: str, message: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["run", "hello.c", "--plot", picture]) == 2

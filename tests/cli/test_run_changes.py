@@ -42,7 +42,7 @@ def script(tmp_path: Path) -> Path:
     return path
 
 
-def test_a_script_repeats_what_was_done_to_the_bit(
+def test_a_script_repeats_the_changes_to_the_bit(
     script: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     debugger = debugger_of(PROGRAM, folder=tmp_path, world="wall.xml", seed=3)

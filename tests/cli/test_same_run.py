@@ -103,7 +103,7 @@ def test_a_program_by_another_path_is_the_same_run(
     assert ran(capfd, "project/") == first
 
 
-def test_command_line_and_python_come_to_the_same_state(
+def test_command_line_and_python_reach_the_same_state(
     project: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     """Seed and arguments are the world's, if nothing else is said."""

@@ -65,7 +65,7 @@ def test_a_sample_is_named_with_or_without_its_folder_and_ending(name: str) -> N
         (["mine.c", "wander.c", "."], "unknown sample 'mine.c'"),
     ],
 )
-def test_what_cannot_be_copied_is_one_error_and_copies_nothing(
+def test_a_failed_copy_is_one_error_and_copies_nothing(
     arguments: list[str], message: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["samples", "copy", *arguments]) == 2

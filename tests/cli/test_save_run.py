@@ -83,7 +83,7 @@ def test_breakpoints_are_in_the_recording_and_set_when_it_is_opened(
     assert "$1 = 120" in said
 
 
-def test_commands_of_breakpoints_are_not_kept() -> None:
+def test_commands_of_breakpoints_are_not_saved() -> None:
     """They would be executed by whoever opens a run of somebody else."""
     data = {"kind": KIND, "what": "breakpoint", "text": "main", "commands": "shell"}
     points = cast("StopPoints", FakePoints())

@@ -138,7 +138,7 @@ def test_the_recording_of_a_run_on_hosts_is_that_of_a_local_run(
         assert shown[0][0] == folder.joinpath("local.txt").read_text()
 
 
-def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path) -> None:
+def test_a_killed_host_is_detected_soon_and_another_continues(folder: Path) -> None:
     options = "--max-time", "3", "--record", "killed.mcap", "--speed", "1"
     with served(folder, *options) as environment:
         at = environment.address
@@ -200,7 +200,7 @@ def test_robots_of_a_lost_host_stop_if_the_run_continues_without_it(
     assert re.search(r"right lost its host at .*, which cannot be repeated", done.stderr)
 
 
-def test_robots_whose_hosts_come_later_join_then_as_by_the_recorded_inputs(folder: Path) -> None:
+def test_robots_with_late_hosts_join_then_and_the_recording_repeats_it(folder: Path) -> None:
     options = "--start", "now", "--speed", "1", "--record", "late.mcap", "--max-time"
     with served(folder, *options, "3") as environment:
         at = environment.address
@@ -220,7 +220,7 @@ def test_robots_whose_hosts_come_later_join_then_as_by_the_recorded_inputs(folde
     assert folder.joinpath("late.mcap").read_bytes() == folder.joinpath("here.mcap").read_bytes()
 
 
-def test_robots_whose_hosts_had_not_come_join_after_the_run_is_resumed(folder: Path) -> None:
+def test_robots_whose_hosts_had_not_connected_join_after_the_run_is_resumed(folder: Path) -> None:
     options = "--start", "now", "--speed", "1", "--max-time"
     with served(folder, *options, "1", "--record", "early.mcap") as environment:
         hosts = [join(folder, "left", environment.address, "roam.c")]
@@ -261,7 +261,7 @@ def test_the_environment_restarts_the_programs_of_a_lost_host_itself(folder: Pat
 
 
 @pytest.mark.parametrize("option", [("--tls",), ("--tokens", "echo.c"), ("--resume", "local.mcap")])
-def test_options_for_hosts_are_refused_where_only_the_vendors_clients_come(
+def test_options_for_hosts_are_rejected_with_the_vendors_clients_only(
     folder: Path, option: tuple[str, ...], capfd: pytest.CaptureFixture[str]
 ) -> None:
     words = [str(folder / word) if "." in word else word for word in option]
@@ -269,7 +269,7 @@ def test_options_for_hosts_are_refused_where_only_the_vendors_clients_come(
     assert f"{option[0]} applies to programs that join" in capfd.readouterr().err
 
 
-def test_an_environment_that_was_killed_goes_on_with_the_same_hosts(folder: Path) -> None:
+def test_a_killed_environment_continues_with_the_same_hosts(folder: Path) -> None:
     options = ["--max-time", "3", "--record", "killed.mcap"]
     with served(folder, *options, "--speed", "1", is_real=True) as environment:
         at = environment.address
@@ -334,7 +334,7 @@ def test_a_host_reports_that_it_reconnects(folder: Path) -> None:
     assert (host.returncode, said) == (1, f"{refused}; trying again for 0.3 s\n{refused}\n")
 
 
-def test_hosts_that_do_not_fit_are_refused_with_the_reason(folder: Path) -> None:
+def test_unsuitable_hosts_are_rejected_with_the_reason(folder: Path) -> None:
     folder.joinpath("tokens").write_text("robot 0123456789abcdef\n")
     with served(folder, "--tokens", "tokens") as environment:
         at = environment.address
@@ -386,7 +386,7 @@ def test_an_address_without_a_port_is_named(folder: Path) -> None:
         assert text in " ".join(done.stderr.split())
 
 
-def test_hosts_say_that_the_run_has_ended_before_their_programs(folder: Path) -> None:
+def test_hosts_report_that_the_run_ended_before_their_programs(folder: Path) -> None:
     with served(folder, "--max-time", "1") as environment:
         at = environment.address
         assert f"crs join ROBOT {at} PROGRAM.c" in environment.wait_for(r"to join: .*\n")[0]
@@ -414,7 +414,7 @@ def test_pages_look_at_the_run_on_the_same_port_with_a_token_only(folder: Path) 
 
 
 @pytest.mark.parametrize("is_encrypted", [False, True])
-def test_the_address_of_a_page_says_whether_the_run_is_encrypted(
+def test_the_address_of_a_page_shows_whether_the_run_is_encrypted(
     folder: Path, *, is_encrypted: bool
 ) -> None:
     scheme = "https" if is_encrypted else "http"

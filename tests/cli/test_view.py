@@ -72,7 +72,7 @@ def test_a_run_that_is_shown_is_the_same_run(
     assert runs[0]["state_hash"] == runs[1]["state_hash"]
 
 
-def test_a_page_can_hold_a_run_that_goes_on_by_itself(program: str) -> None:
+def test_a_page_can_pause_a_run_that_runs_by_itself(program: str) -> None:
     thread = threading.Thread(target=main, args=(["run", program, "--speed", "0.01", "--view"],))
     said = io.BytesIO()
     with redirect_stderr(io.TextIOWrapper(said, write_through=True)):

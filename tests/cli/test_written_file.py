@@ -14,7 +14,7 @@ from tests.recorded import recorded
 __all__ = ["recorded"]
 
 
-def test_a_full_disk_leaves_no_part_of_a_file_and_names_it(tmp_path: Path) -> None:
+def test_a_full_disk_leaves_no_partial_file_and_names_it(tmp_path: Path) -> None:
     path = tmp_path / "page.html"
     path.write_text("half")
     full = pytest.raises(OSError, match=r"No space left on device: .*page\.html'")

@@ -62,7 +62,7 @@ def test_a_saved_script_makes_the_changes_again_at_their_timesteps(
     assert again.state_hash() == session.state_hash()
 
 
-def test_what_is_refused_is_neither_done_nor_recorded(make: Callable[[], Session]) -> None:
+def test_rejected_changes_are_neither_made_nor_recorded(make: Callable[[], Session]) -> None:
     session = make()
     session.advance(1)
     made: list[Change] = []

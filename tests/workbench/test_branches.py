@@ -60,7 +60,7 @@ def names(screen: Screen) -> list[str]:
     return [each["name"] for each in screen.run.branches().listing()]
 
 
-def test_the_run_before_a_change_in_the_past_is_kept_as_it_was(screen: Screen) -> None:
+def test_the_run_before_a_change_in_the_past_is_kept_as_a_branch(screen: Screen) -> None:
     assert names(screen) == ["main", "run2"]
     changed = hash_at(screen, 1.5)
     control.switch(screen, "main")
@@ -81,7 +81,7 @@ def test_the_run_before_a_change_in_the_past_is_kept_as_it_was(screen: Screen) -
         control.switch(screen, "run9")
 
 
-def test_two_runs_are_compared_from_where_they_part(screen: Screen) -> None:
+def test_two_runs_are_compared_from_where_they_diverge(screen: Screen) -> None:
     found = TABLE["compare"](screen, {"name": "main"})
     first = found["differences"][0]
     assert (first["t"], first["robot"]) == (pytest.approx(1.05), "ada")
@@ -99,7 +99,7 @@ def test_a_change_at_the_current_position_creates_no_branch(screen: Screen) -> N
     assert names(screen) == ["main", "run2"]
 
 
-def test_of_many_runs_the_oldest_is_forgotten(screen: Screen) -> None:
+def test_the_oldest_of_many_branches_is_discarded(screen: Screen) -> None:
     for heading in range(MAX_KEPT + 2):
         screen.run.seek(1.0)
         control.edit(screen, f"turn ada to {heading}")

@@ -602,7 +602,7 @@ def test_a_first_world_is_drawn_in_a_few_steps(browser: Any, tmp_path: Path) -> 
     assert path.read_text() == FIRST
 
 
-def test_a_definitions_file_tells_where_to_edit_them(browser: Any, tmp_path: Path) -> None:
+def test_a_definitions_file_names_where_to_edit_them(browser: Any, tmp_path: Path) -> None:
     """The page was empty, and did not say why."""
     path = tmp_path / "lib.xml"
     path.write_text('<definitions version="1"><material name="wood" colour="red"/></definitions>')

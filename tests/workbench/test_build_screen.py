@@ -123,7 +123,7 @@ def test_invalid_operations_are_rejected_without_effect(
     assert screen.builder.document.text == before
 
 
-def test_programs_beside_the_world_are_offered_and_warm_things_are_known(
+def test_programs_beside_the_world_and_warm_objects_are_listed(
     screen: BuildScreen,
 ) -> None:
     assert screen.builder.path is not None

@@ -117,7 +117,7 @@ def a_page_that_looks_only_compares_too(page: Any) -> None:
     assert not page.locator("button:has-text('Find the first variable')").is_visible()
 
 
-def test_two_recordings_are_seen_side_by_side(browser: Any, screen: Screen, runs: Path) -> None:
+def test_two_recordings_are_shown_side_by_side(browser: Any, screen: Screen, runs: Path) -> None:
     with page_in(browser, screen, 1200, 800) as page:
         wait(page, "crs.model.others.length === 1")
         a_recording_is_chosen_and_the_first_difference_is_named(page)
@@ -141,7 +141,7 @@ def held(runs: Path) -> Path:
     return path
 
 
-def test_a_page_holds_what_is_known_of_both_runs(held: Path) -> None:
+def test_a_page_contains_the_data_of_both_runs(held: Path) -> None:
     other = run_in(held.read_text())["other"]
     assert (other["name"], other["end"], other["until"]) == ("far.mcap", 4.0, 4.0)
     assert [
@@ -157,7 +157,7 @@ def test_a_page_holds_what_is_known_of_both_runs(held: Path) -> None:
     assert distances[-1][1] == pytest.approx(0.0994, abs=1e-4)
 
 
-def test_two_runs_share_the_room_of_a_page(runs: Path) -> None:
+def test_two_runs_share_the_size_of_a_page(runs: Path) -> None:
     with ExitStack() as stack:
         near, far = (Recording(runs / f"{name}.mcap") for name in ("near", "far"))
         for each in (near, far):
@@ -172,7 +172,7 @@ def test_two_runs_share_the_room_of_a_page(runs: Path) -> None:
     assert run["other"]["frame_s"] > 0.05
 
 
-def test_a_page_of_runs_without_a_common_robot_is_refused(
+def test_a_page_of_runs_without_a_common_robot_is_rejected(
     runs: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     (runs / "eve.xml").write_text(WORLD.replace("ada", "eve").replace("bob", "joe"))
@@ -185,7 +185,7 @@ def test_a_page_of_runs_without_a_common_robot_is_refused(
     assert not target.exists()
 
 
-def test_two_runs_are_seen_in_one_file(browser: Any, held: Path) -> None:
+def test_two_runs_are_shown_in_one_file(browser: Any, held: Path) -> None:
     with page_at(browser, held.as_uri(), 1200, 800) as page:
         wait(page, "crs.compared.run?.name === 'far.mcap'")
         first = page.locator(".differences .first").inner_text()

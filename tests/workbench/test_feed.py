@@ -53,7 +53,7 @@ def test_a_page_that_connects_during_a_run_receives_everything_once() -> None:
     assert later["event"][3] == "after"
 
 
-def test_pages_know_of_every_frame_while_the_run_stands() -> None:
+def test_pages_have_every_frame_while_the_run_is_stopped() -> None:
     feed, server, first, second = Feed({}, 0.05), LateServer(), Client("view"), Client("view")
     feed.server = server  # type: ignore[assignment]
     feed.greet(first)
@@ -84,7 +84,7 @@ def test_truncated_data_is_not_sent_again() -> None:
     assert hello["end_s"] == 2.0
 
 
-def test_a_program_that_prints_for_ever_fills_no_memory() -> None:
+def test_output_of_an_endless_program_is_bounded() -> None:
     feed, client = Feed({}, 0.05), Client("view")
     for number in range(12):
         feed.write(float(number), 0, 1, b"x" * (MAX_OUTPUT // 5))

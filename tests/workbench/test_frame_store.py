@@ -33,7 +33,7 @@ def test_blocks_have_every_frame_and_a_second_each() -> None:
     assert [round(end - begin, 2) for _, begin, end in store.index()] == [0.95, 0.95, 0.45]
 
 
-def test_another_course_discards_what_comes_after() -> None:
+def test_a_diverging_run_discards_later_data() -> None:
     store = filled(50)
     before = {number for number, _, _ in store.index()}
     store.truncate(1.5)

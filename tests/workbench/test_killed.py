@@ -52,9 +52,7 @@ def until(condition: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
-def test_a_page_reports_a_killed_server_and_one_of_the_next_server_works(
-    browser: Any, tmp_path: Path
-) -> None:
+def test_a_page_reports_a_killed_server_and_a_new_one_works(browser: Any, tmp_path: Path) -> None:
     with served(tmp_path) as (process, address):
         page = new_page(browser)
         page.goto(address + "&flat=1")
@@ -77,7 +75,7 @@ def test_a_page_reports_a_killed_server_and_one_of_the_next_server_works(
         page.close()
 
 
-def test_a_run_goes_on_when_the_browser_that_shows_it_is_killed(tmp_path: Path) -> None:
+def test_a_run_continues_when_its_browser_is_killed(tmp_path: Path) -> None:
     chromium = shutil.which("chromium") or shutil.which("chromium-browser")
     if chromium is None:
         if os.environ.get("CI"):

@@ -14,7 +14,7 @@ COLUMNS: dict[str, list[Any]] = {
 }  # fmt: skip
 
 
-def test_what_a_page_does_not_have_yet_is_sent_in_pieces_and_the_future_is_forgotten() -> None:
+def test_missing_messages_are_sent_in_pieces_and_later_ones_discarded() -> None:
     log = MessageLog()
     log.add(recorded_rows(COLUMNS, {"sent": 0, "shut": 7}, MessageContents()))
     assert [row[:5] for row in log.since(0)["rows"]] == [[0.5, 0, 0, 0, -1], [0.6, 7, 0, 0, 1]]

@@ -11,7 +11,7 @@ from crs_cc.workbench.messages import frame_message
 from tests.workbench.channel_frames import frame_in
 
 
-def test_a_frame_without_its_planes_of_zeros_is_whole_again() -> None:
+def test_a_frame_without_its_zero_planes_is_restored() -> None:
     frames = np.array([[[1.0, np.nan, 3.0], [0.0, 0.0, 0.0]]] * 2)
     frames[1, 0, 0] += 0.01
     for frame in encode(frames):

@@ -98,9 +98,7 @@ def differ(screen: Screen, name: str) -> dict[str, Any]:
     return dict(found)
 
 
-def test_two_recordings_are_compared_by_what_robots_did_and_printed(
-    runs: Path, stack: ExitStack
-) -> None:
+def test_two_recordings_are_compared_by_motion_and_output(runs: Path, stack: ExitStack) -> None:
     screen = shown(runs, "near", stack, "far")
     found = asked(screen, "compare", name="far.mcap")
     rows = {each["what"]: each for each in found["differences"]}
@@ -131,7 +129,7 @@ def test_variables_of_recordings_are_compared_by_running_both_again(
     assert screen.run.time_s == 1.0
 
 
-def test_a_change_by_hand_is_found_in_its_timestep(
+def test_a_change_by_the_user_is_found_in_its_timestep(
     runs: Path, tmp_path: Path, stack: ExitStack
 ) -> None:
     changed = tmp_path / "changed.mcap"
@@ -204,7 +202,7 @@ def test_branches_are_compared_by_their_variables(runs: Path, stack: ExitStack) 
     assert differ(screen, "run2")["t"] == pytest.approx(1.0)
 
 
-def test_robots_are_those_of_the_same_names(runs: Path, stack: ExitStack) -> None:
+def test_robots_are_matched_by_name(runs: Path, stack: ExitStack) -> None:
     screen = shown(runs, "two", stack, "far", "other")
     found = asked(screen, "compare", name="far.mcap")
     assert found["differences"] == []
@@ -231,7 +229,7 @@ def sent(screen: Screen, name: str, content: bytes, size: int = 20_000) -> None:
         asked(screen, "upload_piece", name=name, offset=offset, data=data)
 
 
-def test_a_page_brings_a_recording_in_pieces(
+def test_a_page_uploads_a_recording_in_pieces(
     runs: Path, stack: ExitStack, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     screen = shown(runs, "near", stack)
@@ -252,7 +250,7 @@ def test_a_page_brings_a_recording_in_pieces(
         asked(screen, "close", name="far.mcap")
 
 
-def test_what_is_no_recording_is_refused(runs: Path, stack: ExitStack) -> None:
+def test_invalid_recordings_are_rejected(runs: Path, stack: ExitStack) -> None:
     screen = shown(runs, "near", stack)
     with pytest.raises(ValueError, match="is not the name of a recording"):
         sent(screen, "../far.mcap", b"x")
@@ -290,7 +288,7 @@ def test_a_trajectory_is_interpolated_and_constant_while_nothing_moved() -> None
     assert abs(found[1, 2, 0]) == pytest.approx(np.pi, abs=0.01)  # by the shorter way
 
 
-def test_pages_may_look_at_comparisons_and_not_bring_files() -> None:
+def test_read_only_pages_may_view_comparisons_but_not_upload_files() -> None:
     assert not TABLE["compare"].controls
     assert all(
         TABLE[name].controls for name in ("upload_piece", "open", "close", "next_difference")

@@ -41,7 +41,7 @@ def html(recorded: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def test_it_holds_the_run(html: Path) -> None:
+def test_a_page_contains_the_run(html: Path) -> None:
     text = html.read_text()
     run = run_in(text)
     assert (run["programs"], run["world_name"]) == ("drive.c", "room.xml")
@@ -60,7 +60,7 @@ def test_a_page_that_would_be_too_large_is_thinned_with_a_note(recorded: Path) -
     assert "left out: all but 1 in" in run_in(text)["note"]
 
 
-def test_a_page_has_the_fields_that_the_recording_has(
+def test_a_page_has_the_fields_of_the_recording(
     html: Path, fields_folder: Path, tmp_path: Path
 ) -> None:
     page = tmp_path / "fields.html"

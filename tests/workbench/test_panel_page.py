@@ -288,7 +288,7 @@ def a_robot_joins_with_a_program_of_its_own(page: Any, folder: Path) -> None:
     wait(page, "Boolean(crs.model.scene.body(2))")
 
 
-def test_a_run_is_seen_changed_and_restored_by_the_panel(browser: Any, tmp_path: Path) -> None:
+def test_a_run_is_viewed_changed_and_restored_by_the_panel(browser: Any, tmp_path: Path) -> None:
     """One test, since each step begins where the one before has led."""
     with running(tmp_path, PROGRAM, WORLD) as screen:
         debugger = debugger_of(screen)

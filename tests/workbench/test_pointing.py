@@ -15,7 +15,7 @@ ROOM = (
 )
 
 
-def test_two_clicks_answer_a_program(tmp_path: Path, browser: Any) -> None:
+def test_two_clicks_answer_a_request_for_a_pose(tmp_path: Path, browser: Any) -> None:
     answers: list[Pose] = []
     with (
         running(tmp_path, "int main(void) { return 0; }", ROOM) as screen,

@@ -18,7 +18,7 @@ WORLD = """<world version="1"><area length="9m" width="9m"/>
 """
 
 
-def test_errors_are_known_later_and_kept_until_the_file_changes(tmp_path: Path) -> None:
+def test_errors_arrive_later_and_are_kept_until_the_file_changes(tmp_path: Path) -> None:
     (tmp_path / "world.xml").write_text(WORLD)
     (tmp_path / "good.c").write_text("int main(void) { return 0; }\n")
     bad = tmp_path / "bad.c"

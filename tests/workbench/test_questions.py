@@ -69,9 +69,7 @@ def value(page: Page, name: str, **fields: Any) -> Any:
     return answer["value"]
 
 
-def test_a_why_tree_leads_to_the_beam_and_each_node_to_its_instant(
-    page: Page, screen: Screen
-) -> None:
+def test_a_why_tree_leads_to_the_beam_and_each_node_to_its_time(page: Page, screen: Screen) -> None:
     here = page.told["position"]["place"]
     tree = value(page, "why", expression="speed")
     assert tree["expression"] == "speed"
@@ -94,7 +92,7 @@ def test_a_why_tree_leads_to_the_beam_and_each_node_to_its_instant(
     page.take_until(lambda: page.told["position"]["place"] == here)
 
 
-def test_a_history_has_each_change_with_its_text_and_its_place(page: Page) -> None:
+def test_a_history_has_each_change_with_its_text_and_position(page: Page) -> None:
     found = value(page, "changes", robot=0, expression="mode", begin_s=0.0, end_s=2.0)
     texts = [text for _, _, text, _, _ in found["rows"]]
     assert texts[:3] == ["WAITING", "DRIVING", "WAITING"]
@@ -115,7 +113,7 @@ def test_a_local_variable_has_its_history_at_a_line(page: Page) -> None:
     assert "undeclared" in page.error("changes", expression="wnted at go.c:10", **asked)
 
 
-def test_instants_are_found_up_to_what_is_known(page: Page) -> None:
+def test_times_are_found_up_to_the_latest_known_one(page: Page) -> None:
     page.ask("seek", time_s=0.5)
     driving = value(page, "when", condition="mode == DRIVING")
     assert len(driving) >= 2
@@ -138,7 +136,7 @@ def test_instants_are_found_up_to_what_is_known(page: Page) -> None:
         ("1.0.7.1", "has not reached"),
     ],
 )
-def test_a_place_that_the_run_has_not_been_at_is_refused(
+def test_a_position_that_the_run_has_not_reached_is_rejected(
     page: Page, place: str, wrong: str
 ) -> None:
     assert wrong in page.error("go", place=place, robot=0)
@@ -149,7 +147,7 @@ def test_a_read_only_page_cannot_query(screen: Screen) -> None:
         assert "view-only" in page.error("why", expression="speed")
 
 
-def test_in_a_recording_the_past_is_all_that_was_recorded(recorded: Path) -> None:
+def test_in_a_recording_the_past_is_the_whole_recording(recorded: Path) -> None:
     with ExitStack() as stack:
         recording = Recording(recorded)
         stack.callback(recording.close)
@@ -161,7 +159,7 @@ def test_in_a_recording_the_past_is_all_that_was_recorded(recorded: Path) -> Non
         page.take_until(lambda: abs(page.told["state"]["t"] - 1.0) < 0.06)
 
 
-def test_a_question_leaves_the_robot_that_the_user_has_selected(tmp_path: Path) -> None:
+def test_a_query_does_not_change_the_selected_robot(tmp_path: Path) -> None:
     two = WORLD.replace("</world>", '<robot id="bob" x="1m" y="3m" heading="0deg"/></world>')
     with running(tmp_path, PROGRAM, two) as screen, page_of(screen) as page:
         value(page, "console", line="break limited if speed > 40")

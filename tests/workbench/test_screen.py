@@ -115,7 +115,7 @@ def test_the_viewing_token_does_not_permit_control(live: Screen) -> None:
 @pytest.mark.parametrize(
     "line", ["source x", "save breakpoints x", "save run x.mcap", "quit", "shell ls", "so x"]
 )
-def test_the_console_has_no_command_that_touches_files_or_ends_the_run(
+def test_the_console_rejects_commands_that_access_files_or_end_the_run(
     live: Screen, line: str
 ) -> None:
     with page_of(live) as page:
@@ -123,7 +123,7 @@ def test_the_console_has_no_command_that_touches_files_or_ends_the_run(
 
 
 @pytest.mark.parametrize("line", ["source x", "save breakpoints x.dbg", "save run x.mcap"])
-def test_a_command_for_each_robot_touches_no_files_either(live: Screen, line: str) -> None:
+def test_commands_for_each_robot_cannot_access_files(live: Screen, line: str) -> None:
     with page_of(live) as page:
         *_, (kind, text) = page.ask("console", line=f"robot apply all {line}")["value"]["lines"]
         assert kind == "error"
@@ -137,7 +137,7 @@ def test_completion_lists_no_files(live: Screen, line: str) -> None:
         assert "save" in page.ask("complete", line="sa")["value"]["words"]
 
 
-def test_commands_at_a_breakpoint_touch_no_files_either(live: Screen) -> None:
+def test_commands_at_a_breakpoint_cannot_access_files(live: Screen) -> None:
     point = {"line": 9, "condition": "", "log": "", "robot": -1, "ignore": 0, "enabled": True}
     with page_of(live) as page:
         page.take_until(lambda: "position" in page.told)
@@ -185,7 +185,7 @@ def test_a_change_discards_the_future_of_pages_too(live: Screen) -> None:
         assert frames[-1, 0, 0] == pytest.approx(4.0, abs=0.1)
 
 
-def test_pause_interrupts_a_command_that_would_run_for_ever(live: Screen) -> None:
+def test_pause_interrupts_an_endless_command(live: Screen) -> None:
     with page_of(live) as page:
         page.line.send(json.dumps({"id": 900, "command": "console", "line": "continue"}))
         page.take_until(lambda: page.told["state"]["busy"])
@@ -197,7 +197,7 @@ def test_pause_interrupts_a_command_that_would_run_for_ever(live: Screen) -> Non
         assert live.run.time_s == pytest.approx(stood + 0.05, abs=0.05)
 
 
-def test_a_run_ends_at_the_time_that_is_given(tmp_path: Path) -> None:
+def test_a_run_ends_at_the_given_time(tmp_path: Path) -> None:
     (tmp_path / "go.c").write_text(PROGRAM)
     (tmp_path / "room.xml").write_text(WORLD)
     files = Inputs((tmp_path / "go.c",), tmp_path / "room.xml")

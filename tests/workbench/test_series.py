@@ -27,7 +27,7 @@ console.log(JSON.stringify({
 """
 
 
-def test_the_least_and_the_greatest_of_long_ago_are_kept() -> None:
+def test_old_minima_and_maxima_are_kept() -> None:
     if shutil.which("node") is None:
         pytest.skip("node not found")
     command = ["node", "--input-type=module", "-e", KEPT, MODULE.as_uri()]

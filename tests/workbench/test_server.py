@@ -61,7 +61,7 @@ def got(server: Server, path: str, host: str = "") -> tuple[int, dict[str, str]]
     return response.status, {name.lower(): value for name, value in response.getheaders()}
 
 
-def test_the_page_loads_nothing_but_itself(server: Server) -> None:
+def test_the_page_loads_only_its_own_files(server: Server) -> None:
     status, headers = got(server, "/")
     assert (status, headers["content-type"]) == (200, "text/html; charset=utf-8")
     assert "default-src 'none'" in headers["content-security-policy"]
@@ -82,16 +82,16 @@ def test_the_page_loads_nothing_but_itself(server: Server) -> None:
         "/static/three/LICENSE/..%2f..%2f",
     ],
 )
-def test_no_path_leads_out_of_the_page(server: Server, path: str) -> None:
+def test_paths_outside_the_page_are_rejected(server: Server, path: str) -> None:
     assert got(server, path)[0] == 404
 
 
-def test_a_name_that_was_bound_to_this_machine_is_refused(server: Server) -> None:
+def test_a_rebound_host_name_is_rejected(server: Server) -> None:
     assert got(server, "/", f"evil.example:{server.port}")[0] == 403
 
 
 @pytest.mark.parametrize("name", ["Host", "Origin", "Sec-WebSocket-Protocol"])
-def test_a_header_that_is_given_twice_is_refused(server: Server, name: str) -> None:
+def test_a_duplicate_header_is_rejected(server: Server, name: str) -> None:
     host = f"127.0.0.1:{server.port}"
     rows = {"Host": host, "Origin": f"http://{host}", "Sec-WebSocket-Protocol": "crs.1"}
     head = "".join(f"{each}: {value}\r\n" for each, value in rows.items())
@@ -100,7 +100,7 @@ def test_a_header_that_is_given_twice_is_refused(server: Server, name: str) -> N
         assert connection.recv(100).startswith(b"HTTP/1.1 400 ")
 
 
-def test_the_channel_needs_a_token_and_a_page_of_ours(server: Server) -> None:
+def test_the_channel_requires_a_token_and_our_origin(server: Server) -> None:
     for options, status in (
         ({"token": "x" * 22}, 401),
         ({"token": server.tokens["view"], "origin": "https://evil.example"}, 403),
@@ -117,7 +117,7 @@ def test_the_channel_needs_a_token_and_a_page_of_ours(server: Server) -> None:
             assert json.loads(page.recv(5))["value"] == "play"
 
 
-def test_another_user_is_refused_even_with_the_token(
+def test_another_user_is_rejected_even_with_the_token(
     server: Server, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(host_system, "_user_of_peer", lambda _client: os.geteuid() + 1)
@@ -127,7 +127,7 @@ def test_another_user_is_refused_even_with_the_token(
 
 
 @pytest.mark.parametrize("sent", ["nonsense", "[]", '{"id": "x", "command": "play"}', "[" * 60_000])
-def test_what_is_no_command_ends_the_connection(server: Server, sent: str) -> None:
+def test_an_invalid_command_ends_the_connection(server: Server, sent: str) -> None:
     with opened(server) as page:
         page.recv(5)
         page.send(sent)
@@ -155,7 +155,7 @@ def flood(page: ClientConnection) -> None:
         page.recv(5)
 
 
-def test_a_slow_page_loses_frames_and_gets_a_whole_one_then(server: Server) -> None:
+def test_a_slow_page_skips_frames_and_then_receives_a_key_frame(server: Server) -> None:
     values = np.zeros((3, 4))
     with opened(server) as page:
         page.recv(5)
@@ -173,7 +173,7 @@ def test_a_slow_page_loses_frames_and_gets_a_whole_one_then(server: Server) -> N
     assert all(value == (time_s + 1) * 0.25 for time_s, value in seen)
 
 
-def test_messages_arrive_in_order_written_at_once_or_after_what_waits(server: Server) -> None:
+def test_messages_arrive_in_order_whether_sent_directly_or_queued(server: Server) -> None:
     sent = [f"{number} {'x' * (300_000 if number % 7 == 0 else 10)}" for number in range(40)]
     with opened(server, max_size=None) as page:
         page.recv(5)
@@ -185,7 +185,7 @@ def test_messages_arrive_in_order_written_at_once_or_after_what_waits(server: Se
         assert list(islice(texts, len(sent))) == sent
 
 
-def test_a_hundred_pages_hear_the_run_and_one_that_is_killed_makes_room() -> None:
+def test_a_hundred_pages_receive_the_run_and_a_killed_one_frees_its_slot() -> None:
     server = Server(Echo())
     with ExitStack() as stack:
         pages = [stack.enter_context(opened(server)) for _ in range(MAX_CLIENTS)]
@@ -208,7 +208,7 @@ def test_a_port_in_use_is_an_error(server: Server) -> None:
         Server(Echo(), server.port)
 
 
-def test_pages_hear_that_the_server_ends() -> None:
+def test_pages_are_notified_when_the_server_ends() -> None:
     server = Server(Echo())
     with opened(server) as page:
         page.recv(5)
@@ -230,7 +230,7 @@ class Beginner(Echo):
         super().greet(client)
 
 
-def test_what_was_begun_for_pages_ends_with_the_server() -> None:
+def test_tasks_of_pages_end_with_the_server() -> None:
     """What is begun just as it ends was collected unfinished, with a warning."""
     receiver = Beginner()
     server = Server(receiver)

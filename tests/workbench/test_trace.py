@@ -36,7 +36,7 @@ def test_samples_are_the_quantities_of_each_timestep(environment: Environment) -
     assert [unit_of(environment, 0, name) for name in ("speed", "sonar.3", "i")] == ["m/s", "m", ""]
 
 
-def test_going_on_after_a_change_forgets_what_came_later(environment: Environment) -> None:
+def test_continuing_after_a_change_discards_later_data(environment: Environment) -> None:
     trace = Trace()
     before = environment.snapshot()
     drive(environment, trace, 10)
@@ -56,7 +56,7 @@ def test_old_samples_are_thinned_within_the_bound(environment: Environment) -> N
     assert times_s[-1] == pytest.approx(environment.time_s)
 
 
-def test_a_short_dip_stays_when_samples_are_thinned() -> None:
+def test_a_short_dip_is_kept_when_samples_are_thinned() -> None:
     values = np.ones(10_000)
     values[5_003] = 0.1
     times_s, found = thinned(np.arange(10_000.0).tolist(), values, 100)

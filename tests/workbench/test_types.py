@@ -32,7 +32,7 @@ def settings(folder: Path) -> dict[str, object]:
     }
 
 
-def test_the_modules_of_the_page_have_the_types_that_they_say(tmp_path: Path) -> None:
+def test_the_modules_of_the_page_have_the_declared_types(tmp_path: Path) -> None:
     modules = installed(NODE)
     (tmp_path / "three.d.ts").write_text(THREE)
     (tmp_path / "tsconfig.json").write_text(json.dumps(settings(tmp_path)))

@@ -214,7 +214,7 @@ def a_span_is_repeated(page: Any) -> None:
     assert page.evaluate("crs.model.state.span") == pytest.approx([0.5, 1.5], abs=0.05)
 
 
-def test_the_view_shows_devices_and_saves_what_it_shows(
+def test_the_view_shows_devices_and_saves_its_contents(
     browser: Any, screen: Screen, tmp_path: Path
 ) -> None:
     """One test, since each step begins where the one before has led."""

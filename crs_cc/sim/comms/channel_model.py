@@ -58,7 +58,7 @@ class _Batch(NamedTuple):
         is_to_several: whether each is for all, or for a group.
         range_m: the range of its channel.
         walls: by how much an object reduces that.
-        said: what `Hearing` is told, (k, 6).
+        said: the rows of messages for `Hearing`, (k, 6).
         places_m: where all robots are, (robots, 2).
     """
 

@@ -190,7 +190,7 @@ def _number(name: str, names: tuple[str, ...], kind: str) -> int:
     """Return the number of the channel or robot with a name, `ANY` for no name.
 
     Raises:
-        ValueError: there is none of this name.
+        ValueError: there is none with this name.
     """
     if not name:
         return ANY

@@ -77,7 +77,7 @@ def clear(messages: MessageState, present: BoolArray, now_s: float) -> None:
 def _make_room(
     messages: MessageState, channels: Channels, packets: Records, which: BoolArray
 ) -> BoolArray:
-    """Drop the oldest message where the channel says so; return where the queue is still full."""
+    """Drop the oldest message if the channel requires it; return where the queue is still full."""
     box = messages.outbox
     keys, mine = _keys(box, channels), _keys(packets, channels)
     channel: Int32Array = packets["channel"]

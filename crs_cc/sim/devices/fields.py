@@ -67,7 +67,7 @@ class Fields:
         """Return the number of a field.
 
         Raises:
-            ValueError: there is none with this name.
+            ValueError: there is no field with this name.
         """
         if name not in self.names:
             raise ValueError(unknown("field", name, self.names))

@@ -2,8 +2,8 @@
 
 A robot is in a place while its centre is within the radius. In a source that is not full, an item
 appears whenever the time `refill` has passed since the last one did, or since it was full. That
-time is rounded to whole timesteps, at least one, and counted when somebody asks, so a source that
-nobody visits costs nothing. Where several places overlap, an item is taken from the first source of
+time is rounded to whole timesteps, at least one, and counted on request, so a source that is
+not visited costs nothing. Where several places overlap, an item is taken from the first source of
 the world file that has one, and dropped in the first nest. The models were chosen by us.
 """
 
@@ -73,7 +73,7 @@ class Foraging:
         return _inside(self._nests, place_m)
 
     def take(self, state: EnvState, there: BoolArray) -> Source | None:
-        """Take an item, and return where; None if there is none.
+        """Take an item, and return its place; None if there is none.
 
         Args:
             state: changed in place.

@@ -15,7 +15,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.scene import Scene
 
 COMMANDS: Final = "#define CRS_OPEN 0\n#define CRS_CLOSE 1"
-"""The commands in C; the same definition may stand twice (C17 6.10.3p2)."""
+"""The commands in C; a definition may be repeated (C17 6.10.3p2)."""
 
 
 def can_be_taken(scene: Scene, things: IndexArray, most_kg: FloatArray) -> BoolArray:

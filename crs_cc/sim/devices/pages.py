@@ -26,7 +26,7 @@ def page(context: RequestContext, *, installed: Mapping[str, Installed]) -> Bool
         mine = context.constants.numbers[row.name][context.rows]
         places = np.flatnonzero((sensor == row.number) & (mine >= 0))
         if len(places):
-            told = announced(context.state)
-            told.page(mine[places], first[places], context.messages, places)
+            reply = announced(context.state)
+            reply.page(mine[places], first[places], context.messages, places)
             good[places] = True
     return good

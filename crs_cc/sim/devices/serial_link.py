@@ -34,7 +34,7 @@ class SerialLine:
         kinds = {link: kind for kind, link in enumerate(dict.fromkeys(links))}
         places = [kinds[link] * (_CODES + 1) for link in links]
         self._first = np.array(places, dtype=np.intp)  # of each robot's link
-        # By kind of link and code; one additional code stands for all others.
+        # By kind of link and code; one additional code represents all others.
         shape = len(kinds), _CODES + 1
         byte_count, sends_data = np.zeros(shape, dtype=np.int64), np.zeros(shape, dtype=np.bool_)
         network_s = np.zeros(shape)

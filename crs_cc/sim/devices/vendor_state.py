@@ -79,9 +79,9 @@ def correct_speeds(
     if constants.degradations.affects_motion(state):
         now_s, speed = state.drive.clock_s[rows], traction.speed(state, constants, rows)
         speed = constants.degradations.speeds(state, "odometry", rows, speed, now_s)
-        unit, told = constants.drives.unit[rows], np.zeros_like(speed)
-        told = np.rint(np.divide(speed, unit, out=told, where=unit > 0.0))
-        speeds[:] = np.clip(told, -LARGEST, LARGEST)
+        unit, ticks = constants.drives.unit[rows], np.zeros_like(speed)
+        ticks = np.rint(np.divide(speed, unit, out=ticks, where=unit > 0.0))
+        speeds[:] = np.clip(ticks, -LARGEST, LARGEST)
 
 
 def configuration(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:

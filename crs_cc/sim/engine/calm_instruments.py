@@ -130,7 +130,7 @@ class CalmInstruments:
         return {name: size for kind in self._kinds for name, size in kind.spaces().items()}
 
     def draws(self) -> dict[str, int]:
-        """Return how many measurements of each kind have known errors, as the kernel is told."""
+        """Return the number of measurements of each kind with known errors, for the kernel."""
         return {f"{kind.draws.name}_draws": kind.draws.ahead for kind in self._kinds}
 
     def enter(self, kernel: CalmKernel) -> None:

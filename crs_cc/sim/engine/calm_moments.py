@@ -1,7 +1,7 @@
 """The conditions under which `CalmTime` may begin, and how long it may last.
 
 It is calm while nothing touches or is held, no wait ends, no message is on its way, no device is
-degraded, and no goal changes. Robots may drive as they are told.
+degraded, and no goal changes. Robots may drive as commanded.
 """
 
 from __future__ import annotations

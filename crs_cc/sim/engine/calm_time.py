@@ -3,7 +3,7 @@
 While it is calm, see `calm_moments`, and kernels know all that the world has, robots drive as they
 are told: then the kernel of `kernels/calm.c` answers requests, fires sonars and ends cycles, in
 turn with the programs, until one of them asks for something else, or something is near a robot or
-due that kernels do not know. It leaves that as it was, and the general way goes on.
+due that kernels do not know. It leaves that unchanged, and the general code continues.
 
 The rows of robots are copied into the kernel's memory, and back.
 """
@@ -54,7 +54,7 @@ class CalmOutcome(NamedTuple):
         verdict: why the kernel has returned, see `kernels.calm`.
         ended: the cycles that have ended.
         rounds: the rounds of programs in the current cycle.
-        passage: what observers are to hear.
+        passage: the data for observers.
         is_untouched: whether nothing was asked in the last cycle that has ended, nor since.
     """
 
@@ -98,7 +98,7 @@ class CalmTime:
         Args:
             cycles: how many may end.
             is_new: whether anything may have been changed since the last `end`.
-            keeps: whether an observer is to hear of it.
+            keeps: whether an observer needs it.
             most: the speeds above which requests are left to the general way, (robots, 3).
         """
         data, state = self._data, self._data.state
@@ -109,7 +109,7 @@ class CalmTime:
         elif keeps != self._keeps or most is not self._most:
             self._enter(keeps=keeps, most=most)
         if keeps and not all(map(_is_like_ours, self._dispatcher.served)):
-            cycles = 0  # observers hear of this cycle by itself
+            cycles = 0  # observers receive this cycle separately
         if is_new:
             self._goal_room_m = data.goals.room_m(state)
         left, room_m = data.physics.calm_cycles(state.bodies)

@@ -147,7 +147,7 @@ class Dispatcher:
         """End the waits of robots that end in this cycle, with the robots advanced to these times.
 
         Returns:
-            the time at which each wait ended, infinite for those that go on, shape (k,).
+            the time at which each wait ended, infinite for those that continue, shape (k,).
         """
         data, state = self._data, self._data.state
         ends_s = when(data.waits, state, rows)

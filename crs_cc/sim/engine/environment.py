@@ -5,7 +5,7 @@ with its own time: the wheels of that robot are advanced to that time, then the 
 their motion or the sensors are read. Then `step` ends the cycle: all wheels are advanced to its
 end, which completes each robot's slice of the cycle; the physics moves the bodies along these
 slices; contacts press bumpers; time advances. Cycles in which nothing can happen may be skipped
-(`skip`): they are executed when somebody looks at the state, see `quiet_time`.
+(`skip`): they are executed when the state is read, see `quiet_time`.
 
 >>> from crs_cc.requests import CODES, MESSAGE
 >>> from crs_cc.sim.files.world_xml import empty_world

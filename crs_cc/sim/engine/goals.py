@@ -5,7 +5,7 @@ met; until then only its time limit applies. Goals refer only to earlier ones, s
 order is enough. What lasts without an end of its own (`NoCollision`, `Follow`) stays open, and
 holds or does not hold at the end of the run.
 
-In a world at rest only time changes a goal: `due_s` says when, and `skip` counts the timesteps that
+In a world at rest only time changes a goal: `due_s` is when, and `skip` counts the timesteps that
 were not executed.
 
 >>> from crs_cc.sim.engine.environment import Environment
@@ -71,7 +71,7 @@ class GoalResult:
         title: its title.
         points: what it is worth.
         status: `met` or `failed` for good; `holds` if it would be met if the run ended now, as a
-            goal that lasts as long as the run; else `open`.
+            goal that lasts until the end of the run; else `open`.
         at_s: when it was met or failed [s].
         progress: how far it is met, such as `2 of 3 places`; may be empty.
     """
@@ -281,7 +281,7 @@ class GoalJudge:
         x_m, y_m = state.bodies.position_m[target].tolist()
         distance_m = exact.hypot(state.x_m - x_m, state.y_m - y_m)
         right = (distance_m >= condition.least_m) & (distance_m <= condition.most_m)
-        right[target : target + 1] = False  # nobody follows itself
+        right[target : target + 1] = False  # a robot cannot follow itself
         return np.asarray(can & right)
 
     def _by_robots(self, number: int, did: BoolArray) -> bool:

@@ -43,7 +43,7 @@ def inject(
         kind: the message's type, a number that the programs agree on.
 
     Raises:
-        ValueError: it cannot be sent; the message says why.
+        ValueError: it cannot be sent; the message is the reason.
     """
     if not -(2**31) <= kind < 2**31:
         raise ValueError(f"invalid type of a message {kind!r} (expected a 32-bit integer)")

@@ -1,6 +1,6 @@
 """Calm timesteps that have passed at once, for observers: see `engine/calm_time.py`.
 
-In them nothing was touched, no message was sent, nobody joined or left, and no event was logged.
+In them nothing was touched, no message was sent, no robot joined or left, and no event was logged.
 Programs asked for nothing but what kernels answer, each time with `State`.
 """
 

@@ -2,8 +2,8 @@
 
 In a world at rest, a cycle changes only what is a function of time: its number, the time to which
 the axes have been turned, the physics' count of cycles, and the sonars' firings, whose echoes are
-those of a world at rest. So any number of such cycles is executed at once, as late as somebody
-looks at the state, with the same result to the last bit.
+those of a world at rest. So any number of such cycles is executed at once, when the state is read,
+with the same result to the last bit.
 
 A world is at rest if no body and no axis moves, nothing is touched, held or pressed, no message is
 on its way, and no degradation acts on a drive. It stays so until the next event whose time is

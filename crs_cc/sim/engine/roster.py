@@ -6,7 +6,7 @@ then others join, in the order of the world. A robot joins as it would start a r
 that time, at rest at its start, its odometry at 0, all sonars having fired just before. If its
 place is occupied it waits, and tries again each cycle.
 
-Before it joins and after it has left, a robot keeps only its row in all arrays: it is no body,
+Before it joins and after it has left, a robot keeps only its row in all arrays: it has no body,
 nothing sees or hears it, and its row does not change. Other robots' readings and motion never
 depend on it, nor does noise: each robot's comes from streams of its own number.
 """

@@ -129,7 +129,7 @@ class Step(NamedTuple):
             bit by bit as in `State[33]`, (robots,).
         released: those that were and are not any more, (robots,).
         names: names of what `contacts.other` refers to: robots, objects, walls.
-        slices: the motion of the axes in the cycle; `NO_SLICES` if nobody wants to know.
+        slices: the motion of the axes in the cycle; `NO_SLICES` if it is not needed.
         served: the requests that were answered in the cycle, in order.
         events: the other events in it, in order.
         traffic: the log of messages, by time, of dtype `state.messages.TRAFFIC`;
@@ -312,7 +312,7 @@ def reply_values(served: Served, row: int) -> tuple[int | float | str, ...]:
 
 
 def _data(message: np.void, field: Field) -> tuple[int | str, ...]:
-    """Return a reply's data: numbers if the table says so, else text."""
+    """Return a reply's data: numbers or text, according to the table."""
     data = message["data"][: max(int(message["size"]), 0)]
     if field.data_type == "int32":
         return tuple(data[: len(data) // 4 * 4].view("<i4").tolist())

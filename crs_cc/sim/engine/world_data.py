@@ -308,7 +308,7 @@ class WorldData:
         Args:
             rows: which robots, rising, k of them.
             to_s: the time of each, not before the last one, (k,).
-            renews: whether their command timeouts begin anew then.
+            renews: whether their command timeouts restart then.
         """
         state, constants = self.state, self.constants
         last_s = constants.last_time_s(state.cycle)

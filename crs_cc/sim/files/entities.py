@@ -44,7 +44,7 @@ class Entities:
         find_model: finds robot definitions.
         robots: the robots.
         objects: walls and objects, each with its element.
-        scattered: the elements that scatters stand for.
+        scattered: the elements that scatters represent.
     """
 
     area: Area

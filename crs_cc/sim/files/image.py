@@ -34,7 +34,7 @@ def picture(folder: Path | None, name: str) -> FloatArray:
         name: the image's path, relative to it.
 
     Raises:
-        ValueError: the image cannot be read; the message says why.
+        ValueError: the image cannot be read; the message is the reason.
     """
     if folder is None:
         raise ValueError("images require a world that is read from a file")

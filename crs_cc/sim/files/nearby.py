@@ -27,7 +27,7 @@ def read_below(folder: Path, name: str, ending: str, most: int) -> bytes:
     """Return the contents of a file.
 
     Raises:
-        ValueError: the name is not allowed, or the file cannot be read; the message says why.
+        ValueError: the name is not allowed, or the file cannot be read; the message is the reason.
     """
     path = PurePosixPath(from_text(name))
     outside = path.is_absolute() or ".." in path.parts or path.suffix.lower() != ending

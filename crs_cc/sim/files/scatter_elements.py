@@ -1,6 +1,6 @@
 """Elements `<scatter>` of a world file: equal robots or objects at random places.
 
-A scatter stands for copies of an element `<robot>` or `<object>`, which follow all others of the
+A scatter represents copies of an element `<robot>` or `<object>`, which follow all others of the
 file. Once their places are drawn they are read as if they stood in the file.
 """
 
@@ -18,7 +18,7 @@ from crs_cc.sim.model.world import Area
 _OWN: Final = frozenset(
     {"id", "robot", "object", "count", "in", "x", "y", "radius", "deviation", "gap", "heading"}
 )
-"""Attributes that the copies do not have, or not as they stand there."""
+"""Attributes that the copies do not have, or have with other values."""
 
 _KINDS: Final = {"robot": "definition", "object": "ref"}
 _CORNERS_FORM: Final = "expected x,y of two opposite corners, or of each corner: 1m,0 2m,50cm"
@@ -32,7 +32,7 @@ class Scatter:
     Attributes:
         element: its element.
         number: its number among those of the file.
-        copies: the elements that it stands for.
+        copies: the elements that it represents.
         example: one of them, also if there are none; None after an error.
     """
 

@@ -29,7 +29,7 @@ class Property:
     Attributes:
         name: its name.
         type: its type in the schema, such as `length`; empty for one of its own.
-        kind: the quantity, if it is one that the type says.
+        kind: the quantity, if the type determines it.
         required: whether it must be there.
         default: its default, if the schema has one.
         choices: the values that are allowed; empty for any of its type.

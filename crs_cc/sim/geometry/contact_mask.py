@@ -38,7 +38,7 @@ from crs_cc.sim.kernels.program import kernels, pairs
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
 
 _NO_THING: Final = -1.0
-_SHARE: Final = 8  # of the kernels' memory, one in so many numbers is for beams
+_SHARE: Final = 8  # one in this many numbers of the kernels' memory is for beams
 _ON_M: Final = 1e-9  # a sensor on a side must not be outside here and inside for `rays`
 
 

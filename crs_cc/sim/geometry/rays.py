@@ -42,7 +42,7 @@ NO_THING: Final = -1
 
 _TURN: Final = 2 * math.pi
 _THIN_RAD: Final = 1e-9  # minimum half angle of a cone
-_SHARE: Final = 8  # of the kernels' memory, one in so many numbers is for distances
+_SHARE: Final = 8  # one in this many numbers of the kernels' memory is for distances
 
 
 @dataclass(frozen=True, slots=True)

@@ -41,7 +41,7 @@ _MAX_BATCH: Final = 1 << 14
 _GROWTH: Final = 4
 _MAX_TRIES: Final = 200_000
 _TRIES_EACH: Final = 10
-"""Candidates: so many at first, then more and more at once, up to a number in all that bounds the
+"""Candidates: an initial number, then increasing numbers at once, up to a total that bounds the
 work, or until none of the most at once is free."""
 
 

@@ -142,7 +142,7 @@ class _Sides:
         self._segments = _NO_SEGMENTS
 
     def segments(self, position_m: FloatArray, angle_rad: FloatArray) -> FloatArray:
-        """Return the sides, read-only: the same array as long as their bodies have not moved."""
+        """Return the sides, read-only: the same array until their bodies move."""
         if not len(self.bodies):
             return _NO_SEGMENTS
         places = position_m[self.bodies].tobytes() + angle_rad[self.bodies].tobytes()

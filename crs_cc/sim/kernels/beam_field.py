@@ -23,7 +23,7 @@ from crs_cc.sim.kernels.surveys import viewers_of
 from crs_cc.sim.kernels.tables import SURVEY
 
 ROBOTS_PER_THREAD: Final = 128
-"""A thread measures for at least so many robots, which takes it some tenths of a millisecond."""
+"""The minimum number of robots per thread, which take some tenths of a millisecond."""
 
 _WORK: Final = 400_000  # numbers of the arena for robots and their distances
 _CELLS_PER_REACH: Final = 3

@@ -140,7 +140,7 @@ class CalmKernel:
             instance.memory[begin : begin + size * _NUMBER].data
             for begin, size in zip(tables, (*sizes, RING_SIZE * RINGS), strict=True)
         )
-        self._instance = instance  # which its memory lasts as long as
+        self._instance = instance  # keeps its memory alive
         self._place, self._memory = place, memory
         end = self.turn + 3 * _THIRD * _NUMBER
         self.arena: ByteArray = instance.memory[self.turn : end]

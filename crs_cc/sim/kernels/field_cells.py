@@ -1,7 +1,7 @@
 """Kernels that find cells of pheromone fields, see `fields.c`.
 
 Fields are described by tables with a row for each: their grids, as `geometry.field_grid` has them,
-and for trails their measures, the largest amount and the amount that an integer stands for.
+and for trails their measures, the largest amount and the amount that an integer represents.
 """
 
 from __future__ import annotations

@@ -93,7 +93,7 @@ class Kernels:
 
         Args:
             holds_world: whether the rows of a world lie in its memory, or a larger arena.
-            is_arena: whether nothing lies there but the arena.
+            is_arena: whether only the arena is there.
             checked: check every access through a pointer, for tests.
         """
         # Not needed by a run that computes nothing.
@@ -187,7 +187,7 @@ class Kernels:
             rows: their rows in `robots`, None for the first ones.
             to_s: the times, (k,).
             last_s: the time up to which sensors matter.
-            renews: whether their command timeouts begin anew.
+            renews: whether their command timeouts restart.
 
         Returns:
             `ADVANCED`, or what happens before.
@@ -197,7 +197,7 @@ class Kernels:
         return self.result
 
     def reports(self, rows: IndexArray | None, count: int) -> Int32Array:
-        """Return what `State` says of the motions of robots, shape (k, 8), see `report.c`.
+        """Return the motion values in `State` of robots, shape (k, 8), see `report.c`.
 
         Args:
             rows: their rows in `robots`, None for the first ones.
@@ -261,7 +261,7 @@ class Kernels:
 
         Returns:
             `ADVANCED`, or what comes before; the times of the replies, (k,); x, y [m] and direction
-            [rad] of the robots' mounts, (k, 3); and what replies tell, of dtype `REPLY`.
+            [rad] of the robots' mounts, (k, 3); and the data of replies, of dtype `REPLY`.
         """
         count = len(clock_s)
         numbers = clock_s.tobytes() + joined_s.tobytes() + values.tobytes()

@@ -91,8 +91,11 @@ class SightField:
         for first in range(0, len(enough), _LINES):
             part = slice(first, first + _LINES)
             count = len(enough[part])
-            told, counts = arena[: 4 * count].reshape(-1, 4), arena[4 * count :].view(np.int32)
-            told[:, :2], told[:, 2:] = lines[0][part], lines[1][part]
+            ends_m, counts = (
+                arena[: 4 * count].reshape(-1, 4),
+                arena[4 * count :].view(np.int32),
+            )
+            ends_m[:, :2], ends_m[:, 2:] = lines[0][part], lines[1][part]
             counts[:count] = enough[part]
             self._kernels.call(SIGHT, count, place, 4 * count)
             found[part] = counts[:count]

@@ -42,7 +42,7 @@ BATTERY: Final = 94
 REPLY: Final = np.dtype(
     [("state", "<i4", NUM_STATE), ("_", "<i4"), ("charge", "<f8", 2), ("board_ms", "<f8")]
 )
-"""What the reply to a request tells of a robot, see `report.c`."""
+"""The data of a robot in the reply to a request, see `report.c`."""
 
 _INSTRUMENT: Final = [
     ("interval_s", "<f8"), ("noise", "<f8"), ("on_request", "<f8"), ("masked", "<f8"),

@@ -147,7 +147,7 @@ def _ear(corners_m: FloatArray, start: int) -> int:
 
 
 def _inside(points: FloatArray, a: FloatArray, b: FloatArray, c: FloatArray) -> bool:
-    """Return whether any point, other than its corners, lies in or on a triangle."""
+    """Return whether any point, other than its corners, is in or on a triangle."""
     within = (_turn(a, b, points) >= 0) & (_turn(b, c, points) >= 0) & (_turn(c, a, points) >= 0)
     for corner in (a, b, c):
         within &= (points != corner).any(axis=1)

@@ -101,7 +101,7 @@ class DriveForce:
         limit_n = np.where(stands | pull.limp, self._grip_n, self._drive_n)
         jointed = np.flatnonzero(bodies.touching & (stands | pull.limp))
         limit_n[jointed] = np.where(pull.limp[jointed], self._roll_n[jointed], 0.0)
-        # Created anew in each cycle: the robot's position and its traction on a slope change, and
+        # Created again in each cycle: the robot's position and its traction on a slope change, and
         # a joint that is kept would start with the impulse of the cycle before.
         space.hold([self._joint(space, bodies, pull, robot) for robot in jointed.tolist()])
         if incline is not None:

@@ -107,7 +107,7 @@ class EnvState(_InRows):
         commands: number of requests served.
         goals: how far the goals are met; None in a world without goals.
         foraging: the items in sources and nests; None in a world without them.
-        fields: what lies in the pheromone fields; the last, as its size changes most.
+        fields: the contents of the pheromone fields; last, as its size changes most.
     """
 
     cycle: int

@@ -1,7 +1,7 @@
-"""What lies in the pheromone fields of a world: only tiles of cells that hold something.
+"""The contents of the pheromone fields of a world: only tiles of cells that are not empty.
 
 Amounts are integers, so that sums do not depend on the order of robots. A field evaporates without
-any work: an integer u stands for the amount
+any work: an integer u represents the amount
 
     u * UNIT * exp(-(t - base) / evaporation)        at the time t
 

@@ -1,11 +1,11 @@
 """Readings that are too long for one message: the last reply, kept for its further pages.
 
 >>> from crs_cc.requests import MESSAGE
->>> told, robots = PagedReply.nothing(2, room=6), np.array([0, 1])
+>>> reply, robots = PagedReply.nothing(2, room=6), np.array([0, 1])
 >>> readings = np.array([[[1, 2], [3, 4]], [[5, 6], [0, 0]]])   # the second robot has only one
->>> told.keep(robots, width=2, counts=np.array([2, 1]), numbers=readings)
+>>> reply.keep(robots, width=2, counts=np.array([2, 1]), numbers=readings)
 >>> messages = np.zeros(2, MESSAGE)
->>> told.page(robots, np.array([1, 0]), messages, places=robots)
+>>> reply.page(robots, np.array([1, 0]), messages, places=robots)
 >>> messages["result"].tolist(), messages["i"][:, 0].tolist()
 ([1, 1], [2, 2])
 >>> messages["data"][:, :8].copy().view("<i4").tolist()
@@ -69,17 +69,17 @@ class PagedReply:
         counts, numbers = np.minimum(counts, room), numbers[:, :room]
         self.width[rows], self.count[rows] = width, counts
         size = numbers.shape[1] * width
-        told = numbers.reshape(len(rows), size)
+        values = numbers.reshape(len(rows), size)
         if not (counts < numbers.shape[1]).any():
-            self.numbers[rows, :size] = told
+            self.numbers[rows, :size] = values
             return
         # Rows keep old numbers behind their readings.
         inside = np.arange(size) < (counts * width)[:, None]
         which = simplest(rows, len(self.count))
         if isinstance(which, slice):
-            np.copyto(self.numbers[:, :size], told, where=inside, casting="unsafe")
+            np.copyto(self.numbers[:, :size], values, where=inside, casting="unsafe")
         else:
-            self.numbers[rows, :size] = np.where(inside, told, self.numbers[rows, :size])
+            self.numbers[rows, :size] = np.where(inside, values, self.numbers[rows, :size])
 
     def page(
         self,

@@ -130,7 +130,7 @@ class RobotRows:
             to_s: the time of each, (k,).
             last_s: the time up to which sensors matter.
             kinds: their constants.
-            renews: whether their command timeouts begin anew.
+            renews: whether their command timeouts restart.
 
         Returns:
             `ADVANCED`, or what happens to one of them; then some of the others may be advanced.
@@ -175,7 +175,7 @@ class RobotRows:
             self._copy_back(staged)
 
     def reports(self, rows: Rows, count: int, kinds: RobotKinds) -> Int32Array:
-        """Return what `State` says of the motions of robots, shape (k, 8), see `Kernels.reports`.
+        """Return the motion values in `State` of robots, shape (k, 8), see `Kernels.reports`.
 
         Args:
             rows: the robots, k of them.

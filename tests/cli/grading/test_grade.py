@@ -115,7 +115,7 @@ def test_every_submission_gets_its_grade(graded: Path) -> None:
     assert [row["submission"] for row in found] == list(GRADES)
 
 
-def test_the_table_has_what_has_become_of_each_goal(graded: Path) -> None:
+def test_the_table_has_the_status_of_each_goal(graded: Path) -> None:
     by_name = {row["submission"]: row for row in rows(graded / "grades.csv")}
     goals = [(by_name[n]["task: There"], by_name[n]["task: No collision"]) for n in ("slow.c",)]
     assert goals == [("failed 6.00 s", "holds")]
@@ -239,7 +239,7 @@ def test_an_allowed_call_counts_and_seeds_and_worlds_add_up(
     ]  # fmt: skip
 
 
-def test_worlds_and_submissions_of_equal_names_are_told_apart(
+def test_worlds_and_submissions_with_equal_names_are_distinguished(
     class_of_two: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Both runs were recorded to one file, and both submissions were called `anna.c`."""
@@ -316,7 +316,7 @@ def test_a_copy_is_found_where_its_first_run_was_stopped_from_outside() -> None:
         (["in", "broken.xml"], "broken.xml:4: error: goal, robots: unknown robot 'r' (known:", 122),
     ],
 )
-def test_what_cannot_be_graded_is_one_error(
+def test_grading_errors_are_reported_once(
     arguments: list[str],
     text: str,
     status: int,

@@ -27,7 +27,7 @@ def job(tmp_path: Path) -> Job:
     return Job("loop", str(tmp_path), ("loop.c",), str(tmp_path / "task.xml"), None, limits, ())
 
 
-def test_what_goes_wrong_with_a_run_is_its_own_grade(job: Job, tmp_path: Path) -> None:
+def test_errors_of_a_run_affect_only_its_own_grade(job: Job, tmp_path: Path) -> None:
     running = replace(job, limits=replace(job.limits, wall_s=0.3))
     missing = replace(job, folder=str(tmp_path / "nowhere"))
     hungry = replace(job, limits=replace(job.limits, max_memory=150 * 2**20))

@@ -12,7 +12,7 @@ curve at the state of charge. On the line it is a byte n with
     volts = (2 + n * 3 / 255) * 12 / 5       for the computers' battery,
     volts = (2 + n * 3 / 255) * 12.85 / 5    for the motors' battery
 
-(vendor source `Ndirect.c` 2.7), clipped to its range. The vendor says that neither should drop
+(vendor source `Ndirect.c` 2.7), clipped to its range. According to the vendor, neither should drop
 below 10.8 V, but not what happens then: here motors with less than the definition's cut-off have no
 force, and the wheels roll out. An empty computer battery has no effect except on its voltage. All
 numbers except those two formulas were chosen by us.

@@ -1,6 +1,6 @@
 """The carrier: takes items from sources and drops them in nests, without a gripper.
 
-It stands for what a study does not want to simulate: items have no body and no weight, and taking
+It replaces what a study does not want to simulate: items have no body and no weight, and taking
 one needs nothing but to be there. A robot carries as many as its `capacity`. Requests of a timestep
 are answered in rounds, those of a round in the order of the world's robots: of two robots that take
 the last item, the first one gets it. `devices.foraging` describes the places.

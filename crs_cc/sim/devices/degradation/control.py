@@ -92,7 +92,7 @@ class DegradationControl:
             its name.
 
         Raises:
-            ValueError: it is invalid; the message says why.
+            ValueError: it is invalid; the message is the reason.
         """
         if not isinstance(degradation.id, str):
             raise ValueError("a degradation's id must be a string")  # noqa: TRY004 - as all others
@@ -125,7 +125,7 @@ class DegradationControl:
             the changed degradation.
 
         Raises:
-            ValueError: it does not exist, or the change is invalid; the message says why.
+            ValueError: it does not exist, or the change is invalid; the message is the reason.
         """
         place = self._place(name)
         fixed = {"id", "robot", "device"} & changes.keys()

@@ -12,7 +12,7 @@ commands into slices; here they are interpreted:
 - a command that comes while another runs replaces it, from the speed reached;
 - `conf_tm`: when no command arrives for this time, the axes brake to a standstill;
 - `ws` ends after its timeout; a timeout of 0 does not wait at all, or waits forever, as the
-  robot definition says;
+  robot definition specifies;
 - `zr` sets the odometry of a differential drive to 0 at once. A synchro drive stops, turns steering
   and turret to their zero marks, with the speeds of `sp`, and then does so; until then the program
   waits, 120 s at most, and `conf_tm` is off.
@@ -107,7 +107,7 @@ def advance_freely(
         rows: which robots, k of them.
         to_s: the time of each, not before the last one, shape (k,).
         last_s: the time up to which it matters what sensors do.
-        renews: whether command timeouts begin anew then.
+        renews: whether command timeouts restart then.
 
     Returns:
         `ADVANCED`, or what happens to one of them; then some of the others may be advanced.

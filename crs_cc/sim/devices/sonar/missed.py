@@ -2,7 +2,7 @@
 
 At rest, the time and place of each firing is known, so that firings need not be executed in turn,
 and most need not be executed at all: of each sonar only the last echo that was heard is known to
-anybody. So the last firings are executed first, and earlier ones as long as a sonar has no echo.
+anybody. So the last firings are executed first, and earlier ones while a sonar has no echo.
 """
 
 from __future__ import annotations

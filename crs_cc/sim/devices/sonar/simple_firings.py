@@ -64,7 +64,7 @@ class SimpleFirings:
         return self._are_few and rays.all_alike and rays.surfaces.echo_range is None
 
     def tables(self) -> KernelTables:
-        """Return what the kernel of calm time is told."""
+        """Return the data for the kernel of calm time."""
         mistakes, are_random = self._errors.mistakes, self._errors.are_random
         return KernelTables(self._table, self._modes, mistakes, are_random)
 

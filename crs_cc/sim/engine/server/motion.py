@@ -45,7 +45,7 @@ _CLOSER_M: Final = 1e-10
 
 
 def motion_check(context: RequestContext) -> BoolArray:
-    """Answer with the first contact on each robot's path; refuse where there is none."""
+    """Answer with the first contact on each robot's path; reject requests without one."""
     bodies, scene = context.state.bodies, context.constants.scene
     outlines = (scene.fixed, scene.moving(bodies.position_m, bodies.angle_rad))
     segments = np.concatenate([each.segments for each in outlines])
