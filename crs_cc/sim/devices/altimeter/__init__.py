@@ -31,7 +31,7 @@ class Altimeter:
     """An altimeter."""
 
     rate_hz: float = rate("20Hz")
-    noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation of the height.")
+    noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation of the measured height.")
     period_s: float = period()
 
 

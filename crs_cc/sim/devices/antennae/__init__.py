@@ -56,7 +56,7 @@ class Antennae:
         "number", Count(1, _MAX_ANTENNAE), "2", f"Number of antennae, 1 to {_MAX_ANTENNAE}."
     )
     reach_m: float = attribute(
-        "reach", LENGTH, "25cm", "Distance of their ends from the centre of the robot."
+        "reach", LENGTH, "25cm", "Distance of the antennae's ends from the centre of the robot."
     )
     apart_rad: float = attribute("apart", ANGLE, "40deg", "Angle between neighbouring antennae.")
     threshold: float = attribute(

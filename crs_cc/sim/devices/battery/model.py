@@ -31,12 +31,14 @@ class Battery:
 class MotorBattery(Battery):
     """The battery of the motors: a `Battery` with the load of the drive."""
 
-    friction_n: float = attribute("friction", FORCE, "0N", "Friction of a turning wheel.")
+    friction_n: float = attribute("friction", FORCE, "0N", "Friction force on a turning wheel.")
     efficiency: float = attribute(
         "efficiency", SHARE, "1",
         "Fraction of the energy drawn for friction and acceleration that reaches the wheels.",
     )  # fmt: skip
-    stall_w: float = attribute("stall", POWER, "0W", "Additional power while the robot is blocked.")
+    stall_w: float = attribute(
+        "stall", POWER, "0W", "Additional power consumption while the robot is blocked."
+    )
     cutoff_v: float = attribute(
         "cutoff", VOLTAGE, "0V", "Voltage below which the motors exert no force."
     )

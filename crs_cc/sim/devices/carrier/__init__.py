@@ -43,7 +43,7 @@ class Carrier:
         "capacity",
         Count(1, _MAX_ITEMS),
         "1",
-        f"Maximum number of items that the robot carries, 1 to {_MAX_ITEMS}.",
+        f"Maximum number of items that the robot can carry, 1 to {_MAX_ITEMS}.",
     )
 
 

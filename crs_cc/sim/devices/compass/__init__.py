@@ -79,7 +79,8 @@ class Compass:
         " conf_cp(2).",
     )  # fmt: skip
     calibration_s: float = attribute(
-        "calibration", TIME, "180s", "Duration of the calibration, one turn of the turret.",
+        "calibration", TIME, "180s",
+        "Duration of the calibration, in which the turret makes one turn.",
         positive=True,
     )  # fmt: skip
     rate_hz: float = rate("10Hz")

@@ -29,7 +29,7 @@ class Gps:
     """A GPS receiver."""
 
     rate_hz: float = rate("1Hz")
-    noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation in x and in y.")
+    noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation of each coordinate.")
     period_s: float = period()
 
 

@@ -38,7 +38,8 @@ class Lamp:
 
     brightest: float = attribute(
         "brightest", BRIGHTNESS, "1000",
-        "Maximum brightness: the reading of a light sensor that faces it at 1 m.", positive=True,
+        "Maximum brightness: the reading of a light sensor that faces the lamp at 1 m.",
+        positive=True,
     )  # fmt: skip
 
 
