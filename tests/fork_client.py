@@ -68,7 +68,7 @@ def ask(address: str, words: list[str]) -> _socket.socket:
 
 
 def number(server: _socket.socket) -> int:
-    """Return the next number that the server says."""
+    """Return the next number from the server."""
     said = b""
     while len(said) < 4:
         more = server.recv(4 - len(said))

@@ -36,13 +36,13 @@ PACKAGE: Final = Path(__file__).parents[1] / "crs_cc"
 STREAMS: Final = 3
 
 PASSED: Final = 1 + len(NAMESPACES) + STREAMS
-"""What comes with a request: the folder, the namespaces, and the streams."""
+"""The descriptors of a request: the folder, the namespaces, and the streams."""
 
 MAX_FILES: Final = 1024
 """A server has fewer open: one for each client, and one for each fork."""
 
 SILENCE_S: Final = 30.0
-"""A client that says so long nothing does not get what it wants."""
+"""The timeout of a silent client [s]."""
 
 ONE_THREAD: Final = {b"OPENBLAS_NUM_THREADS": b"1"}
 """What `crs` sets itself, before it imports NumPy."""

@@ -1,4 +1,4 @@
-"""Waiting for other processes to come to where a test wants them."""
+"""Waiting for other processes to reach a certain state."""
 
 from __future__ import annotations
 

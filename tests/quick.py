@@ -25,7 +25,7 @@ TOO_LONG_S: Final = 0.3
 
 
 def group_of(test: str) -> str:
-    """Return the cases that a case can stand for: those of its function, in the same folder.
+    """Return the cases that a case can represent: those of its function, in the same folder.
 
     >>> group_of("tests/c/test_cases.py::test_valid[valid/arrays/bounds]")
     'tests/c/test_cases.py::test_valid[valid/arrays'

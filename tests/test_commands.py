@@ -102,7 +102,7 @@ def test_a_command_ends_as_a_process_does(code: str, status: int) -> None:
 
 
 def sleeping(*command: str) -> subprocess.Popen[str]:
-    """Start a command that says that it runs, and then sleeps."""
+    """Start a command that reports that it runs, and then sleeps."""
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout is not None
     assert process.stdout.readline() == "runs\n"

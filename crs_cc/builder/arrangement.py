@@ -42,13 +42,13 @@ Extents: TypeAlias = Mapping[str, Extent]
 
 
 def extent(document: Document, node: Node, known: Extents) -> Extent:
-    """Return what an element covers, its position if nothing else is known."""
+    """Return the extent of an element, or its position if the extent is unknown."""
     found = known.get(address(node))
     return found or Extent(*position(document, node) * 2)
 
 
 def around(document: Document, nodes: Sequence[Node], known: Extents) -> Extent:
-    """Return what elements cover together."""
+    """Return the joint extent of elements."""
     rows = [extent(document, node, known) for node in nodes]
     return Extent(
         min(row.left_m for row in rows),

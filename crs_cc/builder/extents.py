@@ -22,7 +22,7 @@ _PLACES: Final = 40
 
 
 def extents(document: Document, world: WorldModel) -> Extents:
-    """Return what elements cover, by their names; those that are wrong are missing.
+    """Return the extents of elements, by their names; invalid elements are omitted.
 
     Args:
         document: the document.

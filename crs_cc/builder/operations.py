@@ -32,7 +32,7 @@ class Workspace(Protocol):
         """Return an element."""
 
     def extents(self) -> Extents:
-        """Return what elements cover."""
+        """Return the extents of elements."""
 
     def library(self) -> list[Document]:
         """Return the included files."""
@@ -177,7 +177,7 @@ _MAKE: Final[Mapping[str, Callable[[Workspace, list[Node], Values, Attributes], 
 def planned(
     builder: Workspace, name: str, nodes: list[Node], values: Values, attributes: Attributes
 ) -> Plan:
-    """Return what an operation changes.
+    """Return the changes of an operation.
 
     Args:
         builder: where it is done.

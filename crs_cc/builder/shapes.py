@@ -94,7 +94,7 @@ def _heightmap(document: Document, world: WorldModel) -> Iterator[tuple[str, lis
 
 
 def _ranges(document: Document, world: WorldModel) -> Iterator[tuple[str, list[Shape]]]:
-    """Yield what each channel of the file reaches, around each robot."""
+    """Yield the range of each channel of the file, around each robot."""
     known = {channel.name: channel for channel in world.communication.channels}
     for node in document.root.all():
         channel = known.get(node.attributes.get("name", "")) if node.tag == "channel" else None

@@ -147,7 +147,7 @@ class WorldBuilder:
         return tuple(self._examine()[1])
 
     def warnings(self) -> tuple[Diagnostic, ...]:
-        """Return what may be a mistake, as `crs check` does: goals that robots cannot reach."""
+        """Return warnings, as `crs check` does: goals that robots cannot reach."""
         world = self.visible()
         if world is None:
             return ()

@@ -50,7 +50,7 @@ def write_animation(recording: Recording, path: Path) -> None:
 
 
 def speed_for(simulated_s: float, pictures: int) -> int:
-    """Return how many times as fast as real time a run of a length is shown.
+    """Return the playback speed of a run of a length, relative to real time.
 
     >>> [speed_for(seconds, 200) for seconds in (3.0, 20.0, 21.0, 600.0)]
     [1, 1, 2, 50]

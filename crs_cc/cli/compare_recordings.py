@@ -55,7 +55,7 @@ class Comparison:
 
 
 def compare(here: Recording, there: Recording, *, onward: bool = False) -> Comparison:
-    """Return how two recorded runs compare, by the state of their robots and all global variables.
+    """Compare two recorded runs, by the state of their robots and all global variables.
 
     Args:
         here: a recorded run.

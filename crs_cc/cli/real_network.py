@@ -130,7 +130,7 @@ class RealNetwork:
     # -- from the run --------------------------------------------------------------------------
 
     def _handle_event(self, number: int, kind: str, content: bytes) -> None:
-        """Do what a program has done to a connection."""
+        """Apply a program's operation to a connection."""
         if kind == "open":
             self._open(number, content.decode())
             return

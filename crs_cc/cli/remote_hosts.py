@@ -118,7 +118,7 @@ class RemoteHosts:
         return self.fleet.link(robot).read(robot, wanted, 0.0)
 
     def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
-        """Return how much of it there is, and when there will be more, see `session.host`."""
+        """Return the available amount, and when there will be more, see `session.host`."""
         if self._resumption is not None and self._session.time_s < self._resumption.end_s:
             return self._resumption.given.waiting(robot, clock_s)
         if self._input is not None:
@@ -127,7 +127,7 @@ class RemoteHosts:
         return int(size), float("inf") if wait_s is None else float(wait_s)
 
     def timesteps_left(self) -> int | None:
-        """Return how many timesteps may be run before `check_resumption`; None for any number."""
+        """Return the number of timesteps before the next `check_resumption`; None for no limit."""
         return None if self._resumption is None else self._resumption.timesteps_left(self._session)
 
     def check_resumption(self) -> None:
@@ -231,7 +231,7 @@ class RemoteHosts:
         return channel
 
     def _outcome(self, robot: int) -> object:
-        """Return what has become of a robot's program, as JSON for its host."""
+        """Return the result of a robot's program, as JSON for its host."""
         status = self._session.state.host.exit_status[robot]
         failed = bool(self.fleet.slots["status"][robot] == FAILED)
         return {"exit_status": status, "failed": failed}

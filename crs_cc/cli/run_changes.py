@@ -89,7 +89,7 @@ class RunChanges:
         return path if is_named and path.is_file() else None
 
     def timesteps_left(self, session: Session) -> int:
-        """Return how many timesteps there are until the next change, at least 1."""
+        """Return the number of timesteps until the next change, at least 1."""
         return max(1, self._left[0][0] - session.timesteps) if self._left else _UNLIMITED
 
     def report(self) -> None:

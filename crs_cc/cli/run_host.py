@@ -93,7 +93,7 @@ def _absolute(path: Path) -> str:
 
 
 def _secure(options: JoinOptions) -> Callable[[socket.socket], Connection]:
-    """Return what encrypts a connection, if that is wanted."""
+    """Return the function that encrypts a connection, if requested."""
     if not (options.tls or options.fingerprint):
         return lambda connection: connection
     return Client(options.address[0], options.fingerprint).secure

@@ -43,7 +43,7 @@ class Sample:
     path: Path
 
     def summary(self) -> str:
-        """Return what it is, in one sentence from its first comment."""
+        """Return its description: one sentence from its first comment."""
         source = _described_by(self.path) if self.path.is_dir() else self.path
         return first_sentence(source.read_text("utf-8"), source.suffix)
 

@@ -116,7 +116,7 @@ def _listening(
 
 
 def _tls(options: ServeOptions) -> tls.Server | None:
-    """Return what encrypts connections, if that is wanted."""
+    """Return the TLS server, if encryption is requested."""
     if options.tls_cert is None and options.tls_key is None:
         return tls.self_made() if options.tls else None
     if options.tls_cert is None or options.tls_key is None:

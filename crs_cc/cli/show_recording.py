@@ -248,7 +248,7 @@ def summary(recording: Recording) -> Iterator[str]:
 
 
 def _ends(recording: Recording, roster: Roster) -> Iterator[str]:
-    """Yield how the programs ended."""
+    """Yield the outcomes of the programs."""
     if recording.result is None:
         return
     with recording.errors():
@@ -261,7 +261,7 @@ def _ends(recording: Recording, roster: Roster) -> Iterator[str]:
 
 
 def _goals(recording: Recording) -> Iterator[str]:
-    """Yield what has become of the world's goals."""
+    """Yield the status of the world's goals."""
     if recording.result is None:
         return
     with recording.errors():

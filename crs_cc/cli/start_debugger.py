@@ -107,7 +107,7 @@ def fixed_input(
 
 
 def _typed_input(options: DebugOptions, keyboard: Keyboard) -> Input:
-    """Return what is typed at the debugger for programs, which is never a script of commands."""
+    """Return the input that is typed for programs, which is never a script of commands."""
     if keyboard.is_typed or options.batch:
         return keyboard.read
     return no_input  # stdin holds commands

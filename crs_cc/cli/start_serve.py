@@ -216,7 +216,7 @@ def _paths(program: Program) -> tuple[Path, ...]:
 
 
 def _compile_options(program: Program) -> tuple[object, ...]:
-    """Return how a program is compiled."""
+    """Return the options for compiling a program."""
     folders, macros = program.include_paths, (program.defines, program.undefines)
     flags = program.checked, program.trap_overflow
     return folders, macros, program.standard, program.dialect, flags

@@ -108,7 +108,7 @@ def describe(
     seed: int,
     names: Sequence[str] | None = None,
 ) -> dict[str, Any]:
-    """Return what does not change of a run, as JSON.
+    """Return the constant data of a run, as JSON.
 
     Args:
         kind: `live` or `recorded`.

@@ -178,7 +178,7 @@ class _ProgressLine:
 
 
 def progress_text(progress: Progress) -> str:
-    """Return how far a sweep is, in one line."""
+    """Return the progress of a sweep, in one line."""
     text = f"{progress.done} of {progress.runs} runs, {progress.per_s:.1f}/s"
     if progress.failed:
         text += f", {progress.failed} failed"

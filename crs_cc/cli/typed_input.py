@@ -92,7 +92,7 @@ class Script:
         self._read: dict[int, int] = {}
 
     def waiting(self, robot: int, clock_s: float, read: int | None = None) -> tuple[int, float]:
-        """Return how many bytes have been typed and not read, and when the next are [s].
+        """Return the number of unread typed bytes, and the time of the next ones [s].
 
         Args:
             robot: the robot's number.
@@ -137,7 +137,7 @@ class OwnInput:
         self._next = b""
 
     def waiting(self, _robot: int, _clock_s: float) -> tuple[int, float]:
-        """Return how many bytes of the next line can be read; inf if nothing has been typed."""
+        """Return the number of available bytes of the next line; inf if nothing has been typed."""
         if not self._next:
             if is_terminal(sys.stdin) and not is_input_waiting():
                 return 0, float("inf")

@@ -152,7 +152,7 @@ class VendorClients:
             self._board.clock = self._clock
 
     def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
-        """Return what a program can read of its input, and how long a read waits [s]."""
+        """Return the available input of a program, and how long a read waits [s]."""
         if robot not in self._board.robots:
             return 0, 0.0
         return self._board.waiting(robot, clock_s)

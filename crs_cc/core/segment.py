@@ -34,7 +34,7 @@ def nearest_fraction(
 
 
 def distance(across_x: Number, across_y: Number, along_x: Number, along_y: Number) -> FloatArray:
-    """Return how far places are from segments."""
+    """Return the distances of points to segments."""
     share = nearest_fraction(across_x, across_y, along_x, along_y)
     x, y = across_x - share * along_x, across_y - share * along_y
     return np.asarray(np.sqrt(x * x + y * y))

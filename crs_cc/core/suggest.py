@@ -39,7 +39,7 @@ def closest(name: str, known: Sequence[str]) -> str | None:
 
 
 def _changes(left: str, right: str) -> int:
-    """Return how many letters to insert, delete, replace or swap (Damerau 1964, adjacent swaps)."""
+    """Return the edit distance of two words with adjacent swaps (Damerau 1964)."""
     before, row = [0] * (len(right) + 1), list(range(len(right) + 1))
     for i, a in enumerate(left, start=1):
         older, before, row = before, row, [i]

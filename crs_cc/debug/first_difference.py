@@ -15,7 +15,7 @@ class ComparedRun(Protocol):
     """A run that returns its state at timesteps, in increasing order."""
 
     def facts(self, timesteps: Sequence[int]) -> list[Facts]:
-        """Return what can be compared at the starts of timesteps, in their order."""
+        """Return the comparable states at the starts of timesteps, in order."""
 
 
 class FirstDifference:

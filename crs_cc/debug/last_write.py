@@ -107,6 +107,6 @@ def _last_edit(run: RecordedRun, wanted: MemoryObject, before: Position) -> Writ
 
 
 def _sites_passed_at(run: RecordedRun, snapshot: Position, robot: int) -> int:
-    """Return how many statements of a program had started at a snapshot."""
+    """Return the number of statements of a program that had started at a snapshot."""
     programs = run.history.at(snapshot).session.programs
     return int(programs[robot].slot["statements"][0]) if robot < len(programs) else 0

@@ -96,7 +96,7 @@ def facts(run: RecordedRun, number: int, concern: Concern) -> Iterator[Fact]:
 
 
 def _obstructions(environment: Environment, robot: int) -> Iterator[Fact]:
-    """Return what stops a robot now."""
+    """Return the reason why a robot is stopped now."""
     drive, names = environment.state.drive, environment.names
     robots, things = np.divmod(environment.state.contacts_before, len(names))
     touched = ", ".join(names[each] for each in things[robots == robot].tolist())

@@ -15,7 +15,7 @@ MIN_REPEATS, MAX_REPEATS = 3, 10_000
 def repeated(
     view: View, name: str, wanted: MemoryObject, before: Position, function: str
 ) -> tuple[int, Write | None]:
-    """Return how often an object was last changed by itself in a function, and the first.
+    """Return the number of last self-dependent writes of an object in a function, and the first.
 
     Args:
         view: shows the run.

@@ -142,7 +142,7 @@ class StopPoints:
         *,
         location: bool = False,
     ) -> tuple[int, Watchpoint]:
-        """Return what an expression watches, and in the program of which robot.
+        """Return the watched object of an expression, and the robot of its program.
 
         Args:
             number: the number that identifies it.

@@ -389,7 +389,7 @@ class Why:
     def _moved(
         self, here: Position, number: int, depth: int, concern: Concern = "motion"
     ) -> Iterator[Cause]:
-        """Return what moved an object, or else what has to do with a value of it."""
+        """Return the cause of an object's motion, or else of its value."""
         self._run.seek(here)
         others = pushing_robots(self._run.session.environment, number)
         found = list(facts(self._run, number, concern))

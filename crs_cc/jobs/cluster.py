@@ -178,11 +178,11 @@ class Cluster:
                 self._client.cancel(list(numbers), force=True)
 
     def _room(self) -> int:
-        """Return how many tasks the cluster has room for, with those that wait for a thread."""
+        """Return the capacity of the cluster, including tasks that wait for a thread."""
         return _AHEAD * self.threads
 
     def outcome(self, future: Future[Outcome], number: int = 0) -> Outcome:
-        """Return what has become of a task that has ended.
+        """Return the outcome of a task that has ended.
 
         Raises:
             ClusterError: the cluster is lost, or cannot run jobs of this version.
@@ -213,7 +213,7 @@ class Started:
         self._future: Any = future  # without types
 
     def outcome(self) -> Outcome | None:
-        """Return what has become of it, or None if it has not ended.
+        """Return the outcome, or None if the task has not ended.
 
         Raises:
             ClusterError: the cluster is lost, or cannot run jobs of this version.

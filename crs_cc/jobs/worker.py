@@ -44,7 +44,7 @@ Work = Callable[[dict[str, Any], Callable[[], None]], dict[str, Any]]
 """Does a job; calls the function when it is prepared; returns the result."""
 
 BatchKey = Callable[[dict[str, Any]], str]
-"""Returns what a job has in common with others: one child does jobs with the same, unless empty."""
+"""Returns the batch key of a job: one child runs jobs with the same key, unless it is empty."""
 
 
 def serve(

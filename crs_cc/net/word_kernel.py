@@ -163,7 +163,7 @@ class WordKernel:
         return results
 
     def turns(self, partner: Partner) -> Turns:
-        """Return what runs programs, whose rows these are, in turn with this kernel.
+        """Return an object that runs the programs of these rows in turn with this kernel.
 
         Args:
             partner: this kernel as their partner.

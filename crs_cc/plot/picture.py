@@ -147,7 +147,7 @@ class PlotDrawing:
         return self.page.render()
 
     def scenery(self) -> Page:
-        """Return what does not move: the ground, all that is fixed, the legend."""
+        """Return the static parts: the ground, fixed objects, the legend."""
         with self._style():
             self._scenery(is_still=True)
             self._starts()

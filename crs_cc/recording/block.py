@@ -227,7 +227,7 @@ class _QuantizedFrames(NamedTuple):
                 yield topics.ODOMETRY, time_ns, data
 
     def prediction(self) -> OdometryPrediction | None:
-        """Return what the frames say of odometry at any time, None if they do not."""
+        """Return the odometry prediction by the frames; None if they have none."""
         if not (frames.is_grouped(self.true) and self.odometry.size):
             return None
         return OdometryPrediction(self.times_ns, self.true, self.some_ns, self.odometry)

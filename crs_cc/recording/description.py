@@ -156,7 +156,7 @@ def _program_of(row: str) -> tuple[str, tuple[tuple[str, ...], tuple[str, ...]]]
 
 
 def versions() -> dict[str, str]:
-    """Return what may change a run: Python, the kind of processor, our sources, packages."""
+    """Return versions that may affect a run: Python, the processor type, our sources, packages."""
     return {
         "python": platform.python_version(),
         "machine": platform.machine(),

@@ -31,7 +31,7 @@ def events_of(step: Step) -> Iterator[dict[str, Any]]:
 
 
 def marks_of(served: Served) -> Iterator[dict[str, Any]]:
-    """Yield what programs drew or erased by a request, as such events."""
+    """Yield events for the marks that programs drew or erased by a request."""
     if served.code == _DRAW:
         yield from _marks(served)
     elif served.code == _REFRESH:
@@ -39,7 +39,7 @@ def marks_of(served: Served) -> Iterator[dict[str, Any]]:
 
 
 def _erasures(served: Served) -> Iterator[dict[str, Any]]:
-    """Yield what erased all that programs had drawn."""
+    """Yield events that erased all marks."""
     rows = zip(
         served.robots.tolist(),
         served.clock_s.tolist(),
@@ -90,7 +90,7 @@ def _marks(served: Served) -> Iterator[dict[str, Any]]:
 
 
 def traffic_of(traffic: Records, posted: Sequence[Records]) -> dict[str, list[Any]]:
-    """Return what became of messages, by column, with the content of those that were sent.
+    """Return the outcomes of messages, by column, with the content of sent ones.
 
     Args:
         traffic: what became of messages, of dtype `TRAFFIC`.

@@ -92,7 +92,7 @@ class CalmPrograms:
         return verdict, ended
 
     def _turns_with(self, kernel: CalmKernel, partner: Partner) -> Turns:
-        """Return what runs the programs in turn with the kernel, as that has laid its tables."""
+        """Return the turns of the programs and the kernel, with its current tables."""
         records = kernel.address("records")
         if self._turns is None or self._turns[0] != records:
             self._turns = records, partner.turns(kernel.turn, records, self._robots)

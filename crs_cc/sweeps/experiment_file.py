@@ -112,7 +112,7 @@ def _experiment(data: dict[str, Any], path: Path) -> Experiment:
 
 
 def _check(experiment: Experiment) -> None:
-    """Check what concerns several keys.
+    """Check constraints between several keys.
 
     Raises:
         InvalidError: they contradict each other.

@@ -113,7 +113,7 @@ def _compact(row: Row) -> Row:
 
 
 def failures(rows: Iterable[Row]) -> list[tuple[str, str, list[Row]]]:
-    """Return what went wrong: status and first line of each error, and its rows, most first.
+    """Return the errors: status and first line of each, and its rows, the most frequent first.
 
     >>> failed = {"run": 1, "status": "limit", "error": "a: fuel"}
     >>> [found[:2] for found in failures([{"run": 0, "status": "ended"}, failed])]

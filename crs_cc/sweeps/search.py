@@ -123,7 +123,7 @@ def _suggested(trial: Trial, name: str, wanted: Range) -> float:
 
 
 def _sampler(search: Search, batch: int) -> BaseSampler:
-    """Return what chooses the trials of a batch, as a function of those before."""
+    """Return the sampler of a batch's trials, as a function of earlier ones."""
     import warnings
 
     from optuna.exceptions import ExperimentalWarning

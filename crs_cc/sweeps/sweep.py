@@ -444,7 +444,7 @@ class Sweep:
 
 
 def _pool(jobs: int, dask: str) -> Pool | Cluster:
-    """Return what runs tasks: processes of this machine, or a Dask cluster."""
+    """Return the executor of tasks: processes of this machine, or a Dask cluster."""
     if not dask:
         return Pool(_MODULE, jobs)
     from crs_cc.jobs.cluster import Cluster

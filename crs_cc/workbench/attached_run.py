@@ -129,11 +129,11 @@ class AttachedRun:
         self._changes.append(change)
 
     def changes(self) -> Sequence[Change]:
-        """Return what has been changed."""
+        """Return the changes."""
         return self._changes
 
     def panel(self) -> dict[str, Any] | None:
-        """Return what has been changed, what is degraded, and which links are blocked."""
+        """Return the changes, the degradations and the blocked links."""
         return panel(self._session.environment, self._changes)
 
     def branches(self) -> BranchFeeds:

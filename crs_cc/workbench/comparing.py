@@ -33,7 +33,7 @@ def other_feed(screen: Context, name: str) -> Feed:
 def distance_to_run(
     screen: Context, robot: int, name: str, *, begin_s: float, end_s: float, most: int
 ) -> Samples:
-    """Return how far a robot is from where it is in another run, over time [m].
+    """Return the distance between the positions of a robot in two runs, over time [m].
 
     Raises:
         DebugError: there is none of this name.

@@ -86,7 +86,7 @@ def common_robots(own: Feed, other: Feed) -> list[str]:
 def distance_to_run(
     own: Feed, other: Feed, robot: int, *, begin_s: float, end_s: float, most: int
 ) -> Samples:
-    """Return how far a robot is from where it is in another run, over time [m]."""
+    """Return the distance between the positions of a robot in two runs, over time [m]."""
     names = robots_of(own)[robot : robot + 1]
     if not names or names[0] not in robots_of(other):
         return [], []
@@ -159,7 +159,7 @@ Happening = tuple[float, str, str]
 
 
 def _events(feed: Feed) -> list[Happening]:
-    """Return what happened in the world, in its order."""
+    """Return the events of the world in order."""
     return [
         (round(time_s, 3), _name(feed, robot), text)
         for time_s, kind, robot, text, *_ in _of_the_world(feed.events())

@@ -67,7 +67,7 @@ def switch(screen: Context, name: str) -> None:
 
 
 def panel(environment: Environment, changes: Sequence[Change]) -> dict[str, Any]:
-    """Return what has been changed, what is degraded, and which links are blocked."""
+    """Return the changes, the degradations and the blocked links."""
     first = max(0, len(changes) - _MAX_CHANGES)
     return {
         "changes": [
@@ -115,7 +115,7 @@ def _time_s(environment: Environment, change: Change) -> float:
 
 
 def form(screen: Context, robot: int) -> dict[str, Any]:
-    """Return what of a robot can be degraded, and by which laws: the fields of a form."""
+    """Return the degradable devices of a robot and their laws: the fields of a form."""
     robots = screen.run.world.robots
     if not 0 <= robot < len(robots):
         raise DebugError(f"no robot {robot}")

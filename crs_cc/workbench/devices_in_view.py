@@ -47,7 +47,7 @@ def devices_in_view(environment: Environment, rows: Sequence[int], selected: int
 
 
 def _fingers(environment: Environment, rows: Sequence[int]) -> Iterator[tuple[int, float]]:
-    """Yield how far the fingers are apart [m]."""
+    """Yield the distance between the fingers [m]."""
     apart_m = gripper_of(environment.state).before_m
     if len(apart_m):
         for robot in rows:

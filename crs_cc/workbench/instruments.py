@@ -120,7 +120,7 @@ def history(
 
 
 def _distance_to_run(screen: Context, robot: int, expression: str, **span: Any) -> Samples:
-    """Return how far a robot is from where it is in another run; nothing if that is closed."""
+    """Return the distance between the positions of a robot in two runs; empty if one is closed."""
     try:
         return distance_to_run(screen, robot, expression.removeprefix(APART), **span)
     except DebugError:

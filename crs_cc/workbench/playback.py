@@ -141,7 +141,7 @@ class Playback:
         }
 
     def _speeds_mps(self, now_ns: int) -> list[float]:
-        """Return how fast the robots were lately."""
+        """Return the recent speeds of the robots."""
         frames = list(self._recording.frames(max(0, now_ns - _SPEED_NS), now_ns))
         if len(frames) < 2 or frames[0].values.shape != frames[-1].values.shape:
             return []

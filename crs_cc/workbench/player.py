@@ -112,7 +112,7 @@ class Player:
             self._run_jobs(wait_s=min(0.02, self._timestep_s / self.speed))
 
     def _due(self, now_s: float) -> int:
-        """Return how many timesteps may be taken now."""
+        """Return the number of timesteps that may be run now."""
         most = min(_MAX_TIMESTEPS, max(1, int(PIECE_S / self._cost_s))) if self._cost_s else 1
         if math.isinf(self.speed):
             return most

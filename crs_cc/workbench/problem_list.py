@@ -14,7 +14,7 @@ from crs_cc.core.source import Diagnostic
 def problems(
     builder: WorldBuilder, programs: Mapping[str, Sequence[dict[str, Any]]]
 ) -> list[dict[str, Any]]:
-    """Return what `crs check` reports on a world and its programs, blocking errors first.
+    """Return the messages of `crs check` on a world and its programs, blocking errors first.
 
     Args:
         builder: the world.

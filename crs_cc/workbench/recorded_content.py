@@ -173,7 +173,7 @@ def fields_in(
 def _messages(
     data: dict[str, Any], robots: tuple[str, ...], contents: MessageContents
 ) -> Iterator[list[Any]]:
-    """Yield what became of messages, as events."""
+    """Yield the outcomes of messages, as events."""
     columns = (data["time_s"], data["fate"], data["sender"], data["receiver"], contents.of(data))
     for time_s, fate, sender, receiver, content in zip(*columns, strict=True):
         names = [robots[each] if 0 <= each < len(robots) else "all" for each in (sender, receiver)]

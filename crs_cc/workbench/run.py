@@ -103,7 +103,7 @@ class Run(Protocol):
         """
 
     def changes(self) -> Sequence[Change]:
-        """Return what its user has changed, in the order of time; raise DebugError as `session`."""
+        """Return the user's changes, in the order of time; raise DebugError like `session`."""
 
     def panel(self) -> dict[str, Any] | None:
         """Return the contents of the control panel; None for runs that it cannot change."""

@@ -63,7 +63,7 @@ def _frames(debugger: Debugger) -> Iterator[dict[str, Any]]:
 
 
 def _error(debugger: Debugger) -> dict[str, Any] | None:
-    """Return what has stopped the selected robot's program, and the expression at fault."""
+    """Return the error that stopped the selected robot's program, and the expression at fault."""
     robot = debugger.view.robot
     if not debugger.run.has_failed(robot):
         return None

@@ -70,7 +70,7 @@ def world_data(world: WorldModel, names: Sequence[str]) -> dict[str, Any]:
 
 
 def _height_m(model: RobotModel) -> float:
-    """Return how high a robot is drawn."""
+    """Return the drawn height of a robot."""
     is_known = math.isfinite(model.height_m)
     return model.height_m if is_known else _SLENDERNESS * model.radius_m
 

@@ -83,6 +83,6 @@ def _named(folder: Path, space: str, address: str, server: str) -> Machine:
 
 
 def free_port() -> int:
-    """Return a port of this machine that nobody uses."""
+    """Return an unused port of this machine."""
     with socket.create_server(("127.0.0.1", 0)) as taken:
         return int(taken.getsockname()[1])

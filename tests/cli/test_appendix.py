@@ -84,7 +84,7 @@ except ConnectionClosed:
 robots = [each["id"] for each in hello["world"]["robots"]]
 print(json.dumps({"role": hello["role"], "robots": robots, "frames": frames}))
 """
-"""What stands for a browser: it looks at the run to its end."""
+"""A substitute for a browser, which views the run to its end."""
 
 
 @pytest.fixture(scope="module")

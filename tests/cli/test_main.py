@@ -200,7 +200,7 @@ def test_a_lack_of_address_space_is_reported(tmp_path: Path) -> None:
 
 
 def run_without_reader(*arguments: str, stderr: bool = False, **options: Any) -> tuple[int, str]:
-    """Return exit status and stderr of a crs whose output nobody reads."""
+    """Return exit status and stderr of a crs whose output is not read."""
     reader, writer = os.pipe()
     os.close(reader)
     errors = writer if stderr else subprocess.PIPE

@@ -1,4 +1,4 @@
-"""Hosts in the environment's own process: what they are given comes from elsewhere."""
+"""Hosts in the environment's own process, whose programs come from other machines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plot of a run is the same whether timesteps are told one by one or as passages."""
+"""The plot of a run does not depend on whether timesteps are reported singly or as passages."""
 
 from __future__ import annotations
 

@@ -76,7 +76,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def ran(
     capfd: pytest.CaptureFixture[str], place: str, *, include: str = ""
 ) -> tuple[str, dict[str, Any]]:
-    """Run the program that lies at a place; return its output, and all that came of it."""
+    """Run the program in a folder; return its output and all its results."""
     files = [f"{place}{name}" for name in ("drive.c", "turn.c", "room.xml")]
     status = main(["run", *files, "-I", include or f"{place}include", "--json"])
     out, err = capfd.readouterr()
@@ -106,7 +106,7 @@ def test_a_program_by_another_path_is_the_same_run(
 def test_command_line_and_python_reach_the_same_state(
     project: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    """Seed and arguments are the world's, if nothing else is said."""
+    """Seed and arguments are the world's by default."""
     Path("one.c").write_text(MAIN.replace("#include <shared.h>", SHARED).replace("turn()", "20"))
     assert main(["run", "one.c", "room.xml", "--json"]) == 0
     told = json.loads(capfd.readouterr().out)

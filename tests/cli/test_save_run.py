@@ -84,7 +84,7 @@ def test_breakpoints_are_in_the_recording_and_set_when_it_is_opened(
 
 
 def test_commands_of_breakpoints_are_not_saved() -> None:
-    """They would be executed by whoever opens a run of somebody else."""
+    """They would be executed by opening another user's run."""
     data = {"kind": KIND, "what": "breakpoint", "text": "main", "commands": "shell"}
     points = cast("StopPoints", FakePoints())
     restore_breakpoints(points, [data, data | {"what": "x"}, data | {"ignore": []}], 1)

@@ -1,4 +1,4 @@
-"""The control panel of a run that `crs serve` has: what pages change, and who may."""
+"""The control panel of a run of `crs serve`: the changes of pages, and their permissions."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ def page_of(run: Served) -> Iterator[Page]:
 def test_each_change_of_a_page_is_part_of_a_run_that_clients_drive(
     tmp_path: Path, line: Sequence[str], speed: str
 ) -> None:
-    """Even where time stands still until clients ask for something."""
+    """Even if simulated time waits for requests of clients."""
     threads = ThreadPoolExecutor(2)  # one waits for the other otherwise, for half a second
     with threads, served(tmp_path, line, speed) as run, page_of(run) as page:
         left, right = clients(run)

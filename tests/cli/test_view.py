@@ -117,7 +117,7 @@ with connect(f"ws://{address.netloc}/channel", subprotocols=offered, proxy=None)
         pass
 print(json.dumps({"joined_s": hello["end_s"], "end_s": end_s}))
 """
-"""What stands for a browser: it looks at a run to its end."""
+"""A substitute for a browser, which views a run to its end."""
 
 
 def test_viewers_attach_at_any_time_to_three_robots(tmp_path: Path) -> None:

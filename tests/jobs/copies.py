@@ -1,4 +1,4 @@
-"""Jobs that compute in a copy of their process: `how` says what happens there."""
+"""Jobs that compute in a copy of their process: `how` selects what happens there."""
 
 from __future__ import annotations
 

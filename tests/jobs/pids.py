@@ -1,4 +1,4 @@
-"""Jobs that tell which process does them: `name` says which are alike, `how` what goes wrong."""
+"""Jobs that report their process: `name` is the batch key, `how` the failure."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Computing in a copy of a process: what stays of it, and what becomes of both when one ends."""
+"""Computing in a copy of a process: its results, and the end of either process."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are n
 
 
 def done(*jobs: dict[str, Any], run_s: float = 60.0) -> list[Outcome]:
-    """Return what becomes of jobs, one after the other."""
+    """Return the outcomes of jobs, run in sequence."""
     with Pool("tests.jobs.copies", 1) as pool:
         return list(pool.run(Task({"how": "", **job}, 60.0, run_s) for job in jobs))
 

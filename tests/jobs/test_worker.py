@@ -1,4 +1,4 @@
-"""Processes that run jobs: which are done by the same one, and what becomes of those that end."""
+"""Processes that run jobs: batches in one process, and processes that end."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="one job a proce
 
 
 def done(*jobs: dict[str, Any], retries: int = 0) -> list[Outcome]:
-    """Return what becomes of jobs, one after the other."""
+    """Return the outcomes of jobs, run in sequence."""
     with Pool(MODULE, 1) as pool:
         return list(pool.run((Task(job, 60.0, 60.0) for job in jobs), retries))
 

@@ -54,7 +54,7 @@ class FaultyWire:
                 end.shutdown(socket.SHUT_RDWR)
 
     def _meddled(self, part: bytes) -> Iterator[bytes]:
-        """Yield what becomes of a piece; raise OSError where the wire is cut."""
+        """Yield the pieces that arrive in place of a piece; raise OSError if the wire is cut."""
         if self._random.random() >= self._often:
             yield part
             return

@@ -39,7 +39,7 @@ int main(void) { connect_robot(1); for (;;) { gs(); vm(100, 80, 0); } }
 TOKENS: Final = "robot 0123456789abcdef\nview fedcba9876543210\ncontrol 0f1e2d3c4b5a6978\n"
 WARM_S: Final = 60.0
 MORE_KB: Final = 20_000
-"""How much memory may be held more at the end than by a run that nobody disturbs; chosen by us."""
+"""The permitted excess of memory at the end, compared with an undisturbed run. Chosen by us."""
 RUN_KBPS: Final = 9.6
 """How fast the memory of such a run grows, by what pages can go back to; measured over 100 s."""
 

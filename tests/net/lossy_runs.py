@@ -65,7 +65,7 @@ def crs(folder: Path, *words: str) -> subprocess.Popen[bytes]:
 
 
 def is_usable(recording: Path) -> bool:
-    """Return whether a recording has a hash, at which a run can go on."""
+    """Return whether a recording has a hash, from which a run can be resumed."""
     try:
         opened = Recording(recording)
         try:

@@ -65,7 +65,7 @@ class Dask:
 
 
 def certificates(folder: Path) -> dict[str, str]:
-    """Make a certificate as docs/cluster.md says; return what that sets for Dask."""
+    """Make a certificate as in docs/cluster.md; return the resulting settings of Dask."""
     script = re.findall(r"```sh\n(.*?)```", PAGE.read_text(), re.DOTALL)[1]
     shown = subprocess.run(
         ["bash", "-ec", f"{script}env"], cwd=folder, capture_output=True, text=True, check=True

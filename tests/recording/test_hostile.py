@@ -67,7 +67,7 @@ def unpacked(content: bytes, reader: McapReader) -> bytes:
 
 
 def use(path: Path, target: Path) -> str:
-    """Do all that does not run programs; return what was said."""
+    """Perform all operations that do not run programs; return the messages."""
     try:
         recording = Recording(path)
     except CrsError as error:

@@ -1,4 +1,4 @@
-"""What robots said to each other is in a recording, its tables and its page."""
+"""The contents of messages are in a recording, its tables and its page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What robots believe, and what sensors tell of it, as the difference to what frames lead to."""
+"""Odometry, and the odometry in readings, as the difference from the prediction by frames."""
 
 from __future__ import annotations
 

@@ -117,7 +117,7 @@ def answers(served: Sequence[Served]) -> Records:
 def test_a_robot_that_is_added_while_nothing_moves_is_recorded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What is saved has no frames then; who is there is written in its place, not behind it."""
+    """The saved data has no frames then; the new roster replaces it, and does not follow it."""
     monkeypatch.setattr("crs_cc.recording.recording_file.BLOCK_S", 3.0)
     (tmp_path / "wait.c").write_text("#include <unistd.h>\nint main(void) { sleep(9); return 0; }")
     (tmp_path / "room.xml").write_text(WORLD)

@@ -104,7 +104,7 @@ def test_frames_are_exact_to_a_tenth_of_a_millimetre_and_of_a_milliradian(
 
 
 def test_numbers_out_of_range_are_written_without_a_warning() -> None:
-    """A file that somebody has changed may have any numbers."""
+    """A modified file may have any numbers."""
     strange = np.array([[1e308], [-np.inf], [np.nan]])
     strange.view(np.uint64)[2] = 0x7FF0000000000001  # signals when it is used
     with np.errstate(all="raise"):

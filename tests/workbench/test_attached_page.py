@@ -1,4 +1,4 @@
-"""The control panel of a run that goes on by itself, in a real browser."""
+"""The control panel of a live run, in a real browser."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Changes that pages make in a run that goes on by itself."""
+"""Changes that pages make in a live run."""
 
 from __future__ import annotations
 

@@ -617,7 +617,7 @@ def test_a_definitions_file_names_where_to_edit_them(browser: Any, tmp_path: Pat
 
 
 def test_a_drag_in_a_large_world_leaves_most_of_a_frame(browser: Any, tmp_path: Path) -> None:
-    """Everything was drawn anew for each frame of a drag."""
+    """Everything was redrawn for each frame of a drag."""
     boxes = "".join(
         f'<box x="{1 + number % 50}m" y="{1 + number // 50}m" length="40cm" width="30cm"/>'
         for number in range(2000)

@@ -1,4 +1,4 @@
-"""What pages of the world builder may ask for, and what they are told."""
+"""Commands of pages of the world builder, and the answers."""
 
 from __future__ import annotations
 
@@ -185,7 +185,7 @@ def test_a_run_that_cannot_start_reports_the_reason_and_cleans_up(tmp_path: Path
 def test_errors_of_a_trial_do_not_name_its_copy(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It was said of `.new.trial.xml`, a file that the user has not made."""
+    """They were reported for `.new.trial.xml`, which is not a file of the user's."""
     monkeypatch.chdir(tmp_path)
     builder = WorldBuilder.new(4, 3)
     builder.add("robot", x=1, y=1, program="no.c")

@@ -1,4 +1,4 @@
-"""What is known of a run: told once to every page, and within bounds."""
+"""The data of a run is sent once to every page, and is bounded."""
 
 from __future__ import annotations
 

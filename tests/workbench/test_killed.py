@@ -1,4 +1,4 @@
-"""A server or a browser that is killed: the other one notices, and goes on."""
+"""When a server or a browser is killed, the other one notices and continues."""
 
 from __future__ import annotations
 

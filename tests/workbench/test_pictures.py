@@ -1,4 +1,4 @@
-"""The pictures of pages in docs/images can be made anew."""
+"""The pictures of pages in docs/images can be regenerated."""
 
 from __future__ import annotations
 

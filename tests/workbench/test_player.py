@@ -1,4 +1,4 @@
-"""When a run goes on: pieces are short whatever the speed, and a pause holds."""
+"""Pieces of a run are short at any speed, and a pause stops it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Commands of pages, without a browser: who may do what, and what the run makes of it."""
+"""Commands of pages, without a browser: permissions, and effects on the run."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ WORLD = """<world version="1" timestep="50ms">
 
 
 class Page:
-    """A page without a browser: asks, and remembers what it is told."""
+    """A page without a browser: sends commands, and stores the received messages."""
 
     def __init__(self, line: ClientConnection) -> None:
         self.line, self.number = line, 0

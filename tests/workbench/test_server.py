@@ -1,4 +1,4 @@
-"""Who may connect to the server of the page, and what becomes of those who misbehave."""
+"""Connections to the server of the page: permissions, and invalid clients."""
 
 from __future__ import annotations
 

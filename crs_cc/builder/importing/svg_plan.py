@@ -47,7 +47,7 @@ class _Style:
 
 
 def read_svg(text: bytes, file: str, scale_m: float | None, thickness_m: float) -> PlanElements:
-    """Return what an SVG file shows.
+    """Return the shapes in an SVG file.
 
     Args:
         text: the file.

@@ -34,7 +34,7 @@ _SHOWN: Final = 2000  # bytes
 
 
 def graded_run(job: Job, compiled: Callable[[], None]) -> GradedRun:
-    """Return what has become of a run; call `compiled` when its program has been compiled.
+    """Return the outcome of a run; call `compiled` when its program has been compiled.
 
     Raises:
         WorldError: the world cannot be read.

@@ -80,7 +80,7 @@ class Grade:
         return self.worst.text
 
     def outcomes(self, case: int) -> list[GoalResult | None]:
-        """Return what has become of the goals of a case; None where it was not run."""
+        """Return the status of the goals of a case; None where it was not run."""
         goals = self.runs[case].goals
         return list(goals) if goals else [None] * len(self.cases[case].goals)
 

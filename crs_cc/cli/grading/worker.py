@@ -33,7 +33,7 @@ def _work(data: dict[str, Any], prepared: Callable[[], None]) -> dict[str, Any]:
 
 
 def _failure(error: Exception, job: Job) -> GradedRun:
-    """Return what has become of a run that has failed."""
+    """Return the outcome of a run that has failed."""
     # The compiler has a thread with a large stack.
     if isinstance(error, MemoryError) or "start new thread" in str(error):
         most = job.limits.max_memory >> 20

@@ -104,7 +104,7 @@ WITHOUT_EFFECT: Final = {
     "tui": "the full screen is laid out by the size of the terminal",
     "verbose": "there are no messages to add",
 }
-"""Settings that scripts for gdb often have, and why there is nothing to set."""
+"""Settings that are common in gdb scripts, and why they have no effect here."""
 
 _BY_NAME: Final = {each.name: each for each in SETTINGS}
 

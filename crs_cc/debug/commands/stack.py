@@ -226,7 +226,7 @@ def _listed(context: CommandContext, text: str) -> Location:
 
 
 def _further(listed: Listing, lines: int, *, is_back: bool) -> tuple[str, int, int]:
-    """Return what to list after, or before, what was listed last."""
+    """Return the lines to list after, or before, the last listing."""
     if listed.is_found and not is_back:
         return _around(listed.file, listed.first, lines)
     if not is_back:

@@ -195,7 +195,7 @@ def _remove(debugger: Debugger, obsolete: _ClientBreakpoint) -> None:
 
 
 def _counting(hits: str) -> dict[str, Any]:
-    """Return how a breakpoint counts its hits; raise DebugError if the hit condition is malformed.
+    """Return the hit counting of a breakpoint; raise DebugError if the hit condition is malformed.
 
     >>> _counting(""), _counting("3"), _counting(">= 3"), _counting(">3"), _counting("% 50")
     ({}, {'ignore': 2}, {'ignore': 2}, {'ignore': 3}, {'every': 50})

@@ -54,7 +54,7 @@ class ConvenienceFunctions:
         stack: Callable[[], Sequence[StackFrame]],
         robot: int,
     ) -> None:
-        """Store what they need.
+        """Store the data that the functions need.
 
         Args:
             evaluate: evaluates an argument.

@@ -50,7 +50,7 @@ class ExternalValues(Protocol):
         """Return whether the world has a robot or an object of that name."""
 
     def state(self, name: ExternalName) -> Hashable:
-        """Return what the type of a value depends on."""
+        """Return the data on which the type of a value depends."""
 
     def value(self, name: ExternalName) -> Value:
         """Return a value; raise DebugError if it does not exist or cannot be read."""

@@ -126,7 +126,7 @@ class StoppedMemory:
         )
 
     def patches(self) -> tuple[MemoryPatch, ...]:
-        """Return what has been written since `begin`, with its values now."""
+        """Return the memory written since `begin`, with its current values."""
         spans = {
             (address, len(content), bool(states)) for address, content, states in self._journal
         }

@@ -36,7 +36,7 @@ _UNITS: Final = {1: CHAR, 2: SHORT, 4: INT, 8: LLONG}
 
 
 def bytes_read(evaluator: Evaluator, text: str, frame: StackFrame | None) -> tuple[Span, ...]:
-    """Return what a statement reads to compute its value; nothing if that is not known."""
+    """Return the objects that a statement reads to compute its value; none if unknown."""
     value = value_of(text)
     if not value or calls(value):
         return ()
@@ -169,7 +169,7 @@ def part_within(address: int, size: int, span: Span) -> Span | None:
 def part_operands(
     evaluator: Evaluator, value: str, part: Span, frame: StackFrame | None
 ) -> list[str]:
-    """Return what a part of a struct's value was computed from; empty if that is not known.
+    """Return the source of a part of a struct's value; empty if unknown.
 
     That is the same part of the object that has the value, and what was read to find the object.
     """
@@ -207,7 +207,7 @@ def bytes_copied(
     frame: StackFrame | None,
     shown_as: CType | None = None,
 ) -> str | None:
-    """Return what `memcpy` has copied to some bytes, as an expression; None if it is not known.
+    """Return the source that `memcpy` copied to some bytes, as an expression; None if unknown.
 
     Args:
         evaluator: evaluates the arguments.

@@ -157,7 +157,7 @@ def _operands(text: str) -> Iterator[str]:
 
 
 def _inside(target: str) -> list[str]:
-    """Return what is read to find the object that is assigned to: its indices and pointers."""
+    """Return the operands that determine the assigned object: its indices and pointers."""
     own = _STEP.sub("", target).strip()
     return [each for each in operands(target) if each != own and not own.endswith(f" {each}")]
 

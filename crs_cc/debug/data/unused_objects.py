@@ -85,7 +85,7 @@ class UnusedObjects:
         whole[at : at + len(content)] = content
 
     def patches(self) -> tuple[MemoryPatch, ...]:
-        """Return what has changed since `begin`."""
+        """Return the changes since `begin`."""
         found = []
         for name, before in self._first.items():
             now = self._contents[name]

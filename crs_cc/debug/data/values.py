@@ -121,7 +121,7 @@ class Value:
 
     @property
     def child_count(self) -> int:
-        """Return how many parts it has."""
+        """Return the number of parts."""
         match self.type:
             case ArrayType():
                 size = self.type.element.size

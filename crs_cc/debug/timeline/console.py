@@ -74,7 +74,7 @@ class ReplayConsole:
 
     @property
     def piece_count(self) -> int:
-        """Return how many pieces have been written up to here."""
+        """Return the number of pieces written so far."""
         return self._at
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
@@ -138,7 +138,7 @@ class ReplayConsole:
             del asked_at[count:], self._reads[robot][count:]
 
     def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
-        """Return what a program can read, and how long a read waits [s], see `Session`."""
+        """Return the available input of a program, and how long a read waits [s], see `Session`."""
         known = self._reads.get(robot, [])[: self._read_at.get(robot, 0)]
         return self._waiting(robot, clock_s, sum(map(len, known)))
 
@@ -186,7 +186,7 @@ class ReplayConsole:
         return b"".join(piece for writer, _, piece in self.pieces(since) if writer == robot)
 
     def lines_before(self, piece: int) -> int:
-        """Return how many lines have ended before a piece of output, see `piece_count`."""
+        """Return the number of complete lines before a piece of output, see `piece_count`."""
         return self._content.count(b"\n", 0, self._ends[piece])
 
     def pieces(self, since: int = 0) -> Iterator[tuple[int, int, bytes]]:

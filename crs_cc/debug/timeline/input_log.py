@@ -216,7 +216,7 @@ class InputLog:
         return key is not None
 
     def rounds_in(self, timestep: int) -> int | None:
-        """Return how many rounds a timestep had; None if it is not logged."""
+        """Return the number of rounds of a timestep; None if it is not logged."""
         known = self._counts[timestep] if timestep < len(self._counts) else _UNKNOWN
         return None if known == _UNKNOWN else known
 

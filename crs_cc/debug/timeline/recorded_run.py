@@ -158,7 +158,7 @@ class RecordedRun:
         return now_s if math.isfinite(now_s) else session.time_s
 
     def sites_passed(self, robot: int) -> int:
-        """Return how many sites a robot's program has passed: statements and returns from calls."""
+        """Return the number of passed sites of a program: statements and returns from calls."""
         return int(self.session.fleet.slots["statements"][robot])
 
     # -- where programs stop -----------------------------------------------------------------
@@ -175,7 +175,7 @@ class RecordedRun:
             self.passed_sites.invalidate()
 
     def _sites(self) -> list[int]:
-        """Return how many sites each program has."""
+        """Return the number of sites of each program."""
         return [len(each.executable.detail().compiled.statements) for each in self.programs]
 
     def _scan_marks(self) -> None:

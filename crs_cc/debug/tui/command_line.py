@@ -41,7 +41,7 @@ class CommandLine(Input):
         """The user has ended the input: Ctrl-D in an empty line."""
 
     def __init__(self, complete: Complete, history: Sequence[str] = (), **arguments: str) -> None:
-        """Set what completes a line, and the lines typed before."""
+        """Set the completer of lines, and the history."""
         super().__init__(
             placeholder=_HINT,
             suggester=_Completions(complete),

@@ -74,7 +74,7 @@ def _codes(text: str) -> Iterator[str]:
 
 
 def shorter(content: str) -> str:
-    """Return what shows the same on a terminal, with shorter styles.
+    """Return an equivalent text for a terminal, with shorter style sequences.
 
     Args:
         content: text and escape sequences; the style is the default one before and after it.

@@ -105,7 +105,7 @@ def _pause(session: Session, robot: int) -> str:
 
 
 def _motion(environment: Environment, robot: int) -> str:
-    """Return how a robot's motors move it now."""
+    """Return the current motion of a robot's motors."""
     if not environment.state.presence.present[robot]:
         return "is absent"
     wheels = environment.state.drive.axes.speed[robot, :2]
@@ -233,7 +233,7 @@ def _echo(echo_m: float) -> str:
 
 
 def _devices(environment: Environment, robot: int, model: RobotModel) -> Iterator[Row]:
-    """Return what only some robots have: batteries, heat, grippers, messages."""
+    """Return the rows of only some robots: batteries, heat, grippers, messages."""
     state = environment.state
     batteries = ("computer_battery", "motor_battery")
     for name, charge in zip(batteries, environment.charges(robot), strict=True):

@@ -70,7 +70,7 @@ def firing_of(environment: Environment, robot: int, number: int) -> Firing:
 
 
 def sensor_texts(environment: Environment, robot: int, field: StateField) -> Iterator[str]:
-    """Return what else is known of a reading that a robot has just reported."""
+    """Return additional facts about a reading that a robot has just reported."""
     device, number = _device(field), _number(field)
     if device == "bumper":
         robots, things = np.divmod(environment.state.contacts_before, len(environment.names))

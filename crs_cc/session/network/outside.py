@@ -96,7 +96,7 @@ def send(network: Network, number: int, content: bytes, at_s: float) -> None:
 
 
 def send_space(network: Network, number: int) -> int:
-    """Return how many bytes can be sent on a connection now; 0 if it is not open."""
+    """Return the number of bytes that can be sent on a connection now; 0 if it is not open."""
     socket = network.state.sockets.get((OUTSIDE, number))
     if socket is None or socket.condition != "connected" or socket.cannot_send:
         return 0

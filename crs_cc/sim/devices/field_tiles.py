@@ -101,5 +101,5 @@ def _columns(flags: BoolArray) -> BoolArray:
 
 
 def _flow(difference: Int64Array, share: float) -> Int64Array:
-    """Return what flows along differences."""
+    """Return the flow along differences."""
     return (difference * share).astype(np.int64)

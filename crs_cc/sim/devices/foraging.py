@@ -106,7 +106,7 @@ class Foraging:
         return self._world.nests[nest]
 
     def sources(self, state: EnvState) -> tuple[SourceResult, ...]:
-        """Return what has become of the sources."""
+        """Return the current status of the sources."""
         foraging = state.foraging
         if foraging is None:
             return ()
@@ -117,7 +117,7 @@ class Foraging:
         )
 
     def nests(self, state: EnvState) -> tuple[NestResult, ...]:
-        """Return what has become of the nests."""
+        """Return the current status of the nests."""
         foraging = state.foraging
         if foraging is None:
             return ()
@@ -132,7 +132,7 @@ class Foraging:
         return np.asarray(np.minimum(foraging.left + self._new(foraging, state.cycle), self._most))
 
     def _new(self, foraging: ForagingState, cycle: int) -> Int64Array:
-        """Return how many times an item was due in each source, (sources,)."""
+        """Return the number of items due so far in each source, (sources,)."""
         return (cycle - foraging.since) // self._refill
 
     def _refill_up(self, foraging: ForagingState, cycle: int) -> None:

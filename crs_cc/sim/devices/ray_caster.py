@@ -77,7 +77,7 @@ class RayCaster:
         self._placed = -1
 
     def obstacles(self, state: EnvState) -> Obstacles:
-        """Return what beams can hit, at the start of the cycle."""
+        """Return the objects that beams can hit, at the start of the cycle."""
         if self._placed != state.cycle:
             self._place(state.bodies)
             self._placed = state.cycle
@@ -118,7 +118,7 @@ class RayCaster:
     def distances_m(
         self, state: EnvState, fan: Fan, poses: FloatArray, own: IndexArray
     ) -> FloatArray:
-        """Return what each beam of each robot measures at the start of the cycle.
+        """Return the measurements of all beams of robots at the start of the cycle.
 
         Args:
             state: has the poses of the bodies.

@@ -45,7 +45,7 @@ def is_calm(data: WorldData, devices: Iterable[str]) -> bool:
 
 
 def cycles_to_event(data: WorldData) -> int:
-    """Return how many cycles may end before the next event that is known."""
+    """Return the number of cycles that may end before the next known event."""
     state = data.state
     known_s = float(state.degradation.next_s), data.due_s, data.goals.due_s(state)
     event_s = min(*known_s, _wait_ends_s(data))

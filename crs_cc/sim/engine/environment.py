@@ -135,7 +135,7 @@ class Environment:
         return self._dispatcher.serve(code, robots, messages, clock_s)
 
     def calm_time(self, kernel: CalmKernel) -> CalmTime:
-        """Return what runs cycles with a kernel that takes turns with the programs."""
+        """Return an object that runs cycles in a kernel, in turn with the programs."""
         return CalmTime(self._running, self._dispatcher, kernel)
 
     def begin_calm(self, calm: CalmTime, cycles: int, *, keeps: bool, most: FloatArray) -> bool:

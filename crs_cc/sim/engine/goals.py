@@ -296,7 +296,7 @@ class GoalJudge:
     # -- time in which nothing is judged -----------------------------------------------------------
 
     def room_m(self, state: EnvState) -> float:
-        """Return how far robots may move in all before a goal has to be judged [m].
+        """Return the total distance that robots may move before a goal must be evaluated [m].
 
         Nothing else is to move, touch or change meanwhile, and `due_s` still to come. 0.0 if a goal
         has to be judged at the end of this timestep.
@@ -362,7 +362,7 @@ class GoalJudge:
     # -- results ---------------------------------------------------------------------------------
 
     def results(self, state: EnvState) -> tuple[GoalResult, ...]:
-        """Return what has become of the goals so far."""
+        """Return the current status of the goals."""
         if state.goals is None:
             return ()
         numbers = range(len(self._world.goals))
@@ -419,5 +419,5 @@ class GoalJudge:
 
 
 def _outside_m(place: Place, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
-    """Return how far points are from a place [m]; negative in it."""
+    """Return the distances of points to a place [m]; negative inside."""
     return np.asarray(exact.hypot(x_m - place.x_m, y_m - place.y_m) - place.radius_m)

@@ -75,7 +75,7 @@ def robot_element(model: RobotModel) -> Element:
 
 
 def _difference(model: RobotModel, again: RobotModel) -> str:
-    """Return what would be read again differently."""
+    """Return the parts that would not be read back unchanged."""
     for name, device in model.devices:
         if again.device(name) != device:
             return f"its device {name!r} would be read differently"

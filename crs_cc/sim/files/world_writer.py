@@ -96,7 +96,7 @@ def beacon_element(beacon: Light | Sound) -> Element:
 
 
 def _difference(world: WorldModel, again: WorldModel) -> str:
-    """Return what would be read again differently."""
+    """Return the parts that would not be read back unchanged."""
     for robot, other in zip(world.robots, again.robots, strict=False):
         if robot.model != other.model:
             name = robot.model.definition or SCOUT

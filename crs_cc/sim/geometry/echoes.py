@@ -113,7 +113,7 @@ class _Shapes:
         crosstalk: Points | None,
         echo_range: FloatArray | None,
     ) -> Self:
-        """Return what may be in the beams."""
+        """Return the candidates in the beams."""
         place, own, count = pings.place, pings.own, len(pings)
         if count == 1 and crosstalk is None:
             faces, circles = obstacles.segment_rows(place), obstacles.circle_rows(place, own)

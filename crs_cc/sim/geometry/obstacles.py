@@ -80,7 +80,7 @@ class Obstacles:
             yield part, self
 
     def _counts(self, place: ComplexArray) -> IndexArray:
-        """Return how many pairs each robot has at most."""
+        """Return the maximum number of pairs of each robot."""
         counts = self._segment_grid.counts(place) + self._circle_grid.counts(place)
         if len(self._moving.segment_rows):
             counts = counts + self._cells_of_segments().counts(place.real, place.imag)

@@ -54,7 +54,7 @@ class SightField:
         enough: Int32Array,
         moving: tuple[FloatArray, FloatArray] | None = None,
     ) -> IndexArray:
-        """Return how many objects are between the ends of lines, shape (k,).
+        """Return the number of objects between the ends of each line, shape (k,).
 
         Args:
             lines: x and y of their starts and of their ends [m], (k, 2) each.
@@ -86,7 +86,7 @@ class SightField:
         return place + size if size else 0
 
     def _count(self, place: int, lines: Lines, enough: Int32Array) -> IndexArray:
-        """Return how many objects lines meet, of those that lie at a place."""
+        """Return the number of objects that each line meets, of those at an address."""
         found, arena = np.empty(len(enough), dtype=np.intp), self._kernels.arena
         for first in range(0, len(enough), _LINES):
             part = slice(first, first + _LINES)
@@ -104,7 +104,7 @@ class SightField:
     def _divided(
         self, segments: FloatArray, circles: FloatArray, lines: Lines, enough: Int32Array
     ) -> IndexArray:
-        """Return how many objects lines meet, of more than there is room for at once."""
+        """Return the number of objects that each line meets, of more than fit at once."""
         self._end = 0
         if self._lay(segments, circles, _WORK):
             return self._count(_WORK, lines, enough)

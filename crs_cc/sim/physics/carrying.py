@@ -139,7 +139,7 @@ class Load:
             self._put(bodies, self.lifted, compose(hands, self.lift))
 
     def slip_m(self, bodies: Bodies) -> FloatArray:
-        """Return how far shared objects have slipped from the centre of the fingers, (s,)."""
+        """Return the slip of shared objects from the centre of the fingers, (s,)."""
         mounts = np.column_stack([bodies.position_m, bodies.angle_rad])
         fingers, points = np.zeros((2, len(self.sharers), 3))
         fingers[:, 0], points[:, :2] = self.grip_m, self.point_m

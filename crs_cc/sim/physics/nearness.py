@@ -91,7 +91,7 @@ class Nearness:
 
 
 def _reach_m(obj: Thing) -> float:
-    """Return how far an object reaches from the origin of its frame."""
+    """Return the reach of an object from the origin of its frame."""
     if isinstance(obj, Cylinder):
         return obj.radius_m
     corners_m = own_corners_m(obj)

@@ -44,7 +44,7 @@ def tables(results: Results) -> Iterator[Table]:
 
 
 def failed(rows: Sequence[Row]) -> Table:
-    """Return what went wrong: each error once, the most frequent first."""
+    """Return the errors: each once, the most frequent first."""
     return Table(
         "Failures",
         ("status", "error", "runs", "first", "with"),
@@ -112,7 +112,7 @@ def scaling(results: Results) -> Table:
 
 
 def comparisons(results: Results) -> Table:
-    """Return how combinations differ, in pairs."""
+    """Return the differences between combinations, in pairs."""
     named = zip(results.labels, results.groups, strict=True)
     pairs = list(itertools.combinations(named, 2))
     found = [comparison(first.values, second.values) for (_, first), (_, second) in pairs]

@@ -88,7 +88,7 @@ class Comparison:
 
 
 def comparison(first: Sequence[float], second: Sequence[float]) -> Comparison:
-    """Return how two groups compare."""
+    """Return the comparison of two groups."""
     from scipy.stats import mannwhitneyu
 
     found = mannwhitneyu(first, second)
@@ -97,7 +97,7 @@ def comparison(first: Sequence[float], second: Sequence[float]) -> Comparison:
 
 
 def required_sample_size(effect: float) -> int | None:
-    """Return how many values in each of two groups show an effect with a power of 80 %.
+    """Return the sample size per group that shows an effect with a power of 80 %.
 
     The formula is Noether's for the Mann-Whitney test (Sample size determination for some common
     nonparametric tests, 1987, JASA 82, 645-647), with half of the values in each group.

@@ -113,7 +113,7 @@ FILES: dict[str, str | bytes] = {
 
 
 def hand_in(folder: Path) -> Path:
-    """Write all submissions; return their folder. Beside it lies a file that they may not read."""
+    """Write all submissions; return their folder. Beside it is a file that they may not read."""
     (folder / "secret.h").write_text("#error the secret is 4711\n")
     submissions = folder / "submissions"
     for name, content in FILES.items():

@@ -1,4 +1,4 @@
-"""What `docs/teaching.md` shows works, and does what it says."""
+"""The examples in `docs/teaching.md` work as described."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Clients of these tests ask without a pause, so nobody has to wait long for them."""
+"""Clients of these tests send requests without pauses, so the timeout for them is short."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ class Heat:
 
 
 def heat_and_tag(root: Element, reader: Reader) -> Heat | None:
-    """Return what the element of a robot definition describes, None without it."""
+    """Return the sensor that an element of a robot definition describes; None without it."""
     element = root.find_child("heat")
     if element is None:
         return None
