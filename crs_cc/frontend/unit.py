@@ -25,7 +25,7 @@ from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.unit import check_unit
 from crs_cc.frontend.error_limit import CompilationAborted
 from crs_cc.frontend.lower.unit import lower_unit
-from crs_cc.frontend.parse.lexer import lex
+from crs_cc.frontend.parse.header_memory import lex_program
 from crs_cc.frontend.parse.parser import parse
 from crs_cc.frontend.preprocess.macro_notes import add_macro_notes
 from crs_cc.frontend.preprocess.options import Options
@@ -142,11 +142,11 @@ def _check(unit: Unit, source: Preprocessed) -> None:
     if not source.is_complete:
         _stop_on_errors(unit)
     unit.diagnostics.stage = "parsing"
-    tokens = lex(source.text, source.location, unit.diagnostics, unit.standard)
+    tokens, headers = lex_program(source, unit.diagnostics, unit.standard)
     if unit.dialect == "report":
         tokens = with_body(tokens, unit.name, unit.diagnostics)
     try:
-        nodes = parse(tokens, unit.diagnostics, unit.standard)
+        nodes = parse(tokens, unit.diagnostics, unit.standard, headers)
     finally:
         if unit.dialect != "report" and unit.diagnostics.errors:
             suggest_dialect(tokens, unit.diagnostics)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Final, NoReturn
 
 from pycparser import c_ast
@@ -11,6 +11,7 @@ from pycparser.c_parser import CParser
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.parse.attributes import Attributes
 from crs_cc.frontend.parse.gnu_attributes import take_attributes
+from crs_cc.frontend.parse.header_memory import HeaderTokens, unaffected
 from crs_cc.frontend.parse.keyword_typos import KeywordTypos
 from crs_cc.frontend.parse.lexer import Token
 from crs_cc.frontend.parse.nodes import (
@@ -49,6 +50,8 @@ class ExpressionGrammar(CParser):  # type: ignore[misc]
         diagnostics: Diagnostics,
         standard: str = "gnu17",
         type_names: Iterable[str] = (),
+        *,
+        headers: Mapping[Token, HeaderTokens] | None = None,
     ) -> None:
         """Take the tokens, out of which attributes are taken and kept apart.
 
@@ -57,8 +60,10 @@ class ExpressionGrammar(CParser):  # type: ignore[misc]
             diagnostics: receives the messages.
             standard: the C standard, a key of `STANDARDS`.
             type_names: further names that are types.
+            headers: the parts of the file that come from our headers, by their first tokens.
         """
         rest, before = take_attributes(tokens, diagnostics)
+        self._headers = unaffected(headers, before) if headers else {}
         stream = self._stream = TokenStream(rest, [*PREDECLARED_TYPES, *type_names])
         super().__init__(dialect="c23")
         self._standard = standard

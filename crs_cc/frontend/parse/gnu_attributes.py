@@ -92,30 +92,52 @@ def take_attributes(
     waiting: list[Attribute] = []
     pack = _Pack()
     index = 0
-    while index < len(tokens):
-        token = tokens[index]
-        is_bracketed = token.type == "LBRACKET" and _opens_attributes(tokens, index)
-        if token.value != KEYWORD and not is_bracketed:
-            rest.append(token)
-            index += 1
-            if waiting:
-                before[token] = waiting
-                waiting = []
-            if pack.align and token.type in {"STRUCT", "UNION"}:
-                waiting.append(Attribute(PACK, token.location, value=pack.align))
+    for start in [number for number, token in enumerate(tokens) if token.value in _OPENING]:
+        is_bracketed = tokens[start].type == "LBRACKET"
+        if start < index or (is_bracketed and not _opens_attributes(tokens, start)):
             continue
-        inside, index = _inside(tokens, index if is_bracketed else index + 1)
+        waiting = _keep(tokens[index:start], rest, before, waiting, pack.align)
+        inside, index = _inside(tokens, start if is_bracketed else start + 1)
         if inside is None:
-            diagnostics.error(token.location, f"expected '((' after '{KEYWORD}'")
+            text = f"expected '((' after '{KEYWORD}'"
+            diagnostics.error(tokens[start].location, text)
             continue
         for attribute in _split(inside):
             if attribute.name == PACK:
                 pack.apply(attribute, diagnostics)
             elif attribute.name == ASM_LABEL or _accepts(attribute, diagnostics):
                 waiting.append(attribute)
+    _keep(tokens[index:], rest, before, waiting, pack.align)
     return rest, before
 
 
+def _keep(
+    tokens: Sequence[Token],
+    rest: list[Token],
+    before: dict[Token, list[Attribute]],
+    waiting: list[Attribute],
+    align: int,
+) -> list[Attribute]:
+    """Append tokens between attributes, the first of which those that are waiting precede.
+
+    Returns:
+        The attributes that wait for the next token.
+    """
+    rest += tokens
+    if waiting and tokens:
+        before[tokens[0]] = waiting
+        waiting = []
+    if align:
+        for number, token in enumerate(tokens, 1):
+            if token.type in {"STRUCT", "UNION"}:
+                found = [Attribute(PACK, token.location, value=align)]
+                if number == len(tokens):
+                    return found
+                before[tokens[number]] = found
+    return waiting
+
+
+_OPENING: Final = frozenset({KEYWORD, "["})
 _DEPTH: Final = {"LPAREN": 1, "RPAREN": -1, "LBRACKET": 1, "RBRACKET": -1}
 
 

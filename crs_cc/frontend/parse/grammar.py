@@ -15,6 +15,7 @@
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Sequence
 from typing import Any
 
 from pycparser import c_ast
@@ -22,6 +23,7 @@ from pycparser.c_parser import ParseError
 
 from crs_cc.frontend.error_limit import CompilationAborted, report
 from crs_cc.frontend.parse.declaration_grammar import DeclarationGrammar
+from crs_cc.frontend.parse.header_memory import HeaderTokens, Parse
 from crs_cc.frontend.parse.nodes import ComputedGoto, LocalLabels, Node
 from crs_cc.frontend.parse.recovery import skip_broken
 
@@ -37,17 +39,35 @@ class Grammar(DeclarationGrammar):
         """
         found: list[Node] = []
         try:
-            while self._peek() is not None:
-                start = self._stream.index
-                try:
-                    found.extend(self._parse_external_declaration())
-                except ParseError:
-                    self._stream.close_scopes(1)
-                    found.append(skip_broken(self._stream, start, is_in_block=False))
+            while (token := self._peek()) is not None:
+                header = self._headers.get(token)
+                found.extend(self._declarations() if header is None else self._header(header))
         except RecursionError:
             text = "the program is nested too deeply here"
             self._diagnostics.error(self._stream.location(), text)
             raise CompilationAborted from None
+        return found
+
+    def _declarations(self) -> list[Node]:
+        """Parse an external declaration, or skip it if it has a syntax error."""
+        start = self._stream.index
+        try:
+            return self._parse_external_declaration()
+        except ParseError:
+            self._stream.close_scopes(1)
+            return [skip_broken(self._stream, start, is_in_block=False)]
+
+    def _header(self, header: HeaderTokens) -> Sequence[Node]:
+        """Parse the declarations of a header, or remember them from an earlier file."""
+        known = header.recall(self._stream)
+        if known is not None:
+            return known
+        found: list[Node] = []
+        parse = Parse(header, self._stream)
+        while self._peek() is not None and not parse.is_over():
+            found.extend(self._declarations())
+        if not self._diagnostics.messages:
+            parse.remember(found)
         return found
 
     def expression(self) -> Node | None:

@@ -116,7 +116,11 @@ def _types(standard: str) -> dict[str, str]:
 
 
 def lex(
-    text: str, locate: Locate, diagnostics: Diagnostics, standard: str = "gnu17"
+    text: str,
+    locate: Locate,
+    diagnostics: Diagnostics,
+    standard: str = "gnu17",
+    first_line: int = 1,
 ) -> list[Token]:
     """Return the tokens of a preprocessed file.
 
@@ -125,11 +129,12 @@ def lex(
         locate: returns the user's location for a line and column of the text.
         diagnostics: receives errors; invalid tokens are left out.
         standard: the C standard, which determines the keywords.
+        first_line: the line of the whole file that the text starts with.
     """
     tokens: list[Token] = []
     append = tokens.append
     types = _types(standard)
-    for lineno, line in enumerate(text.split("\n"), 1):
+    for lineno, line in enumerate(text.split("\n"), first_line):
         for found in _TOKEN.finditer(line):
             kind = found.lastindex
             if kind is None:

@@ -15,16 +15,28 @@ a.c:1:18: error: expected ';' after '0'
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.parse.grammar import Grammar
+from crs_cc.frontend.parse.header_memory import HeaderTokens
 from crs_cc.frontend.parse.lexer import Token
 from crs_cc.frontend.parse.nodes import Node
 
 
-def parse(tokens: Sequence[Token], diagnostics: Diagnostics, standard: str = "gnu17") -> list[Node]:
+def parse(
+    tokens: Sequence[Token],
+    diagnostics: Diagnostics,
+    standard: str = "gnu17",
+    headers: Mapping[Token, HeaderTokens] | None = None,
+) -> list[Node]:
     """Return the external declarations of a preprocessed file.
+
+    Args:
+        tokens: the file.
+        diagnostics: receives the messages.
+        standard: the C standard, a key of `STANDARDS`.
+        headers: the parts of the file that come from our headers, by their first tokens.
 
     Returns:
         The declarations; a `Broken` for each one with a syntax error.
@@ -32,7 +44,7 @@ def parse(tokens: Sequence[Token], diagnostics: Diagnostics, standard: str = "gn
     Raises:
         CompilationAborted: too many errors, or too deep a nesting.
     """
-    return Grammar(tokens, diagnostics, standard).translation_unit()
+    return Grammar(tokens, diagnostics, standard, headers=headers).translation_unit()
 
 
 def parse_expression(

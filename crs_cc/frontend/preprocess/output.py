@@ -13,13 +13,13 @@ r"""The preprocessed program, with a map back to the user's files.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.preprocess.macros import Macro
-from crs_cc.frontend.preprocess.source_text import Position, SourceMap
+from crs_cc.frontend.preprocess.source_text import Position, SourceMap, SourceText
 from crs_cc.frontend.preprocess.tokens import NAME, NUMBER, PUNCTUATOR, Token
 
 
@@ -29,6 +29,51 @@ class _TokenLine:
 
     columns: list[int]
     positions: list[Position]
+
+
+def _position(mapped: Position | _TokenLine, row: str, column: int) -> Position:
+    """Return where a column of a line of output comes from."""
+    if isinstance(mapped, _TokenLine):
+        return mapped.positions[bisect_right(mapped.columns, max(column, 1)) - 1]
+    return mapped + min(max(column, 1) - 1, len(row))
+
+
+@dataclass(frozen=True, slots=True)
+class HeaderLines:
+    """Consecutive lines of output that come from one of our headers.
+
+    Attributes:
+        first: the line of `Preprocessed.text` that is the first one here, counted from 1.
+        text: the lines.
+    """
+
+    first: int
+    text: str
+    _rows: list[str]
+    _lines: list[Position | _TokenLine]
+    _source: SourceText
+
+    def location(self, line: int, column: int) -> Location:
+        """Return what `Preprocessed.location` does, without a reference to the whole program."""
+        row = line - self.first
+        return self._source.location(_position(self._lines[row], self._rows[row], column))
+
+    def content(self) -> Hashable:
+        """Return all that these lines are: equal for lines whose tokens and locations are equal.
+
+        None if some of their tokens come from another file.
+        """
+        start, size = self._source.start, self._source.size
+        places: list[object] = []
+        for each in self._lines:
+            if isinstance(each, _TokenLine):
+                offsets = [position - start for position in each.positions]
+                if min(offsets) < 0 or max(offsets) > size:
+                    return None
+                places.append((tuple(each.columns), tuple(offsets)))
+            else:
+                places.append(each - start)
+        return self.text, tuple(places), self._source.name, tuple(self._source.line_starts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,12 +129,30 @@ class Preprocessed:
         if line > len(self._lines):
             line, column = len(self._lines), 1 << 30
         row = max(line, 1) - 1
-        mapped = self._lines[row]
-        if isinstance(mapped, _TokenLine):
-            index = bisect_right(mapped.columns, max(column, 1)) - 1
-            return self._source_map.location(mapped.positions[index])
-        offset = min(max(column, 1) - 1, len(self._rows[row]))
-        return self._source_map.location(mapped + offset)
+        position = _position(self._lines[row], self._rows[row], column)
+        return self._source_map.location(position)
+
+    def pieces(self) -> Iterator[str | HeaderLines]:
+        """Yield the program's lines, those of one of our headers together."""
+        start, source = 0, None
+        low = high = -1
+        for row, mapped in enumerate(self._lines):
+            position = mapped.positions[0] if isinstance(mapped, _TokenLine) else mapped
+            if low <= position <= high:
+                continue
+            if row > start:
+                yield self._piece(start, row, source)
+            start, source = row, self._source_map.text(position)
+            low, high = source.start, source.start + source.size
+        if self._lines:
+            yield self._piece(start, len(self._lines), source)
+
+    def _piece(self, start: int, stop: int, source: SourceText | None) -> str | HeaderLines:
+        rows = self._rows[start:stop]
+        text = "\n".join(rows)
+        if source is None or not source.is_ours:
+            return text
+        return HeaderLines(start + 1, text, rows, self._lines[start:stop], source)
 
     def macro_uses(self) -> dict[Location, Sequence[Macro]]:
         """Return the macros that were replaced, by the location of the call."""

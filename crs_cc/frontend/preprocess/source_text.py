@@ -81,6 +81,7 @@ class SourceText:
         lines: its logical lines, without comments. A newline inside a comment is a vertical tab.
         line_starts: the offset of each line of the file in the logical text.
         unclosed_comment: the position of a comment without end.
+        is_ours: whether it is one of our headers.
     """
 
     name: str
@@ -89,6 +90,7 @@ class SourceText:
     lines: list[str]
     line_starts: list[int]
     unclosed_comment: Position | None
+    is_ours: bool = False
 
     def location(self, position: Position) -> Location:
         """Return the line and column of a position in this file."""
@@ -104,7 +106,7 @@ class SourceMap:
     texts: list[SourceText] = field(default_factory=list)
     _starts: list[Position] = field(default_factory=list)
 
-    def add(self, name: str, content: str) -> SourceText:
+    def add(self, name: str, content: str, *, is_ours: bool = False) -> SourceText:
         """Append the content of a file with newlines as line ends."""
         start = self.texts[-1].start + self.texts[-1].size + 1 if self.texts else 0
         joined, line_starts = _join_lines(content)
@@ -116,6 +118,7 @@ class SourceMap:
             blanked.split("\n"),
             line_starts,
             None if unclosed is None else start + unclosed,
+            is_ours,
         )
         self.texts.append(text)
         self._starts.append(start)
@@ -123,7 +126,11 @@ class SourceMap:
 
     def location(self, position: Position) -> Location:
         """Return the file, line and column of a position."""
-        return self.texts[bisect_right(self._starts, position) - 1].location(position)
+        return self.text(position).location(position)
+
+    def text(self, position: Position) -> SourceText:
+        """Return the file of a position."""
+        return self.texts[bisect_right(self._starts, position) - 1]
 
 
 def _join_lines(content: str) -> tuple[str, list[int]]:

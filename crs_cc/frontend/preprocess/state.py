@@ -134,16 +134,18 @@ class State:
                 self.report.error(position, f"'{header.path}' is not a text file")
                 return
             text = self._texts[header.file] = self.add_text(
-                self.headers.options.name(header.path), decode(content)
+                self.headers.options.name(header.path),
+                decode(content),
+                is_ours=header.content is not None or header.root in self.headers.system_paths,
             )
         self.open(text, header.path.parent, header, position)
 
-    def add_text(self, name: str, content: str) -> SourceText:
+    def add_text(self, name: str, content: str, *, is_ours: bool = False) -> SourceText:
         """Record the text of a file, so that messages can show its lines."""
         self.report.diagnostics.lines[name] = printable(content).split("\n")
         if self.strict:
             content = without_trigraphs(content)
-        text = self.report.source_map.add(name, content)
+        text = self.report.source_map.add(name, content, is_ours=is_ours)
         if text.unclosed_comment is not None:
             self.report.error(text.unclosed_comment, "unterminated comment: missing '*/'")
         return text
