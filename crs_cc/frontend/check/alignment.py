@@ -39,7 +39,8 @@ def alignment(unit: Unit, node: Node) -> int:
 
 def attributes(node: Node) -> list[Attribute]:
     """Return the attributes of a declaration, struct or union."""
-    return [each for each in getattr(node, "attributes", None) or [] if type(each) is Attribute]
+    found = getattr(node, "attributes", None)
+    return [each for each in found if type(each) is Attribute] if found else []
 
 
 def has_attribute(node: Node, name: str) -> bool:

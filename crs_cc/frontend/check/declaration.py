@@ -73,8 +73,14 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
         if ctype is None:
             _declare_tag(unit, node)
     _do(effects, out)
-    if ctype is None:
-        return
+    if ctype is not None:
+        declare_as(unit, node, ctype, out)
+
+
+def declare_as(
+    unit: Unit, node: Node, ctype: CType, out: list[tree.Statement] | None = None
+) -> None:
+    """Check a declaration whose declarator has a type; see `declare`."""
     storage = set(node.storage or []) - ({"auto"} if _is_auto(node.type) else set())
     location = unit.at_name(node)
     if len(_STORAGE_CLASSES & storage) > 1:  # C17 6.7.1p2

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from crs_cc.frontend.check import constant
 from crs_cc.frontend.check.alignment import attributes
-from crs_cc.frontend.check.asm_label import alias, asm_label
+from crs_cc.frontend.check.asm_label import alias, label_among
 from crs_cc.frontend.check.checker import CheckError, Unit
 from crs_cc.frontend.check.scope import Format, FunctionSymbol
 from crs_cc.frontend.parse.gnu_attributes import Attribute
@@ -22,11 +22,14 @@ def apply_attributes(unit: Unit, symbol: FunctionSymbol, node: Node) -> None:
     Raises:
         CheckError: one of them is invalid.
     """
-    symbol.link_name = asm_label(node) or symbol.link_name
-    symbol.alias = alias(node) or symbol.alias
     if "_Noreturn" in (node.funcspec or []):
         symbol.is_noreturn = True
-    for each in attributes(node):
+    found = attributes(node)
+    if not found:
+        return
+    symbol.link_name = label_among(found) or symbol.link_name
+    symbol.alias = alias(node) or symbol.alias
+    for each in found:
         match each.name:
             case "noreturn":
                 symbol.is_noreturn = True

@@ -24,13 +24,14 @@ from crs_cc.frontend.check.declaration import (
 from crs_cc.frontend.check.declarator import declared_type, parameter_type
 from crs_cc.frontend.check.function_attributes import apply_attributes
 from crs_cc.frontend.check.nested import convert_nested, declare_nested, enter
+from crs_cc.frontend.check.prototype import declare_prototype
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefName
 from crs_cc.frontend.check.statements import check_labels, record_block, statement
 from crs_cc.frontend.check.tag import static_assert
 from crs_cc.frontend.check.type_compat import compatible, is_promoted
 from crs_cc.frontend.check.unsupported import refused
 from crs_cc.frontend.parse.keywords import INLINE
-from crs_cc.frontend.parse.nodes import PREDECLARED_TYPES, Broken, Node
+from crs_cc.frontend.parse.nodes import PREDECLARED_TYPES, Broken, Node, Prototype
 from crs_cc.frontend.preprocess.options import is_c90
 from crs_cc.ir.types import (
     DOUBLE,
@@ -261,6 +262,7 @@ EXTERNAL: Final[dict[type, External]] = {
     c_ast.Decl: declare,
     c_ast.FuncDef: function_definition,
     c_ast.Pragma: _nothing,
+    Prototype: declare_prototype,
     c_ast.StaticAssert: static_assert,
     c_ast.Typedef: typedef,
 }

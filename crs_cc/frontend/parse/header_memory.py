@@ -1,7 +1,7 @@
 """Remembers, for the process, the syntax trees of our headers, most of what a small program is.
 
-A tree is used again only where it could not be another: for lines of the same text, name and place
-in their file (whatever macros and options made them so), where each name in them is a type or
+A tree is used again only where it could not be another: for lines of the same text from the same
+places of a header (whatever macros and options made them so), where each name in them is a type or
 not, or is unknown, as it was before. Trees are remembered only from files without any message
 so far, and never change. Their nodes' locations are those in the header, which are the same in
 every program.
@@ -18,7 +18,7 @@ from pycparser import c_ast
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.parse.gnu_attributes import Attribute
 from crs_cc.frontend.parse.lexer import Token, lex
-from crs_cc.frontend.parse.nodes import Node
+from crs_cc.frontend.parse.nodes import Node, Prototype
 from crs_cc.frontend.parse.token_stream import NAMES, TokenStream
 from crs_cc.frontend.preprocess.gnu import PACK
 from crs_cc.frontend.preprocess.output import HeaderLines, Preprocessed
@@ -70,11 +70,6 @@ class _Piece:
 _pieces: dict[Hashable, _Piece] = {}
 
 
-def forget() -> None:
-    """Forget all headers."""
-    _pieces.clear()
-
-
 def remembered() -> tuple[int, int]:
     """Return the number of pieces of headers that are remembered, and the most trees of one."""
     return len(_pieces), max((len(each.trees) for each in _pieces.values()), default=0)
@@ -93,7 +88,7 @@ class HeaderTokens:
         if known is None:
             return None
         stop = stream.index + len(known.kinds)
-        if stream.buffer[stop - 1] is not self.last:  # attributes differ
+        if stream.buffer[stop - 1 : stop] != [self.last]:  # tokens were added or taken out
             return None
         for token, kind in zip(stream.buffer[stream.index : stop], known.kinds, strict=True):
             token.type = kind
@@ -124,8 +119,8 @@ class Parse:
         after = zip(piece.names, self._before, piece.meanings(stream), strict=True)
         declared = {name: now for name, before, now in after if now is not None and now != before}
         kinds = tuple(token.type for token in stream.buffer[self._start : stream.index])
-        _limit(piece.trees, MAX_TREES)
-        piece.trees[self._before] = _Tree(tuple(nodes), kinds, declared)
+        tree = _Tree(tuple(map(_shared, nodes)), kinds, declared)
+        _put(piece.trees, self._before, tree, MAX_TREES)
 
 
 def lex_program(
@@ -172,8 +167,8 @@ def _lex_header(
         return tokens, None
     words = tuple((each.type, each.value, each.lineno - first, each.column) for each in tokens)
     names = tuple(dict.fromkeys(each.value for each in tokens if each.type in NAMES))
-    _limit(_pieces, MAX_PIECES)
-    piece = _pieces[content, standard] = _Piece(words, names)
+    piece = _Piece(words, names)
+    _put(_pieces, (content, standard), piece, MAX_PIECES)
     return tokens, piece
 
 
@@ -198,7 +193,13 @@ def _is_constant(node: Node) -> bool:
     return isinstance(node, c_ast.Typedef)
 
 
-def _limit(known: dict[Key, Value], most: int) -> None:
-    """Forget the oldest entries."""
-    while len(known) >= most:
-        del known[next(iter(known))]
+def _shared(node: Node) -> Node:
+    """Return the node of a declaration for later programs."""
+    return Prototype(node) if isinstance(node.type, c_ast.FuncDecl) else node
+
+
+def _put(known: dict[Key, Value], key: Key, value: Value, most: int) -> None:
+    """Enter a value, and forget the oldest ones of too many."""
+    for oldest in list(known)[: max(0, len(known) - most + 1)]:
+        known.pop(oldest, None)  # perhaps another thread has
+    known[key] = value

@@ -95,3 +95,22 @@ class Range(OwnNode):
         super().__init__(coord)
         self.first = first
         self.last = last
+
+
+class Prototype(OwnNode):
+    """The declaration of a function in one of our headers, which several programs share.
+
+    Attributes:
+        declaration: the declaration.
+        known: the type of the function and those of the type names in it, in an earlier program,
+            if they can be the same in another one.
+        is_checked: whether an earlier program had it.
+    """
+
+    __slots__ = ("declaration", "is_checked", "known")
+
+    def __init__(self, declaration: Any) -> None:
+        super().__init__(declaration.coord)
+        self.declaration = declaration
+        self.known: tuple[Any, dict[str, Any]] | None = None
+        self.is_checked = False

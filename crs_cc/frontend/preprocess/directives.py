@@ -17,16 +17,22 @@ from crs_cc.frontend.preprocess.condition import ConditionError, evaluate, resol
 from crs_cc.frontend.preprocess.embed import embed
 from crs_cc.frontend.preprocess.feature_tests import HEADER, resolve_features
 from crs_cc.frontend.preprocess.gnu import KEYWORD, PACK
-from crs_cc.frontend.preprocess.macros import FEATURE_TESTS, RESERVED, read_definition
+from crs_cc.frontend.preprocess.macros import FEATURE_TESTS, RESERVED, Macro, read_definition
 from crs_cc.frontend.preprocess.output import WeakName
 from crs_cc.frontend.preprocess.regular_file import Refusal
-from crs_cc.frontend.preprocess.source_text import Position
+from crs_cc.frontend.preprocess.source_text import OUR_HEADERS, Position
 from crs_cc.frontend.preprocess.state import State
 from crs_cc.frontend.preprocess.tokens import NAME, NUMBER, STRING, Token, shown, spell, tokenise
 
 _DIRECTIVE: Final = re.compile(r"[ \t\v\f]*(?:#|%:)[ \t\v\f]*(\w*)")
 _PRAGMAS_WITH_MEANING: Final = frozenset({"redefine_extname"})
 _ASSERTIONS: Final = frozenset({"assert", "unassert"})
+MAX_DEFINITIONS: Final = 20_000
+"""How many definitions of our headers are remembered."""
+
+_definitions: Final[dict[Position, Macro]] = {}
+"""The macros of our headers, by the position after `#define`, which is that of no other text."""
+
 MAX_LINE: Final = (1 << 31) - 1
 """The largest line number that `#line` can set (C17 6.10.4)."""
 
@@ -84,13 +90,25 @@ def run_directive(state: State, text: str, position: Position) -> bool:
 
 
 def _define(state: State, line: _Line) -> None:
+    macro = _definitions.get(line.rest_position) or _definition(state, line)
+    if macro is not None:
+        state.define(macro)
+
+
+def _definition(state: State, line: _Line) -> Macro | None:
+    """Return the macro of a definition, and remember it if it is in one of our headers."""
     tokens = line.tokens()
     if not tokens:
         state.report.error(line.position, "'#define' must be followed by a name")
-        return
+        return None
+    before = len(state.report.diagnostics.messages)
     macro = read_definition(tokens, state.report)
-    if macro is not None:
-        state.define(macro)
+    is_faultless = len(state.report.diagnostics.messages) == before
+    if macro is not None and is_faultless and line.position >= OUR_HEADERS:
+        if len(_definitions) >= MAX_DEFINITIONS:
+            _definitions.clear()
+        _definitions[line.rest_position] = macro
+    return macro
 
 
 def _undef(state: State, line: _Line) -> None:

@@ -61,19 +61,19 @@ class HeaderLines:
     def content(self) -> Hashable:
         """Return all that these lines are: equal for lines whose tokens and locations are equal.
 
-        None if some of their tokens come from another file.
+        The positions in our headers are those of no other text. None if some tokens come from
+        another file.
         """
-        start, size = self._source.start, self._source.size
+        start, end = self._source.start, self._source.start + self._source.size
         places: list[object] = []
         for each in self._lines:
             if isinstance(each, _TokenLine):
-                offsets = [position - start for position in each.positions]
-                if min(offsets) < 0 or max(offsets) > size:
+                if min(each.positions) < start or max(each.positions) > end:
                     return None
-                places.append((tuple(each.columns), tuple(offsets)))
+                places.append((tuple(each.columns), tuple(each.positions)))
             else:
-                places.append(each - start)
-        return self.text, tuple(places), self._source.name, tuple(self._source.line_starts)
+                places.append(each)
+        return self.text, tuple(places)
 
 
 @dataclass(frozen=True, slots=True)

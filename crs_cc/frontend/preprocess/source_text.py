@@ -5,6 +5,9 @@ Lines with a continuation are joined, and comments become white space of the sam
 character in the concatenated texts of a run. It is cheap to store, and `SourceMap` maps it to a
 file, line and column on demand.
 
+Each of our own headers has positions that no other text has, the same in every run of a process, so
+that what was made of it can be used again.
+
 >>> positions = SourceMap()
 >>> text = positions.add("a.c", "int a; /* two\nlines */ int \\\n  b;\n")
 >>> text.lines
@@ -18,11 +21,21 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from dataclasses import dataclass, field
+from functools import lru_cache
+from itertools import count
 from typing import Final
 
 from crs_cc.core.source import Location
 
 Position = int
+
+OUR_HEADERS: Final = 1 << 40
+"""The first position in our own headers; there is not that much source in a program."""
+
+_REGION: Final = 1 << 24
+"""The distance of the starts of our headers, more than the size of any file."""
+
+_regions: Final = count(OUR_HEADERS, _REGION)
 
 _COMMENT_OR_QUOTE: Final = re.compile(
     r"""//[^\n]*
@@ -81,7 +94,6 @@ class SourceText:
         lines: its logical lines, without comments. A newline inside a comment is a vertical tab.
         line_starts: the offset of each line of the file in the logical text.
         unclosed_comment: the position of a comment without end.
-        is_ours: whether it is one of our headers.
     """
 
     name: str
@@ -90,7 +102,11 @@ class SourceText:
     lines: list[str]
     line_starts: list[int]
     unclosed_comment: Position | None
-    is_ours: bool = False
+
+    @property
+    def is_ours(self) -> bool:
+        """Whether it is one of our headers."""
+        return self.start >= OUR_HEADERS
 
     def location(self, position: Position) -> Location:
         """Return the line and column of a position in this file."""
@@ -101,27 +117,24 @@ class SourceText:
 
 @dataclass(slots=True)
 class SourceMap:
-    """All texts of a run, concatenated."""
+    """All texts of a run, concatenated; our headers follow all others."""
 
     texts: list[SourceText] = field(default_factory=list)
+    _by_start: list[SourceText] = field(default_factory=list)
     _starts: list[Position] = field(default_factory=list)
+    _end: Position = 0
 
     def add(self, name: str, content: str, *, is_ours: bool = False) -> SourceText:
         """Append the content of a file with newlines as line ends."""
-        start = self.texts[-1].start + self.texts[-1].size + 1 if self.texts else 0
-        joined, line_starts = _join_lines(content)
-        blanked, unclosed = _blank_comments(joined)
-        text = SourceText(
-            name,
-            start,
-            len(joined),
-            blanked.split("\n"),
-            line_starts,
-            None if unclosed is None else start + unclosed,
-            is_ours,
-        )
+        if is_ours:
+            text = _our_header(name, content)
+        else:
+            text = _logical(name, content, self._end)
+            self._end += text.size + 1
         self.texts.append(text)
-        self._starts.append(start)
+        index = bisect_right(self._starts, text.start)
+        self._starts.insert(index, text.start)
+        self._by_start.insert(index, text)
         return text
 
     def location(self, position: Position) -> Location:
@@ -130,7 +143,32 @@ class SourceMap:
 
     def text(self, position: Position) -> SourceText:
         """Return the file of a position."""
-        return self.texts[bisect_right(self._starts, position) - 1]
+        return self._by_start[bisect_right(self._starts, position) - 1]
+
+
+@lru_cache(maxsize=256)
+def _our_header(name: str, content: str) -> SourceText:
+    """Return the text of one of our headers, at positions that no other text has."""
+    return _logical(name, content, next(_regions))
+
+
+def forget_headers() -> None:
+    """Give our headers new positions, so that nothing that was made of them is used again."""
+    _our_header.cache_clear()
+
+
+def _logical(name: str, content: str, start: Position) -> SourceText:
+    """Return the text of a file that starts at a position."""
+    joined, line_starts = _join_lines(content)
+    blanked, unclosed = _blank_comments(joined)
+    return SourceText(
+        name,
+        start,
+        len(joined),
+        blanked.split("\n"),
+        line_starts,
+        None if unclosed is None else start + unclosed,
+    )
 
 
 def _join_lines(content: str) -> tuple[str, list[int]]:

@@ -12,7 +12,12 @@ import pytest
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.parse import header_memory
+from crs_cc.frontend.preprocess import directives, macros
+from crs_cc.frontend.preprocess.macros import Macro
 from crs_cc.frontend.preprocess.options import Options
+from crs_cc.frontend.preprocess.report import Report
+from crs_cc.frontend.preprocess.source_text import forget_headers
+from crs_cc.frontend.preprocess.tokens import Token
 from crs_cc.frontend.unit import compile_file, compile_text
 from crs_cc.ir.text import to_text
 from crs_cc.ir.verify import verify
@@ -49,6 +54,18 @@ PROGRAMS = {
     "a conflict": "#include <stdio.h>\nint printf(double);\nstruct FILE *f; FILE *g = f;",
     "statements alone": '#include <stdio.h>\nprintf("a");\nint x = 3;\nprintf("%d", x);',
     "names": "#include <stdio.h>\n#include <string.h>\nint f(void) { return strlne(stdinn); }",
+    "a macro before": "#define EOF 3\n#include <stdio.h>\nint x = EOF;",
+    "a macro after": "#include <stdio.h>\n#define EOF 3\nint x = EOF;",
+    "no macro after": "#include <stdio.h>\n#undef EOF\nint x = EOF;",
+    "another size_t": "typedef short size_t;\n#include <string.h>\nint x = sizeof strlen(0);",
+    "a size_t by that name": "#define size_t mine\n#include <string.h>\nmine x = sizeof strlen(0);",
+    "a struct of the same name": "struct tm { char c; };\n#include <time.h>\nstruct tm x;",
+    "a struct": "#include <time.h>\nint f(struct tm *t) { return mktime(t) + t->tm_sec; }",
+    "an enum constant": "enum { strlen, RAND_MAX };\n#include <string.h>\nint x = strlen;",
+    "another function": "#include <string.h>\nstatic int strlen(int n) { return n; }\n"
+    "int f(void) { return strlen(2); }",
+    "noreturn": "#include <stdlib.h>\nint f(int x) { if (x) exit(1); else abort(); }",
+    "format": '#include <stdio.h>\nint f(long x) { return printf("%d%s", x); }',
     "twice": "#include <assert.h>\n#include <assert.h>\n#include <complex.h>\nint f(void) {"
     " assert(creal(1) > 0); return 0; }",
 }
@@ -64,9 +81,9 @@ VARIANTS = {
 @pytest.fixture(autouse=True)
 def empty() -> Iterator[None]:
     """Forget what other tests have compiled, and what this one has."""
-    header_memory.forget()
+    forget_headers()
     yield
-    header_memory.forget()
+    forget_headers()
 
 
 def outcome(source: str | Path, options: Options = OPTIONS) -> tuple[str, ...]:
@@ -84,7 +101,7 @@ def outcome(source: str | Path, options: Options = OPTIONS) -> tuple[str, ...]:
 
 
 def alone(source: str | Path, options: Options = OPTIONS) -> tuple[str, ...]:
-    header_memory.forget()
+    forget_headers()
     return outcome(source, options)
 
 
@@ -92,7 +109,7 @@ def alone(source: str | Path, options: Options = OPTIONS) -> tuple[str, ...]:
 def test_a_program_is_the_same_whatever_was_compiled_before(variant: str) -> None:
     options = VARIANTS[variant]
     expected = {name: alone(source, options) for name, source in PROGRAMS.items()}
-    header_memory.forget()
+    forget_headers()
     for order in (list(PROGRAMS), list(reversed(PROGRAMS))):
         for name in order:
             assert outcome(PROGRAMS[name], options) == expected[name], name
@@ -101,7 +118,7 @@ def test_a_program_is_the_same_whatever_was_compiled_before(variant: str) -> Non
 def test_a_program_is_the_same_after_the_same_with_other_options() -> None:
     source = PROGRAMS["plain"] + " int y = sizeof(NULL);"
     expected = {name: alone(source, options) for name, options in VARIANTS.items()}
-    header_memory.forget()
+    forget_headers()
     for name in [*VARIANTS, *reversed(VARIANTS)]:
         assert outcome(source, VARIANTS[name]) == expected[name], name
 
@@ -110,7 +127,7 @@ def test_programs_with_all_headers_are_the_same_in_either_order() -> None:
     paths = sorted(Path("tests/c/valid/library").glob("*.c"))[::6]
     paths += sorted(Path("samples/scout_c").glob("*.c"))[::4]
     expected = {path: alone(path) for path in paths}
-    header_memory.forget()
+    forget_headers()
     for path in [*paths, *reversed(paths)]:
         assert outcome(path) == expected[path], path
 
@@ -122,6 +139,19 @@ def test_a_header_is_parsed_once(monkeypatch: pytest.MonkeyPatch) -> None:
     outcome(PROGRAMS["further down"])
     assert [text for text in read if "printf(const" in text] == []
     assert len(read) == 2  # the lines before and after the headers
+
+
+def test_a_definition_is_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    expected = outcome(PROGRAMS["a macro after"])
+    read: list[str] = []
+
+    def read_definition(tokens: list[Token], report: Report) -> Macro | None:
+        read.append(tokens[0].text)
+        return macros.read_definition(tokens, report)
+
+    monkeypatch.setattr(directives, "read_definition", read_definition)
+    assert outcome(PROGRAMS["a macro after"]) == expected
+    assert read == ["EOF"]  # that of the program itself
 
 
 def test_a_file_of_the_user_with_the_name_of_a_header_is_read(tmp_path: Path) -> None:
