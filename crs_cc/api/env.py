@@ -132,7 +132,7 @@ class Env:
 
         Args:
             actions: of each robot, one number for each axis, clipped to its limit; a robot without
-                an action goes on. Those of robots that are not in the world have no effect.
+                an action continues. Those of robots that are not in the world have no effect.
 
         Raises:
             TypeError: the actions are not a dictionary.

@@ -280,7 +280,7 @@ class Session(Edits):
 
     @property
     def goals(self) -> tuple[GoalResult, ...]:
-        """What has become of the world's goals so far."""
+        """The current status of the world's goals."""
         return self.inner.goals
 
     def result(self) -> RunResult:

@@ -184,7 +184,7 @@ class _Host:
         self._output.flush()
 
     def _status(self, host: ProgramHost, robots: Sequence[str], ended: Any) -> int:
-        """Report what has become of the programs, and return the exit status."""
+        """Report the results of the programs, and return the exit status."""
         statuses, running = list[int](), list[str]()
         for robot, (name, outcome) in enumerate(zip(robots, ended, strict=True)):
             if outcome["failed"]:

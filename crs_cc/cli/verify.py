@@ -158,7 +158,7 @@ class _Rerun:
         return ReplayMismatch.at(Location(str(self._recording.path)), text, hint)
 
     def _lost_host(self, timesteps: int) -> str:
-        """Return what has become of a host up to some timestep that was not waited for."""
+        """Return the recorded loss of a host before a timestep, if the run did not wait for it."""
         from crs_cc.net.host_link import HOST_LOST
         from crs_cc.recording import topics
 

@@ -194,8 +194,8 @@ class Navigator:
             stops, text = self._accept(hit, counts)
             if stops:
                 hits.append(hit)
-                told = self._describe_hit(hit) if hit.watch_hit else hit.text
-                texts.extend(each for each in (told, text) if each)
+                shown = self._describe_hit(hit) if hit.watch_hit else hit.text
+                texts.extend(each for each in (shown, text) if each)
         if not hits:
             return None
         first = hits[0]

@@ -55,7 +55,7 @@ class Task:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What has become of a task.
+    """The outcome of a task.
 
     Attributes:
         number: its place among all tasks, from 0.

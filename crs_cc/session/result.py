@@ -81,9 +81,9 @@ class RunResult:
             what it wrote to them, its clock, its fuel, when its request arrives,
             its last robot call and its exit status; and of the network, if programs use it.
             Standard output and standard input are not part of it.
-        goals: what has become of the world's goals, in the world's order.
-        sources: what has become of its sources.
-        nests: what has become of its nests.
+        goals: the status of the world's goals, in the world's order.
+        sources: the status of its sources.
+        nests: the status of its nests.
     """
 
     robots: tuple[RobotResult, ...]

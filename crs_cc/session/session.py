@@ -173,7 +173,7 @@ class Session:
 
     @property
     def goals(self) -> tuple[GoalResult, ...]:
-        """What has become of the world's goals so far."""
+        """The current status of the world's goals."""
         return self.environment.goals
 
     def result(self) -> RunResult:

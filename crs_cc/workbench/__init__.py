@@ -32,8 +32,8 @@ How a panel is added: a module in `static/panels/` that exports its row (`id`, `
 `static/panels/index.js`. `make(root, model, look, page)` fills its element; it listens by
 `model.on("status", draw)` (`model.js` lists the kinds) and acts by `await model.request("name",
 {field: value})`. What it asks for is a row of the table in `commands.py`: name, summary, function,
-fields, and whether it needs the token for control. What it must be told besides is a message,
-`screen.server.broadcast_latest("kind", message("kind", ...))`, which the model hands on when it has
-a method `hear_kind`. A key is a row in `static/keys.js`, a picture over the world a row in
+fields, and whether it needs the token for control. Other data that it needs is sent as a message,
+`screen.server.broadcast_latest("kind", message("kind", ...))`, which the model handles in
+a method `handle_kind`. A key is a row in `static/keys.js`, a picture over the world a row in
 `static/overlay.js`. A command of the debugger needs no row: `page.console(line)`.
 """

@@ -132,7 +132,7 @@ class _ProgramRun:
         )
 
     def run(self, mark: str) -> GradedRun:
-        """Run to the end; return what has become of it."""
+        """Run to the end; return the outcome."""
         session, text, place = self._session, "", Location("")
         result: Result = "ended"
         if self._recorder is not None:

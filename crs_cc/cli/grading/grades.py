@@ -38,7 +38,7 @@ class Grade:
     Attributes:
         submission: the submission.
         cases: what it was run in.
-        runs: what has become of each of these runs.
+        runs: the outcome of each of these runs.
         identical: the names of submissions with the same program, apart from names and comments.
         files: the recording of each run, relative to the folder of runs; empty for none.
     """

@@ -135,14 +135,14 @@ class Job:
 
 @dataclass(frozen=True, slots=True)
 class GradedRun:
-    """What has become of a run.
+    """The outcome of a run.
 
     Attributes:
         result: how it ended.
         message: why, if it did not just end.
         file: the submission's file that the message is about; empty for none.
         line: the line in it; 0 for none.
-        goals: what has become of the world's goals; empty if it has not been run.
+        goals: the status of the world's goals; empty if it has not been run.
         simulated_s: how long it ran [s].
         picture: the plot, SVG; empty if it has not been run.
         fingerprint: equal for equal programs; empty if it could not be found out.

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class SourceResult:
-    """What has become of a source.
+    """The status of a source.
 
     Attributes:
         id: its name in the world.
@@ -42,7 +42,7 @@ class SourceResult:
 
 @dataclass(frozen=True, slots=True)
 class NestResult:
-    """What has become of a nest.
+    """The status of a nest.
 
     Attributes:
         id: its name in the world.

@@ -1,9 +1,9 @@
 """Calm time: cycles of few robots that are executed entirely in a kernel.
 
-While it is calm, see `calm_moments`, and kernels know all that the world has, robots drive as they
-are told: then the kernel of `kernels/calm.c` answers requests, fires sonars and ends cycles, in
-turn with the programs, until one of them asks for something else, or something is near a robot or
-due that kernels do not know. It leaves that unchanged, and the general code continues.
+While it is calm, see `calm_moments`, and kernels support everything in the world, robots drive as
+commanded: then the kernel of `kernels/calm.c` answers requests, fires sonars and ends cycles, in
+turn with the programs, until one of them makes another request, or something is near a robot or due
+that kernels do not support. The kernel leaves that unchanged, and the general code continues.
 
 The rows of robots are copied into the kernel's memory, and back.
 """

@@ -283,17 +283,17 @@ class Environment:
 
     @property
     def goals(self) -> tuple[GoalResult, ...]:
-        """What has become of the goals so far."""
+        """The current status of the goals."""
         return self._data.goals.results(self.state)
 
     @property
     def sources(self) -> tuple[SourceResult, ...]:
-        """What has become of the sources so far."""
+        """The current status of the sources."""
         return self._data.devices.foraging.sources(self.state)
 
     @property
     def nests(self) -> tuple[NestResult, ...]:
-        """What has become of the nests so far."""
+        """The current status of the nests."""
         return self._data.devices.foraging.nests(self.state)
 
     @property

@@ -64,7 +64,7 @@ _DECIMALS: Final = 9  # of a time that is a number of timesteps
 
 @dataclass(frozen=True, slots=True)
 class GoalResult:
-    """What has become of a goal.
+    """The status of a goal.
 
     Attributes:
         id: its name in the world.
@@ -200,7 +200,7 @@ class GoalJudge:
         return np.asarray(can & (self._outside_m(number, state) <= 0.0))
 
     def _outside_m(self, number: int, state: EnvState) -> FloatArray:
-        """Return how far robots are from the place of a goal, or from near its object [m].
+        """Return the distances of robots to the place of a goal, or to the range of its object [m].
 
         It is negative in it.
         """

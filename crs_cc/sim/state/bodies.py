@@ -86,7 +86,7 @@ class Bodies:
         )
 
     def put(self, rows: IndexArray, robots: IndexArray, part: Self) -> None:
-        """Take over what has become of a part."""
+        """Copy the results of a part."""
         for name in ("position_m", "angle_rad", "velocity_mps", "spin_radps"):
             getattr(self, name)[rows] = getattr(part, name)
         self.slipping[robots], self.touching[robots] = part.slipping, part.touching

@@ -3,7 +3,7 @@ import { el } from "crs/dom.js";
 
 /**
  * Make a change, and report the result.
- * @param {any} model @param {string} text @returns {Promise<string>} what is wrong; empty if it was made
+ * @param {any} model @param {string} text @returns {Promise<string>} the error; empty if it was made
  */
 export async function change(model, text) {
   const { end } = model.state;
@@ -19,7 +19,7 @@ export async function change(model, text) {
   }
 }
 
-/** Make a change, and show what is wrong over the view. */
+/** Make a change, and show its error over the view. */
 export async function changeOrSay(model, text) {
   const wrong = await change(model, text);
   if (wrong) model.notify(wrong, true);
@@ -29,7 +29,7 @@ export async function changeOrSay(model, text) {
 let fields = 0;
 
 /**
- * A labelled field with a place for its unit and for what is wrong with it.
+ * A labelled field with a place for its unit and its error.
  * @param {string} label @param {any} input @param {string} unit
  */
 export function field(label, input, unit = "") {

@@ -19,7 +19,7 @@ export class Clock {
     this.updatedAt = 0;
   }
 
-  /** @param {any} state @param {boolean} isLocal whether it comes with every picture */
+  /** @param {any} state @param {boolean} isLocal whether it is received with every picture */
   update(state, isLocal) {
     const now = performance.now() / 1000;
     const elapsed = now - this.updatedAt;

@@ -20,7 +20,7 @@ export class Compared {
     this.model = model;
     this.look = look;
     this.page = page;
-    /** @type {any} the search for variables: how far it is, what it has found, what is wrong */
+    /** @type {any} the search for variables: its progress, result and error */
     this.exact = null;
     this.isSearching = false;
     this.refresh = oneAtATime(() => this.fetchComparison());

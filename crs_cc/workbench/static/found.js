@@ -14,7 +14,7 @@ export class Found {
   /**
    * Ask when something was so; mark the answer.
    * @param {string} name of the command: `when`, `log_messages`, `hits` @param {Record<string, any>} fields @param {string} title
-   * @returns {Promise<string>} what is wrong; empty if the question was answered
+   * @returns {Promise<string>} the error; empty if there is none
    */
   async search(name, fields, title) {
     const { model, page } = this;

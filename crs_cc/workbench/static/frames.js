@@ -139,7 +139,7 @@ export class Frames {
     this.tail = [];
   }
 
-  /** Discard what comes after a time. */
+  /** Discard frames after a time. */
   truncate(time, blocks) {
     this.blocks = blocks.map(([number, begin, end]) => [begin, end, number]);
     this.tail = this.tail.filter((frame) => frame.time <= time);

@@ -79,7 +79,7 @@ export class Instruments {
     try {
       this.note(await this.model.channel.request("inspect", { robot, expressions: expressions.join("\n") }), expressions);
     } catch {
-      this.now = null; // the robot is no more, or the programs of a recording stand elsewhere
+      this.now = null; // the robot has left, or the programs of a recording are at another time
     }
     try {
       for (const wish of this.shownWishes()) await this.catchUp(robot, wish); // it may want what the answer has named
@@ -134,7 +134,7 @@ export class Instruments {
       return typeof value === "string" && texts[0] === null && !NO_VALUE.includes(value) ? value : "";
     } catch (error) {
       if (isAtLine(expression)) return error.message;
-      return ""; // it is not known while the programs stand elsewhere
+      return ""; // it is not known while the programs are at another time
     }
   }
 
@@ -150,7 +150,7 @@ export class Instruments {
 
   /**
    * Read what is missing of expressions in a span: the run goes there and back, a piece at a time,
-   * the latest at first, while it stands.
+   * the latest first, while it is stopped.
    * @param {string[]} expressions @param {number} begin @param {number} end
    * @param {number} patience after which it stops [ms]
    */
@@ -209,7 +209,7 @@ export class Instruments {
   }
 }
 
-/** Quantities of the robot itself, which stand before variables of the same name. */
+/** Quantities of the robot itself, which hide variables of the same name. */
 export const OWN = ["speed", "turn", "battery", "clearance", "pose.x", "pose.y", "pose.heading", "sonar.0", "sonar.1"];
 
 /** Whether an expression is that of a line: `error at go.c:12`. @param {string} expression */

@@ -65,7 +65,7 @@ export class Look {
     return (heat) => heatColour(heat / most);
   }
 
-  /** The sensors of robots, by their rows, as they were told last. */
+  /** The last received sensors of robots, by their rows. */
   get sensors() {
     const { first, sensors } = this.model.status;
     return {
@@ -75,12 +75,12 @@ export class Look {
     };
   }
 
-  /** What is drawn of devices, as it was told last. */
+  /** The last received drawings of devices. */
   get devices() {
     return this.model.status.devices;
   }
 
-  /** The pheromone fields that are shown: as they were told last, or as recorded. @returns {import("./field_map.js").FieldMap[]} */
+  /** The displayed pheromone fields: the last received or recorded ones. @returns {import("./field_map.js").FieldMap[]} */
   get fields() {
     return this.show.fields && !this.isInfrared ? (this.devices?.fields ?? this.recorded.at(this.time)) : [];
   }

@@ -1,4 +1,4 @@
-/** The paths that robots have come, some seconds back. */
+/** The paths of robots in the last seconds. */
 
 const SECONDS = 20;
 const MAX = 64; // robots

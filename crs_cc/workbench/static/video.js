@@ -11,7 +11,7 @@ export function saveFile(blob, name) {
   setTimeout(() => URL.revokeObjectURL(url), 5000);
 }
 
-/** Draw views side by side, as they stand. @param {any[]} views @param {any} canvas */
+/** Draw views side by side, as they are. @param {any[]} views @param {any} canvas */
 export function paintViews(views, canvas, background) {
   const boxes = views.map((view) => view.element.getBoundingClientRect());
   const [left, top] = [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top))];

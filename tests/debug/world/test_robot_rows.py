@@ -53,7 +53,8 @@ def test_rows_of_a_robot_that_drives_and_waits(drives) -> None:
     assert rows["connected"] == "yes"
     assert rows["command"] == "pr, timestep 31 of 61"  # it came a moment after 0
     assert rows["program"].endswith(
-        "drives.c: the robot drives while ws waits for right and left to stop, at most until 60.000 s"
+        "drives.c: the robot drives while ws waits for right and left to stop, "
+        "at most until 60.000 s"
     )
     assert rows["driven"] == "0.254 m, 0 collisions"
     (right, left) = next(row for row in robot_rows(session, 0) if row.name == "command").children

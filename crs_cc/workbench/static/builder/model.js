@@ -37,7 +37,7 @@ export class Model extends EventTarget {
     this.chosenUnit = "";
     this.isConnected = false;
     this.mayChange = false;
-    /** What is said below the world: of what was done, or, if that is wrong, why it was not. */
+    /** The text below the world: the result of the last operation, or its error. */
     this.note = "";
     this.isWrong = false;
     this.channel = new SocketChannel((message) => this.handle(message));
@@ -171,14 +171,14 @@ export class Model extends EventTarget {
     this.chooseAwaited();
   }
 
-  /** Answers may come before documents of earlier changes, which do not know the new elements yet. */
+  /** Answers may arrive before documents of earlier changes, which do not know the new elements yet. */
   chooseAwaited() {
     if (this.awaited?.every((name) => this.thing(name))) this.select(this.awaited);
   }
 
   // -- what is asked -----------------------------------------------------------------------------
 
-  /** Ask the builder; what goes wrong is said. @returns {Promise<any>} */
+  /** Send a request to the builder; show its error. @returns {Promise<any>} */
   async request(name, fields = {}) {
     try {
       const value = await this.channel.request(name, fields);

@@ -65,7 +65,7 @@ export class Source {
     });
   }
 
-  /** The row of a line; forms and reports stand between them. */
+  /** The row of a line; forms and reports are between them. */
   row(line) {
     return this.element.querySelector(`:scope > .line[data-line="${line}"]`);
   }
