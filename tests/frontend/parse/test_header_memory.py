@@ -105,7 +105,7 @@ def alone(source: str | Path, options: Options = OPTIONS) -> tuple[str, ...]:
     return outcome(source, options)
 
 
-@pytest.mark.parametrize("variant", VARIANTS)
+@pytest.mark.parametrize("variant", ["gnu17", "c89"])
 def test_a_program_is_the_same_whatever_was_compiled_before(variant: str) -> None:
     options = VARIANTS[variant]
     expected = {name: alone(source, options) for name, source in PROGRAMS.items()}
@@ -124,8 +124,8 @@ def test_a_program_is_the_same_after_the_same_with_other_options() -> None:
 
 
 def test_programs_with_all_headers_are_the_same_in_either_order() -> None:
-    paths = sorted(Path("tests/c/valid/library").glob("*.c"))[::6]
-    paths += sorted(Path("samples/scout_c").glob("*.c"))[::4]
+    paths = sorted(Path("tests/c/valid/library").glob("*.c"))[::15]
+    paths += sorted(Path("samples/scout_c").glob("*.c"))[::10]
     expected = {path: alone(path) for path in paths}
     forget_headers()
     for path in [*paths, *reversed(paths)]:
