@@ -1,5 +1,5 @@
 # make demo    run a control program in a world and plot its path
-# make test    run the full test suite
+# make test    run the full test suite (WORKERS=3: one more than there are cores)
 # make check   check style, types and layers, and run the quick tests; under a minute
 # make times   run all tests and record how long they take, to choose the quick ones
 # make fuzz    compare random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
@@ -12,8 +12,10 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-# Both workers end together: the first to be done takes tests from the other.
-PYTEST := $(BIN)/python -m pytest -n 2 --dist worksteal
+# The workers end together: the first to be done takes tests from the others.
+PYTEST := $(BIN)/python -m pytest --dist worksteal
+# One more than two cores: some tests wait. In quick runs, mypy keeps the cores busy as well.
+WORKERS ?= 3
 COUNT ?= 500
 SEED ?= 1
 
@@ -41,18 +43,18 @@ demo: install
 	@echo "The robot's path is drawn in demo.svg."
 
 test: install-dev
-	$(PYTEST)
+	$(PYTEST) -n $(WORKERS)
 
 # mypy and the tests share the cores; what mypy says comes after the tests.
 check: install-dev
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	@log=$$(mktemp); echo "mypy"; $(BIN)/python -m tests.check_types >"$$log" 2>&1 & types=$$!; \
-	echo "$(PYTEST) --quick"; $(PYTEST) --quick; tests=$$?; \
+	echo "$(PYTEST) -n 2 --quick"; $(PYTEST) -n 2 --quick; tests=$$?; \
 	wait $$types; types=$$?; cat "$$log"; rm "$$log"; [ $$types = 0 ] && [ $$tests = 0 ]
 
 times: install-dev
-	$(PYTEST) --update-times
+	$(PYTEST) -n 2 --update-times
 
 fuzz: install-dev
 	$(BIN)/python -m tests.fuzz --count $(COUNT) --seed $(SEED)
