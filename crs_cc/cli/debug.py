@@ -103,10 +103,10 @@ def debug(**options: Any) -> int:
     """Compile a C control program and debug it in a simulated world.
 
     The programs and the world run together, forward or backward: see the commands reverse-step,
-    reverse-continue and goto. To debug a recording (see crs run --record), use crs debug run.mcap:
-    it contains the files and the input of its run. Programs, worlds and most options are given as
-    for crs run. Commands are named as in gdb; the help command lists them. In the full-screen
-    interface, F1 shows the keys.
+    reverse-continue and goto. To debug a recording (see crs run --record), use crs debug run.mcap;
+    no other files are needed, as a recording contains the files and the input of its run. Programs,
+    worlds and most options are given as for crs run. Commands are named as in gdb; the help command
+    lists them. In the full-screen interface, F1 shows the keys.
     """
     from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
 

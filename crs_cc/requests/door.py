@@ -97,7 +97,7 @@ ERROR_KINDS: Final = (
     "pointer outside memory",
     "wild pointer",  # into memory, but to no object
     "out of bounds",
-    "write to constant memory",
+    "write to read-only memory",
     "use after free",
     "use after scope",
     "use after return",

@@ -398,7 +398,7 @@ class Fleet:
         if kind == "unrelated pointers":
             other = find_object(stopped, int(slot["error_base"]))
         size = size or int(slot["error_size"])
-        access: Access = "write" if kind == "write to constant memory" else site.access
+        access: Access = "write" if kind == "write to read-only memory" else site.access
         found_there = found, stopped, array, other, site.ctype
         return Failure(kind, site.location, value, stack, access, size, *found_there)
 

@@ -47,7 +47,7 @@ def diagnose(
     is_unset = (states != ByteState.INACCESSIBLE) & (states < _WITH_SOME_VALUE)
     if len(constant) and (access == "write" or not is_unset.any()):
         first = address + int(constant[0])  # a read of what is written later is checked for it
-        return "write to constant memory", first, find_object(stopped, first)
+        return "write to read-only memory", first, find_object(stopped, first)
     if len(states) < max(1, size):
         return "pointer outside memory", max(address, MEMORY_BYTES), None
     without = np.flatnonzero(is_unset)

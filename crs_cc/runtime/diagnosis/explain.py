@@ -420,7 +420,7 @@ EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
     "pointer outside memory": _outside,
     "wild pointer": _wild,
     "out of bounds": _out_of_bounds,
-    "write to constant memory": _constant,
+    "write to read-only memory": _constant,
     "use after free": _freed,
     "use after scope": _scope,
     "use after return": _returned,

@@ -4,7 +4,7 @@
 
 static void capitalise(char *word)
 {
-    word[0] = toupper(word[0]); // error: write to constant memory
+    word[0] = toupper(word[0]); // error: write to read-only memory
 }
 
 int main(void)

@@ -5,7 +5,7 @@ struct limits { int low, high; char name[80]; };
 
 static void widen(struct limits *l)
 {
-    l->high += 10; // error: write to constant memory
+    l->high += 10; // error: write to read-only memory
 }
 
 int main(void)

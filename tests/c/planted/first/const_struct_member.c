@@ -5,7 +5,7 @@ static const struct model scout = {"scout", 16};
 static struct model mine = {"mine", 16};
 static void change(const struct model *m, int n)
 {
-    ((struct model *)m)->sonars = n; // error: write to constant memory
+    ((struct model *)m)->sonars = n; // error: write to read-only memory
 }
 int main(void)
 {

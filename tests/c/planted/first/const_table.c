@@ -4,7 +4,7 @@ static const int limit[3] = {10, 20, 30};
 static int own[3] = {10, 20, 30};
 static void raise(int *table) 
 {
-    table[1] += 5; // error: write to constant memory
+    table[1] += 5; // error: write to read-only memory
 }
 int main(void)
 {

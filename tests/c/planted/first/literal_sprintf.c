@@ -4,7 +4,7 @@ static char room[16] = "................";
 static char *message = PLANT("................", room);
 int main(void)
 {
-    sprintf(message, "%d", 42); // error: write to constant memory
+    sprintf(message, "%d", 42); // error: write to read-only memory
     puts(message);
     return 0;
 }

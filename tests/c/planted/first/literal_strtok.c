@@ -5,7 +5,7 @@ int main(void)
 {
     char line[] = "go 10 20";
     char *text = PLANT("go 10 20", line);
-    char *word = strtok(text, " "); // error: write to constant memory
+    char *word = strtok(text, " "); // error: write to read-only memory
     puts(word);
     return 0;
 }

@@ -4,7 +4,7 @@
 static void upper(char *s)
 {
     for (; *s; s++)
-        *s = toupper(*s); // error: write to constant memory
+        *s = toupper(*s); // error: write to read-only memory
 }
 int main(void)
 {

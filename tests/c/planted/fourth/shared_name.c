@@ -12,7 +12,7 @@ static void cut(char *name)
     char *blank = strchr(name, ' ');
 
     if (blank)
-        *blank = '\0'; // error: write to constant memory
+        *blank = '\0'; // error: write to read-only memory
 }
 
 int main(void)

@@ -9,7 +9,7 @@ static int day_of_year(int year, int month, int day)
     int *leap = PLANT((int *)&days[1], &february);
 
     if (year % 4 == 0)
-        *leap = 29; // error: write to constant memory
+        *leap = 29; // error: write to read-only memory
     for (int i = 0; i < month - 1; i++)
         day += i == 1 ? *leap : days[i];
     return day;

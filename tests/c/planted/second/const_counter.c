@@ -13,7 +13,7 @@ static struct command *find(int letter)
 }
 int main(void)
 {
-    find('b')->used++; // error: write to constant memory
+    find('b')->used++; // error: write to read-only memory
     printf("%d\n", loose[1].used);
     return 0;
 }

@@ -6,7 +6,7 @@ int main(void)
 {
     char *line = PLANT("forward\n", kept), *end = strchr(line, '\n');
     if (end)
-        *end = 0; // error: write to constant memory
+        *end = 0; // error: write to read-only memory
     puts(line);
     return 0;
 }

@@ -5,7 +5,7 @@ static char room[8];
 int main(void)
 {
     char *to = PLANT("       ", room);
-    strncpy(to, "abc", 7); // error: write to constant memory
+    strncpy(to, "abc", 7); // error: write to read-only memory
     puts(to);
     return 0;
 }

@@ -5,7 +5,7 @@ static void reverse(char *s, int n)
     int i;
     for (i = 0; i < n / 2; i++) {
         char c = s[i];
-        s[i] = s[n - 1 - i]; // error: write to constant memory
+        s[i] = s[n - 1 - i]; // error: write to read-only memory
         s[n - 1 - i] = c;
     }
 }
