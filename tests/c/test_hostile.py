@@ -18,7 +18,7 @@ from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import parse_world
 from tests.c.execution import HERE, Outcome, Run, Stepping, build, cases, mark, name
 
-FUEL, ROUNDS = 50_000_000, 4000
+FUEL, FUEL_OF_A_ROUND, ROUNDS = 10_000_000, 1_000_000, 4000
 
 HALL = parse_world(
     b"""<world version="1">
@@ -43,7 +43,7 @@ def test_a_hostile_program_ends_as_it_must(path: Path, request: pytest.FixtureRe
         request.getfixturevalue("users_settings")
     match = re.search(r"// ends: (.*)", path.read_text())
     assert match is not None
-    end = ending(Run(build(path), Stepping(fuel=5_000_000)).up_to(FUEL, ROUNDS))
+    end = ending(Run(build(path), Stepping(FUEL_OF_A_ROUND)).up_to(FUEL, ROUNDS))
     allowed = {
         "failed": set(ERROR_KINDS),
         "any": {*ERROR_KINDS, "running", *(f"exit {status}" for status in range(256))},
