@@ -98,11 +98,19 @@ def name_of(path: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
+def statements(tree: ast.AST) -> Iterator[ast.AST]:
+    """Yield all statements; unlike `ast.walk`, it does not look into expressions."""
+    for field in ("body", "handlers", "cases", "orelse", "finalbody"):
+        for each in getattr(tree, field, ()):
+            yield each
+            yield from statements(each)
+
+
 @cache
 def imports(tree: ast.AST) -> list[tuple[int, str]]:
     """Return line and full name of everything imported, of `from a import b` both a and a.b."""
     found = []
-    for node in ast.walk(tree):
+    for node in statements(tree):
         if isinstance(node, ast.Import):
             found += [(node.lineno, alias.name) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
