@@ -275,9 +275,7 @@ class Session:
                 self._run_quietly(end)
                 continue
             was_quiet = self._is_quiet
-            if not self.end_cycle():
-                return False
-            if not (was_quiet and self._is_quiet):
+            if not self.end_cycle() or not (was_quiet and self._is_quiet):
                 break
             self._run_quietly(end)
         self._report_passages()

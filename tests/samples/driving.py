@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -14,6 +15,8 @@ from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.session.build import build_executable
 from crs_cc.session.result import RobotResult
 from crs_cc.session.session import Session
+from crs_cc.sim.engine.passage import Passage
+from crs_cc.sim.engine.step import Step
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import WorldModel
 
@@ -23,6 +26,47 @@ WORLDS = ROOT / "worlds"
 INCH_M = 0.0254
 
 FloatArray = npt.NDArray[np.float64]
+
+
+class Places:
+    """Observes where the robots are after each timestep, also of those that pass at once."""
+
+    def __init__(self) -> None:
+        self._pieces: list[FloatArray] = []
+        self._seen = 0  # timesteps
+
+    def follow(self, session: Session) -> None:
+        """Set the session that is observed, before it runs."""
+        self._session = session
+        self._last = self._now()
+
+    def step(self, step: Step) -> None:
+        """Note the places after a timestep."""
+        self._rest_until(step.cycle)
+        self._add(self._now())
+
+    def passed(self, passage: Passage) -> None:
+        """Note the places after each timestep of a passage."""
+        self._rest_until(passage.first)
+        self._add(passage.frames[:, :, :2])
+
+    def until(self, timestep: int) -> FloatArray:
+        """Return the places after all timesteps, shape (timesteps, robots, 2)."""
+        self._rest_until(timestep)
+        return np.concatenate(self._pieces)
+
+    def _rest_until(self, timestep: int) -> None:
+        """Add the timesteps in which nothing has happened, of which no observer is told."""
+        if timestep > self._seen:
+            self._add(np.repeat(self._last, timestep - self._seen, axis=0))
+
+    def _add(self, places: FloatArray) -> None:
+        self._pieces.append(places)
+        self._seen, self._last = self._seen + len(places), places[-1:]
+
+    def _now(self) -> FloatArray:
+        state = self._session.environment.state
+        return np.column_stack([state.x_m, state.y_m])[None]
 
 
 class Drive:
@@ -64,28 +108,29 @@ class Drive:
             longest_s: when to stop it [s].
         """
         self._outputs = [bytearray() for _ in world.robots]
-        own = [SAMPLES / name for name in program]
-        programs = [[Path(robot.program)] if robot.program else own for robot in world.robots]
+        own = tuple(SAMPLES / name for name in program)
+        programs = [(Path(robot.program),) if robot.program else own for robot in world.robots]
+        built = {
+            paths: build_executable(paths, Diagnostics(), standard=standard, dialect=dialect)
+            for paths in dict.fromkeys(programs)
+        }
+        seen = Places()
         session = Session(
             world,
-            [
-                build_executable(paths, Diagnostics(), standard=standard, dialect=dialect)
-                for paths in programs
-            ],
+            [built[paths] for paths in programs],
             arguments=[
                 [paths[0].stem, *(robot.arguments or (() if robot.program else arguments))]
                 for robot, paths in zip(world.robots, programs, strict=True)
             ],
             output=self._write,
             files=files,
+            observer=seen,
         )
-        paths = []
-        running = True
-        while running and session.time_s < longest_s:
-            running = session.step()
-            state = session.environment.state
-            paths.append(np.column_stack([state.x_m, state.y_m]))
-        self.paths = np.array(paths)
+        seen.follow(session)
+        last = math.ceil(longest_s / world.timestep_s)
+        while session.timesteps < last and session.advance(last - session.timesteps, calmly=True):
+            pass
+        self.paths = seen.until(session.timesteps)
         self.state_hash = session.state_hash()
         self.hints = session.hints
         self.robots: tuple[RobotResult, ...] = session.result().robots

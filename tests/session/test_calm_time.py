@@ -19,7 +19,7 @@ from crs_cc.sim.kernels.calm import RECORD_SIZE
 from crs_cc.sim.kernels.program import executable
 from crs_cc.sim.model.degradation import Degradation
 from crs_cc.sim.model.world import Pose, WorldModel
-from tests.session.both_ways import Observer, compare, start
+from tests.session.both_ways import CalmObserver, Observer, compare, frame_of, start
 from tests.session.programs import build
 
 ROOT = Path(__file__).parents[2]
@@ -273,6 +273,21 @@ int main(int argc, char **argv)
     file.write_text(deep)
     program = build_executable([file], Diagnostics(), checked=False)
     assert compare(world_of("three robots", tmp_path), [program] * 3, 40) > 5
+
+
+def test_an_observer_is_told_of_the_calm_timesteps_before_the_last_one(tmp_path: Path) -> None:
+    source = """
+#include <Nclient.h>
+#include <unistd.h>
+int main(void) { connect_robot(1); vm(60, 60, 0); sleep(1); gs(); st(); sleep(2); return 0; }
+"""
+    observer = CalmObserver()
+    session, _ = start(world_of("one robot", tmp_path), [build(tmp_path, source)], observer)
+    while session.advance(1000, calmly=True):
+        pass
+    last = frame_of(session)
+    assert any((frame == last).all() for frame in observer.frames.values())
+    assert not session.calm.passages
 
 
 def test_the_kernels_records_are_those_of_programs() -> None:
