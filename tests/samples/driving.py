@@ -93,6 +93,7 @@ class Drive:
         standard: str = "gnu17",
         dialect: Dialect | None = None,
         longest_s: float = 300.0,
+        calmly: bool = True,
     ) -> None:
         """Run it.
 
@@ -106,6 +107,7 @@ class Drive:
             standard: the C that it is written in.
             dialect: whose functions it calls; by default what it looks like.
             longest_s: when to stop it [s].
+            calmly: run timesteps at once where that can be done, as `crs run` does.
         """
         self._outputs = [bytearray() for _ in world.robots]
         own = tuple(SAMPLES / name for name in program)
@@ -128,8 +130,10 @@ class Drive:
         )
         seen.follow(session)
         last = math.ceil(longest_s / world.timestep_s)
-        while session.timesteps < last and session.advance(last - session.timesteps, calmly=True):
-            pass
+        running = True
+        while running and session.timesteps < last:
+            most = last - session.timesteps if calmly else 1
+            running = session.advance(most, calmly=calmly)
         self.paths = seen.until(session.timesteps)
         self.state_hash = session.state_hash()
         self.hints = session.hints

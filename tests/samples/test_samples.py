@@ -79,8 +79,8 @@ class Run:
         words += ["--", *self.arguments] if self.arguments else []
         return " ".join(words).replace(f"{ROOT}/", "")
 
-    def drive(self, setup: str = "", longest_s: float = 300.0) -> Drive:
-        """Run it, with a setup of the robots, and stop it at a time."""
+    def drive(self, setup: str = "", longest_s: float = 300.0, *, calmly: bool = True) -> Drive:
+        """Run it, with a setup of the robots, and stop it at a time; see `Drive`."""
         return Drive(
             self.program(),
             load_world(self.world_file(), setup),
@@ -89,6 +89,7 @@ class Run:
             standard=self.standard,
             dialect=self.dialect,
             longest_s=longest_s,
+            calmly=calmly,
         )
 
 

@@ -17,6 +17,8 @@ from tests.sim.driver import Driver, world_of
 
 SPACING_M = 0.6
 LAST = 130  # cycles
+SAVED = {61: 85, 99: LAST, 100: 115, 118: LAST}
+"""Cycles before which a snapshot is taken, and those up to which it is continued."""
 SURFACE = (
     "<surface>"
     '<plateau x="3.5m" y="3.5m" length="1m" width="1m" height="20cm"/>'
@@ -44,13 +46,14 @@ def heap():
 
 @pytest.fixture(scope="module")
 def driven():
-    """Return the heap at the end, and snapshots before it."""
-    driver, snapshots = Driver.of(heap()), []
+    """Return the heap at the end, snapshots before it, and hashes by cycle."""
+    driver, snapshots, hashes = Driver.of(heap()), {}, {}
     for cycle in range(LAST):
-        if cycle in (61, 99, 100, 118):
-            snapshots.append(driver.environment.snapshot())
+        if cycle in SAVED:
+            snapshots[cycle] = driver.environment.snapshot()
         drive_on(driver)
-    return driver, snapshots
+        hashes[cycle + 1] = driver.environment.hash()
+    return driver, snapshots, hashes
 
 
 def drive_on(driver: Driver) -> None:
@@ -64,16 +67,16 @@ def drive_on(driver: Driver) -> None:
     driver.run(1)
 
 
-def finish(environment: Environment) -> str:
-    """Continue to the end as the first run did; return the hash."""
+def finish(environment: Environment, last: int = LAST) -> str:
+    """Continue as the first run did, up to a cycle; return the hash."""
     driver = Driver(environment)
-    while driver.state.cycle < LAST:
+    while driver.state.cycle < last:
         drive_on(driver)
     return environment.hash()
 
 
 def test_objects_form_a_heap(driven):
-    driver, _ = driven
+    driver, *_ = driven
     assert len(driver.environment.world.robots) == 50
     touching = {int(key) for step in driver.steps for key in step.contacts.robot}
     assert len(touching) > 45
@@ -85,17 +88,16 @@ def test_objects_form_a_heap(driven):
 
 
 def test_run_from_every_snapshot_is_bitwise_equal(driven):
-    driver, snapshots = driven
-    expected = driver.environment.hash()
+    driver, snapshots, hashes = driven
     fresh = Environment(driver.environment.world, seed=1)
-    for snapshot in snapshots[::-1]:
-        fresh.restore(snapshot)
-        assert finish(fresh) == expected
+    for cycle in reversed(SAVED):
+        fresh.restore(snapshots[cycle])
+        assert finish(fresh, SAVED[cycle]) == hashes[SAVED[cycle]]
 
 
 def test_run_from_snapshot_in_another_process_is_bitwise_equal(driven, tmp_path):
-    driver, snapshots = driven
-    (tmp_path / "heap").write_bytes(pickle.dumps((driver.environment.world, snapshots[-1])))
+    driver, snapshots, _ = driven
+    (tmp_path / "heap").write_bytes(pickle.dumps((driver.environment.world, snapshots[max(SAVED)])))
     program = (
         "import pickle, sys; from pathlib import Path; from tests.sim.test_heap import *;"
         "world, snapshot = pickle.loads(Path(sys.argv[1]).read_bytes());"
