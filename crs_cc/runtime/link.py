@@ -9,18 +9,18 @@ the user.
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final, Protocol
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
-from crs_cc.ir.instruction import Address, Call, Instruction, Load, Store
-from crs_cc.ir.liveness import all_instructions
+from crs_cc.ir.instruction import Call
 from crs_cc.ir.names import LIBRARY, in_library
 from crs_cc.ir.program import Data, Function, Program, Relocation
 from crs_cc.ir.type_compat import are_compatible
 from crs_cc.ir.types import CType
+from crs_cc.ir.uses import uses
 from crs_cc.ir.value_type import MemoryType
 from crs_cc.runtime.aliases import resolve_aliases
 from crs_cc.runtime.missing import set_addresses_to_zero
@@ -114,23 +114,19 @@ def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:
     """Report variables that are called, and functions that are read or written as variables."""
     reported = set()
     for function in whole.functions.values():
-        for block in function.blocks:
-            for instruction in all_instructions(block):
-                name = _referred(instruction)
-                if name is None or name in reported or isinstance(instruction, Address):
-                    continue
-                if isinstance(instruction, Call) and name in whole.data:
-                    text = f"'{name}' is called as a function, but it is a variable"
-                    defined = whole.data[name].location
-                elif not isinstance(instruction, Call) and name in whole.functions:
-                    text = f"'{name}' is used as a variable, but it is a function"
-                    defined = whole.functions[name].location
-                else:
-                    continue
+        for (name, use), location in uses(function).items():
+            if use == "call" and name in whole.data:
+                text = f"'{name}' is called as a function, but it is a variable"
+                defined = whole.data[name].location
+            elif use == "access" and name in whole.functions:
+                text = f"'{name}' is used as a variable, but it is a function"
+                defined = whole.functions[name].location
+            else:
+                continue
+            if name not in reported:
                 reported.add(name)
                 # The library calls main: report a mismatch at the definition.
-                by_library = in_library(instruction.location)
-                place = defined if by_library else instruction.location
+                place = defined if in_library(location) else location
                 diagnostics.error(place, text, f"defined at {defined}")
 
 
@@ -266,37 +262,20 @@ def _table(name: str, functions: list[str]) -> Data:
     return Data(name, size, 4, place, bytes(size) if functions else None, relocations)
 
 
-def references(definition: Function | Data) -> Iterator[str]:
-    """Yield the names that a definition uses, in order."""
+def references(definition: Function | Data) -> list[str]:
+    """Return the names that a definition uses, in order."""
     if isinstance(definition, Data):
-        for relocation in definition.relocations:
-            yield relocation.symbol
-        return
-    for block in definition.blocks:
-        for instruction in all_instructions(block):
-            name = _referred(instruction)
-            if name is not None:
-                yield name
-
-
-def _referred(instruction: Instruction) -> str | None:
-    match instruction:
-        case Load(base=str(name)) | Store(base=str(name)) | Address(base=str(name)):
-            return name
-        case Call(callee=str(name)):
-            return name
-    return None
+        return [relocation.symbol for relocation in definition.relocations]
+    return [name for name, _ in uses(definition)]
 
 
 def address_taken_functions(program: Program) -> list[str]:
     """Return the functions whose address is taken, in a fixed order."""
     found: dict[str, None] = {}
     for function in program.functions.values():
-        for block in function.blocks:
-            for instruction in block.instructions:
-                match instruction:
-                    case Address(base=str(name)) if name in program.functions:
-                        found[name] = None
+        for name, use in uses(function):
+            if use == "address" and name in program.functions:
+                found[name] = None
     for data in program.data.values():
         for relocation in data.relocations:
             if relocation.symbol in program.functions:

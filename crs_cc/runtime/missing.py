@@ -14,14 +14,16 @@ it is checked like any pointer.
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Set as AbstractSet
 
 from crs_cc.ir.instruction import Address, Block, Constant, Load, Move, Store
 from crs_cc.ir.program import Data, Program
 
 
-def set_addresses_to_zero(program: Program, missing: Container[str]) -> None:
+def set_addresses_to_zero(program: Program, missing: AbstractSet[str]) -> None:
     """Replace the addresses of missing functions and objects in a linked program."""
+    if not missing:
+        return
     for function in program.functions.values():
         for block in function.blocks:
             _clear_block(block, missing)
@@ -30,7 +32,7 @@ def set_addresses_to_zero(program: Program, missing: Container[str]) -> None:
             _clear_data(data, missing)
 
 
-def _clear_block(block: Block, missing: Container[str]) -> None:
+def _clear_block(block: Block, missing: AbstractSet[str]) -> None:
     for position, instruction in enumerate(block.instructions):
         match instruction:
             case Address(location, result, str(name), offset) if name in missing:
@@ -40,7 +42,7 @@ def _clear_block(block: Block, missing: Container[str]) -> None:
                 instruction.within = None
 
 
-def _clear_data(data: Data, missing: Container[str]) -> None:
+def _clear_data(data: Data, missing: AbstractSet[str]) -> None:
     assert data.content is not None
     content = bytearray(data.content)
     for each in data.relocations:

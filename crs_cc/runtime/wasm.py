@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import functools
 import struct
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal, TypeAlias
 
@@ -228,11 +228,12 @@ class Module:
         """Return the module in the binary format."""
         kinds = {"func": 0, "table": 1, "memory": 2, "global": 3}
         types = self.types()
+        number = {kind: unsigned(each) for each, kind in enumerate(types)}
         code = [each.to_binary() for each in self.functions]
         sections = [
             (1, [_func_type(each) for each in types]),
-            (2, self._imports(types)),
-            (3, [unsigned(types.index(code.type)) for code in self.functions]),
+            (2, self._imports(number)),
+            (3, [number[code.type] for code in self.functions]),
             (4, [b"\x70" + (_limits(size) if size else b"\0\0") for size in self.tables]),
             (5, [_limits(size) for size in self.memories]),
             (6, [_global(kind, value) for kind, value in self.globals]),
@@ -241,7 +242,7 @@ class Module:
             (10, [content for content, _ in code]),
             (11, [_data(*each) for each in self.data]),
         ]  # fmt: skip
-        parts = {number: _section(number, _vector(items)) for number, items in sections if items}
+        parts = {each: _section(each, _vector(items)) for each, items in sections if items}
         if self.start is not None:
             parts[8] = _section(8, unsigned(self.start))
         parts[12] = _section(12, unsigned(len(self.data)))
@@ -250,12 +251,11 @@ class Module:
         order = (1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 0, 10, 11)
         return b"\x00asm\x01\x00\x00\x00" + b"".join(parts.get(each, b"") for each in order)
 
-    def _imports(self, types: list[FuncType]) -> list[bytes]:
+    def _imports(self, types: Mapping[FuncType, bytes]) -> list[bytes]:
         shared = [_name(m) + _name(n) + _SHARED for m, n in self.memory_imports]
         own = [_name(m) + _name(n) + b"\x02" + _limits(size) for m, n, size in self.own_imports]
         functions = [
-            _name(m) + _name(n) + b"\x00" + unsigned(types.index(kind))
-            for m, n, kind in self.function_imports
+            _name(m) + _name(n) + b"\x00" + types[kind] for m, n, kind in self.function_imports
         ]
         return [*shared, *own, *functions]
 
@@ -292,9 +292,14 @@ def _branch_hints(hints: Sequence[list[int]]) -> bytes:
     rows = []
     for function, places in enumerate(hints):
         if places:
-            each = _vector(unsigned(place) + b"\x01\x00" for place in places)
-            rows.append(unsigned(function) + each)
+            rows.append(unsigned(function) + _vector(map(_unlikely, places)))
     return _section(0, _name("metadata.code.branch_hint") + _vector(rows))
+
+
+@functools.lru_cache(2**16)
+def _unlikely(place: int) -> bytes:
+    """Return the hint that the test at an offset is unlikely."""
+    return unsigned(place) + b"\x01\x00"
 
 
 def _data(memory: int, address: int, content: bytes) -> bytes:

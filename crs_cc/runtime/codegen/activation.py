@@ -12,7 +12,7 @@ from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.codegen import failing, frame_states, jumps, shadow, spill_slots, stopping
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.call_checks import NO_VALUE
-from crs_cc.runtime.codegen.convention import NARROW, convention_of
+from crs_cc.runtime.codegen.convention import NARROW
 from crs_cc.runtime.codegen.dispatch import add_dispatchers
 from crs_cc.runtime.codegen.flow_graph import Landing, Node
 from crs_cc.runtime.codegen.indices import (
@@ -71,7 +71,7 @@ class Activation:
         self.watching = watching
         self.shadowed = build.checked and not function.trusted
         self.stamped = build.debug and not function.trusted
-        self.convention = convention_of(function)
+        self.convention = writer.names.conventions[function.name]
         self.passed = self._passed()
         self.kept = self._kept()
         self.number = writer.names.functions[function.name]

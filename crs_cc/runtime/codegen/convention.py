@@ -16,12 +16,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.ir.instruction import Call, Register
+from crs_cc.ir.instruction import Register
 from crs_cc.ir.program import Function, Program
+from crs_cc.ir.remembered import remembered
 from crs_cc.ir.value_type import VALUE_TYPE, MemoryType, ValueType
 from crs_cc.runtime.codegen.indices import FP, FUEL, MEMORY
 from crs_cc.runtime.codegen.memory_instructions import LOADS, STORES
-from crs_cc.runtime.codegen.signatures import Shape, call_shape, function_shape
+from crs_cc.runtime.codegen.signatures import NamedCall, Shape, function_shape, named_calls
 from crs_cc.runtime.codegen.stopping import IS_STOPPED
 from crs_cc.runtime.layout import HEADER_SIZE, RESULT, argument_offsets
 from crs_cc.runtime.wasm import TYPE_CALL, Code, FuncType, Instr
@@ -69,12 +70,13 @@ class Convention:
         """Whether the function is its own general form."""
         return self.type == TYPE_CALL
 
-    def matches(self, call: Call) -> bool:
+    def matches(self, call: NamedCall) -> bool:
         """Return whether a call passes just the parameters, and takes the result."""
-        right = call_shape(call) == self.shape and not self.variadic
-        return right and (call.result is None or call.result.type == self.result)
+        right = call.shape == self.shape and not self.variadic
+        return right and call.result in (None, self.result)
 
 
+@remembered
 def convention_of(function: Function) -> Convention:
     """Return how a function is called."""
     parameters = function.parameters
@@ -98,10 +100,8 @@ def needing_general_form(program: Program, conventions: dict[str, Convention]) -
     return {
         call.callee
         for function in program.functions.values()
-        for block in function.blocks
-        if isinstance(call := block.terminator, Call)
-        and isinstance(call.callee, str)
-        and not conventions[call.callee].matches(call)
+        for call in named_calls(function)
+        if not conventions[call.callee].matches(call)
     }
 
 

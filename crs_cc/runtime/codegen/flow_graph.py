@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Final, Literal
 
+from crs_cc.ir.loops import postorder
 from crs_cc.runtime.wasm import Instr
 
 UNWIND: Final = "br_unwind"
@@ -69,3 +70,10 @@ class Landing:
     number: int = 0
     prepaid: int = 0
     after_call: bool = False
+
+
+def take_apart(entry: Node) -> None:
+    """Free the nodes of a graph at once: their cycles would wait for the garbage collector."""
+    for node in postorder(entry):
+        node.code.clear()
+        node.targets.clear()

@@ -42,7 +42,7 @@ from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
 from crs_cc.runtime.codegen.convention import GENERAL_FORM, Convention
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
-from crs_cc.runtime.codegen.flow_graph import LANDING, UNWIND, Landing, Node
+from crs_cc.runtime.codegen.flow_graph import LANDING, UNWIND, Landing, Node, take_apart
 from crs_cc.runtime.codegen.fuel_charges import charge, early_charges, exact_charges
 from crs_cc.runtime.codegen.indices import (
     CALL_TYPE,
@@ -63,6 +63,7 @@ from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.rotation import rotated_loops
 from crs_cc.runtime.codegen.selection import Selector
+from crs_cc.runtime.codegen.signatures import named_call
 from crs_cc.runtime.codegen.stop_marks import begin, has_statements, self_resuming, stop_if_marked
 from crs_cc.runtime.codegen.struct_registers import with_structs_in_registers
 from crs_cc.runtime.codegen.structuring import emit
@@ -192,6 +193,8 @@ class _FunctionCode:
         code = self.code(self.body_from(entry))
         if again is not None:
             self.names.outlined.append(self.code(self.body_from(again)))
+            take_apart(again)
+        take_apart(entry)
         return code, self.info()
 
     def is_outlined(self) -> bool:
@@ -354,9 +357,11 @@ class _FunctionCode:
 
     def convention(self, call: Call) -> Convention | None:
         """Return how a call is made; None for the general form of a function."""
-        name = call.callee
-        found = self.names.conventions.get(name) if isinstance(name, str) else None
-        return found if found is not None and found.matches(call) else None
+        named = named_call(call)
+        if named is None:
+            return None
+        found = self.names.conventions.get(named.callee)
+        return found if found is not None and found.matches(named) else None
 
     def pass_arguments(self, call: Call) -> None:
         """Store the arguments that are passed in memory, and the header."""

@@ -9,8 +9,11 @@ too, and where a program decides otherwise, the code is generated anew.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
-from dataclasses import dataclass, replace
+import functools
+import itertools
+from collections.abc import Container, Hashable, Mapping
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, field, replace
 from typing import Any, Final, NoReturn, Self, TypeAlias
 
 from crs_cc.ir.instruction import Call
@@ -33,13 +36,16 @@ def generate_shared(function: Function, names: Symbols, build: Build) -> tuple[C
     """Generate the code of a verified function, or link code that was generated before."""
     if not in_library(function.location):
         return generate(function, names, build)
-    key = function, replace(build, watch=bool(build.watch))
-    if key not in _TEMPLATES:
-        _TEMPLATES[key] = None
+    key = function, build.checked, build.debug, bool(build.watch), build.trap_overflow
+    templates = _TEMPLATES.get(key)
+    if templates is None:
+        _TEMPLATES[key] = []
         return generate(function, names, build)
-    template = _TEMPLATES[key]
-    if template is None or not template.matches(names):
-        template = _TEMPLATES[key] = _template(function, names, build)
+    for template in templates:
+        if template.matches(names):
+            return template.link(names, build.watch)
+    template = _template(function, names, build)
+    templates[:] = [template, *templates[: _MAX_TEMPLATES - 1]]
     return template.link(names, build.watch)
 
 
@@ -92,23 +98,42 @@ class _Numbers(dict[str, int]):
 
 
 class _Answers(dict[str, Any]):
-    """What was asked for by name, with the answers; one for names without any."""
+    """What a program's table answered to what it was asked for by name."""
 
-    def __init__(self, real: Mapping[str, Any], default: object) -> None:
+    def __init__(self, real: Mapping[str, Any]) -> None:
         super().__init__()
         self._real = real
-        self._default = default
+        self._missing: set[str] = set()
 
     def get(self, key: str, default: Any = None) -> Any:
-        assert default == self._default
-        self[key] = answer = self._real.get(key, default)
+        if key not in self._real:
+            self._missing.add(key)
+            return default
+        self[key] = answer = self._real[key]
         return answer
 
     def __missing__(self, key: str) -> Any:
-        return self.get(key, self._default)
+        return self.get(key)
 
     def matches(self, other: Mapping[str, Any]) -> bool:
-        return all(other.get(key, self._default) == answer for key, answer in self.items())
+        return self.items() <= other.items() and self._missing.isdisjoint(other)
+
+
+class _Names:
+    """The names that were asked for: those that there are, and those that there are not."""
+
+    def __init__(self, real: Container[Any]) -> None:
+        self._real = real
+        self._present: set[Any] = set()
+        self._absent: set[Any] = set()
+
+    def has(self, name: object) -> bool:
+        found = name in self._real
+        (self._present if found else self._absent).add(name)
+        return found
+
+    def matches(self, other: AbstractSet[Any]) -> bool:
+        return self._present <= other and self._absent.isdisjoint(other)
 
 
 class _Tables(dict[Shape, int]):
@@ -116,15 +141,13 @@ class _Tables(dict[Shape, int]):
 
     def __init__(self, real: Mapping[Shape, int]) -> None:
         super().__init__()
-        self.asked: dict[Shape, bool] = {}
-        self._real = real
+        self._asked = _Names(real)
 
     def get(self, shape: Shape, default: Any = None) -> Any:
-        self.asked[shape] = found = shape in self._real
-        return _Unknown(("table", shape)) if found else default
+        return _Unknown(("table", shape)) if self._asked.has(shape) else default
 
     def matches(self, other: Mapping[Shape, int]) -> bool:
-        return all((shape in other) == found for shape, found in self.asked.items())
+        return self._asked.matches(other.keys())
 
 
 class _Valueless(set[str]):
@@ -133,21 +156,18 @@ class _Valueless(set[str]):
     def __init__(self, real: set[str]) -> None:
         super().__init__()
         self._real = real
-        self._asked: dict[object, bool] = {}
+        self._asked = _Names(real)
         self._is_some: bool | None = None
 
     def __contains__(self, name: object) -> bool:
-        self._asked[name] = found = name in self._real
-        return found
+        return self._asked.has(name)
 
     def __bool__(self) -> bool:
         self._is_some = found = bool(self._real)
         return found
 
     def matches(self, other: set[str]) -> bool:
-        return self._is_some in {None, bool(other)} and all(
-            (name in other) == found for name, found in self._asked.items()
-        )
+        return self._is_some in {None, bool(other)} and self._asked.matches(other)
 
 
 class _Bodies(Bodies):
@@ -155,7 +175,7 @@ class _Bodies(Bodies):
 
     def __init__(self, real: Bodies) -> None:
         super().__init__(real.small, checked=real.checked, traps_overflow=real.traps_overflow)
-        self._asked: dict[str, Function | None] = {}
+        self._asked = _Answers(real.small)
 
     def is_small(self, name: str) -> bool:
         self._ask(name)
@@ -167,21 +187,20 @@ class _Bodies(Bodies):
         return super().of(call)
 
     def _ask(self, name: str) -> None:
-        function = self._asked[name] = self.small.get(name)
+        function = self._asked.get(name)
         for call in calls_of(function) if function is not None else ():
             self._ask(str(call.callee))
 
     def matches(self, other: Bodies) -> bool:
-        return all(other.small.get(name) is function for name, function in self._asked.items())
+        return self._asked.matches(other.small)
 
 
 class _Recorder(Symbols):
     """Symbols for generating code that several programs link."""
 
     def __init__(self, names: Symbols) -> None:
-        self._sizes, self._parameters = _Answers(names.sizes, 0), _Answers(names.parameters, 0)
-        self._conventions = _Answers(names.conventions, None)
-        self._constants = _Answers(names.constants, 0)
+        self._sizes, self._parameters = _Answers(names.sizes), _Answers(names.parameters)
+        self._conventions, self._constants = _Answers(names.conventions), _Answers(names.constants)
         self._tables, self._valueless = _Tables(names.tables), _Valueless(names.without_value)
         self._bodies = _Bodies(names.bodies)
         super().__init__(
@@ -217,23 +236,49 @@ class _Recorder(Symbols):
         )
 
 
+class _Form(dict[int, bytes]):
+    """An instruction in which a number is left open: its encoding by the number."""
+
+    def __init__(self, before: Instr, after: Instr) -> None:
+        super().__init__()
+        self._before, self._after = before, after
+
+    def __missing__(self, number: int) -> bytes:
+        encoded = self[number] = encode(self.instruction(number))
+        return encoded
+
+    def instruction(self, number: int) -> Instr:
+        return (*self._before, number, *self._after)
+
+
 @dataclass(slots=True)
 class _Template:
     """The code of a function without the numbers of a program.
 
     Attributes:
         asked: what was asked about the program, and its sites.
-        places: where numbers are to be filled in: the instruction's index, what comes before the
-            number, its symbol, what is added, and what follows.
-        encoded: the encoded instructions between the places, with the offsets of the unlikely
-            tests among them; one more than there are places.
+        places: where numbers are to be filled in: the instruction's index, and the instruction.
+        numbers: for each place, which of the symbols it has, and what is added.
+        symbols: the different symbols.
+        encoded: what is encoded before each of the places, and after the last.
+        hints: the unlikely tests: which of these parts they are in, and the offset there.
     """
 
     code: Code
     info: FunctionInfo
     asked: _Recorder
-    places: list[tuple[int, Instr, _Symbol, int, Instr]]
-    encoded: list[tuple[bytes, list[int]]]
+    places: list[tuple[int, _Form]] = field(default_factory=list)
+    numbers: list[tuple[int, int]] = field(default_factory=list)
+    symbols: dict[_Symbol, int] = field(default_factory=dict)
+    encoded: list[bytes] = field(default_factory=list)
+    hints: list[tuple[int, int]] = field(default_factory=list)
+
+    def add(self, index: int, instr: Instr, at: int) -> None:
+        """Add a place: an instruction with an unknown number."""
+        number: _Unknown = instr[at]
+        self.places.append((index, _form(instr[:at], instr[at + 1 :])))
+        symbol = self.symbols.setdefault(number.symbol, len(self.symbols))
+        self.numbers.append((symbol, int(number)))
 
     def matches(self, names: Symbols) -> bool:
         return self.asked.matches(names)
@@ -241,44 +286,50 @@ class _Template:
     def link(self, names: Symbols, watch: int) -> tuple[Code, FunctionInfo]:
         """Return the code with the numbers of a program, and add its sites."""
         calls = len(names.call_sites)
-        known: dict[_Symbol, int] = {
-            _SITE: len(names.sites),
-            _CALL: calls,
-            _POINTERS: names.pointers,
-            _WATCH: watch,
-        }
+        tables: dict[str, Mapping[Any, int]] = {
+            "function": names.functions, "general": names.general,
+            "address": names.addresses, "table": names.tables,
+            "site": {None: len(names.sites)}, "call": {None: calls},
+            "pointers": {None: names.pointers}, "watch": {None: watch},
+        }  # fmt: skip
+        values = [tables[kind][name] for kind, name in self.symbols]
+        numbers = [values[symbol] + addend for symbol, addend in self.numbers]
         names.sites += self.asked.sites
         names.call_sites += self.asked.call_sites
-        body = self.code.body.copy()
-        for index, before, symbol, addend, after in self.places:
-            value = known.get(symbol)
-            if value is None:
-                value = known[symbol] = _value(symbol, names)
-            body[index] = (*before, value + addend, *after)
-        code = _LinkedCode(self.code.name, self.code.type, self.code.locals, body, self)
         moved = {calls + number: landing for number, landing in self.info.calls.items()}
-        return code, replace(self.info, calls=moved)
+        return _LinkedCode(self, numbers), replace(self.info, calls=moved)
 
 
-@dataclass(slots=True)
 class _LinkedCode(Code):
-    """Code of a template, which keeps most of it encoded."""
+    """Code of a template, with the numbers of a program."""
 
-    template: _Template
+    __slots__ = ("_numbers", "_template")
+
+    def __init__(self, template: _Template, numbers: list[int]) -> None:
+        code = template.code
+        self.name, self.type, self.locals = code.name, code.type, code.locals
+        self._template, self._numbers = template, numbers
+
+    @property
+    def body(self) -> list[Instr]:  # type: ignore[override]
+        """The instructions, which only texts and debuggers need."""
+        body = self._template.code.body.copy()
+        for (index, form), number in zip(self._template.places, self._numbers, strict=True):
+            body[index] = form.instruction(number)
+        return body
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Code, (self.name, self.type, self.locals, self.body)
 
     def to_binary(self) -> tuple[bytes, list[int]]:
-        content, hints = bytearray(self.head()), list[int]()
-        places = iter(self.template.places)
-        for part, offsets in self.template.encoded:
-            hints += [len(content) + offset for offset in offsets]
-            content += part
-            for index, *_ in places:
-                content += encode(self.body[index])
-                break
-        content += b"\x0b"
+        template = self._template
+        pairs = zip(template.places, self._numbers, strict=True)
+        parts = [b""] * (2 * len(self._numbers) + 1)
+        parts[::2] = template.encoded
+        parts[1::2] = [form[number] for (_, form), number in pairs]
+        content = b"".join(parts)
+        starts = list(itertools.accumulate(map(len, parts), initial=0))
+        hints = [starts[2 * part] + offset for part, offset in template.hints]
         return unsigned(len(content)) + content, hints
 
 
@@ -286,36 +337,33 @@ _SITE: Final[_Symbol] = ("site", None)
 _CALL: Final[_Symbol] = ("call", None)
 _POINTERS: Final[_Symbol] = ("pointers", None)
 _WATCH: Final[_Symbol] = ("watch", None)
-_TEMPLATES: Final[dict[tuple[Function, Build], _Template | None]] = {}
-"""The templates by function and build; None for functions that were generated once."""
+_MAX_TEMPLATES: Final = 4
+"""How many templates of a function are kept for programs that answer differently."""
+
+_TEMPLATES: Final[dict[tuple[Function, bool, bool, bool, bool], list[_Template]]] = {}
+"""The templates by function and build; none for functions that were generated once."""
 
 
-def _value(symbol: _Symbol, names: Symbols) -> int:
-    kind, name = symbol
-    tables: dict[str, Mapping[Any, int]] = {
-        "function": names.functions, "general": names.general,
-        "address": names.addresses, "table": names.tables,
-    }  # fmt: skip
-    return tables[kind][name]
+@functools.cache
+def _form(before: Instr, after: Instr) -> _Form:
+    return _Form(before, after)
 
 
 def _template(function: Function, names: Symbols, build: Build) -> _Template:
     asked = _Recorder(names)
     watch = _Unknown(_WATCH) if build.watch else 0
     code, info = generate(function, asked, replace(build, watch=watch))
-    places: list[tuple[int, Instr, _Symbol, int, Instr]] = []
-    encoded: list[tuple[bytes, list[int]]] = []
-    part, hints = bytearray(), list[int]()
+    template = _Template(code, info, asked)
+    part = bytearray(code.head())
     for index, instr in enumerate(code.body):
         at = next((at for at, each in enumerate(instr) if type(each) is _Unknown), 0)
         if at:
-            number = instr[at]
-            places.append((index, instr[:at], number.symbol, int(number), instr[at + 1 :]))
-            encoded.append((bytes(part), hints))
-            part, hints = bytearray(), []
+            template.add(index, instr, at)
+            template.encoded.append(bytes(part))
+            part.clear()
             continue
         if instr is UNLIKELY:
-            hints.append(len(part))
+            template.hints.append((len(template.encoded), len(part)))
         part += encode(instr)
-    encoded.append((bytes(part), hints))
-    return _Template(code, info, asked, places, encoded)
+    template.encoded.append(bytes(part) + b"\x0b")
+    return template

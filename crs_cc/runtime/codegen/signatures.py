@@ -10,10 +10,11 @@ and parameters of the same kinds, unless it was itself defined without a prototy
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from crs_cc.ir.instruction import Call, Register, Return
 from crs_cc.ir.program import Function, Program
+from crs_cc.ir.remembered import remembered
 from crs_cc.ir.types import (
     CType,
     EnumType,
@@ -23,7 +24,7 @@ from crs_cc.ir.types import (
     PointerType,
     RecordType,
 )
-from crs_cc.ir.value_type import MemoryType
+from crs_cc.ir.value_type import MemoryType, ValueType
 
 Shape: TypeAlias = tuple[str, ...]
 """The kinds of a call's arguments, in order: `word`, `f64`, `bytes 12`, ..."""
@@ -83,18 +84,52 @@ def pointer_tables(program: Program, pointers: list[str]) -> dict[Shape, bytes]:
     Returns:
         A byte for each pointer's number, 1 if compatible; no table if all are.
     """
+    functions = program.functions
+    shapes = dict.fromkeys(shape for each in functions.values() for shape in _pointer_calls(each))
     tables: dict[Shape, bytes] = {}
-    for function in program.functions.values():
-        for block in function.blocks:
-            call = block.terminator
-            if isinstance(call, Call) and isinstance(call.callee, Register):
-                shape = call_shape(call)
-                right = [is_compatible(shape, program.functions[name]) for name in pointers]
-                if not all(right):
-                    tables[shape] = bytes([0, *right])
+    for shape in shapes:
+        right = [is_compatible(shape, functions[name]) for name in pointers]
+        if not all(right):
+            tables[shape] = bytes([0, *right])
     return tables
 
 
+@remembered
+def _pointer_calls(function: Function) -> list[Shape]:
+    """Return the shapes of a function's calls through pointers."""
+    calls = (block.terminator for block in function.blocks)
+    return [
+        call_shape(call)
+        for call in calls
+        if isinstance(call, Call) and isinstance(call.callee, Register)
+    ]
+
+
+class NamedCall(NamedTuple):
+    """A function that is called by name, what it is passed, and the type of what is taken back."""
+
+    callee: str
+    shape: Shape
+    result: ValueType | None
+
+
+def named_call(call: Call) -> NamedCall | None:
+    """Return how a call calls a function by name, if it does."""
+    if not isinstance(call.callee, str):
+        return None
+    result = None if call.result is None else call.result.type
+    return NamedCall(call.callee, call_shape(call), result)
+
+
+@remembered
+def named_calls(function: Function) -> list[NamedCall]:
+    """Return a function's different calls of functions by name."""
+    calls = (block.terminator for block in function.blocks)
+    named = (named_call(call) for call in calls if isinstance(call, Call))
+    return list(dict.fromkeys(call for call in named if call is not None))
+
+
+@remembered
 def ends_without_value(function: Function) -> bool:
     """Return whether a function may end without returning a value."""
     return any(
@@ -107,8 +142,5 @@ def valueless_functions(program: Program, pointers: list[str]) -> set[str]:
     """Return the functions that may end without a value although it is used."""
     asked = set(pointers)
     for function in program.functions.values():
-        for block in function.blocks:
-            call = block.terminator
-            if isinstance(call, Call) and isinstance(call.callee, str) and call.result is not None:
-                asked.add(call.callee)
+        asked.update(call.callee for call in named_calls(function) if call.result is not None)
     return {name for name in asked if ends_without_value(program.functions[name])}

@@ -11,7 +11,7 @@ which nothing can fail after a change of memory.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Final
 
 from crs_cc.ir.definite_assignment import Assignments
@@ -41,6 +41,7 @@ from crs_cc.ir.instruction import (
 from crs_cc.ir.liveness import Liveness, all_instructions
 from crs_cc.ir.loops import loop_headers
 from crs_cc.ir.program import Function
+from crs_cc.ir.remembered import remembered
 from crs_cc.ir.value_type import MEMORY_SIZE
 from crs_cc.runtime.codegen.body import Body
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
@@ -88,6 +89,7 @@ def small_functions(functions: Mapping[str, Function]) -> dict[str, Function]:
     return small
 
 
+@remembered
 def _own_work(function: Function) -> int:
     """Return the fuel of all blocks of a function; more than the limit if it cannot be small."""
     ends = [block.terminator for block in function.blocks]
@@ -100,9 +102,10 @@ def _own_work(function: Function) -> int:
     return sum(block.fuel for block in function.blocks)
 
 
-def calls_of(function: Function) -> Iterable[Call]:
+@remembered
+def calls_of(function: Function) -> list[Call]:
     """Return the calls of a function."""
-    return (end for block in function.blocks if isinstance(end := block.terminator, Call))
+    return [end for block in function.blocks if isinstance(end := block.terminator, Call)]
 
 
 class Bodies:
@@ -133,8 +136,7 @@ class Bodies:
     def _analyse(self, original: Function) -> Body | None:
         if original.result is not None and ends_without_value(original):
             return None
-        calls = list(calls_of(original))
-        expanded = expand(original, {call: self.of(call) for call in calls})
+        expanded = expand(original, {call: self.of(call) for call in calls_of(original)})
         if expanded is None:
             return None
         replaced = replace_slots(expanded.function, expanded.fuel)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
+import gc
 import pickle
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from crs_cc.core.gc_pause import gc_paused
 from crs_cc.core.source import Diagnostics
 from crs_cc.ir.program import Program
 from crs_cc.runtime.codegen import library_code
+from crs_cc.runtime.codegen.flow_graph import Landing, Node
 from crs_cc.runtime.codegen.function_code import generate
 from crs_cc.runtime.codegen.module import compile_program
 from crs_cc.runtime.compiled import Compiled
@@ -113,3 +117,25 @@ def test_pickled_code_is_that_of_the_program_alone(programs: list[Program]) -> N
         module = compile_program(programs[0]).module
     assert b"Template" not in pickle.dumps(module)
     assert pickle.loads(pickle.dumps(module)).to_text() == module.to_text()
+
+
+def test_programs_that_differ_in_turn_share_what_was_generated_for_each(
+    programs: list[Program], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(library_code, "_TEMPLATES", {})
+    for program in [*programs, *programs]:
+        compile_program(program)
+    made: list[str] = []
+    monkeypatch.setattr(library_code, "_template", lambda function, *_: made.append(function.name))
+    with contextlib.suppress(AttributeError):  # as no template is made
+        for program in programs:
+            compile_program(program)
+    assert made == []
+
+
+def test_code_that_is_generated_leaves_no_work_to_the_garbage_collector(tmp_path: Path) -> None:
+    program = linked(tmp_path / "loop.c", "int main(void) { int n = 0; while (n < 9) n++; }\n")
+    gc.collect()
+    with gc_paused():
+        compile_program(program)
+        assert not any(isinstance(each, Node | Landing) for each in gc.get_objects())
