@@ -144,7 +144,7 @@ def test_hindered_robots_are_advanced_and_reported_as_with_numpy() -> None:
     for _ in range(2):
         to_s = state.drive.clock_s + 0.3
         drive.advance(state, constants, ALL, to_s)
-        drive._turn(again, constants, ALL, to_s)
+        drive._advance_axes(again, constants, ALL, to_s)
         assert values(state) == values(again)
     unit, speed = constants.drives.unit, traction.speed(again, constants, rows)
     told = np.divide(speed, unit, out=np.zeros_like(speed), where=unit > 0.0)
