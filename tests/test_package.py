@@ -7,7 +7,6 @@ import os
 import shutil
 import subprocess
 import sys
-import tarfile
 import zipfile
 from email.message import Message
 from pathlib import Path
@@ -37,8 +36,9 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Build a source distribution, and a wheel from nothing else."""
     folder = tmp_path_factory.mktemp("package")
     shutil.copytree(ROOT, folder / "checkout", ignore=LEFT_OUT)
-    with tarfile.open(built("sdist", folder / "checkout", folder / "sdist")) as archive:
-        archive.extractall(folder / "unpacked", filter="data")
+    shutil.unpack_archive(
+        built("sdist", folder / "checkout", folder / "sdist"), folder / "unpacked"
+    )
     (unpacked,) = (folder / "unpacked").iterdir()
     return built("wheel", unpacked, folder / "wheel")
 

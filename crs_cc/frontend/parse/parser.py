@@ -44,7 +44,11 @@ def parse(
     Raises:
         CompilationAborted: too many errors, or too deep a nesting.
     """
-    return Grammar(tokens, diagnostics, standard, headers=headers).translation_unit()
+    grammar = Grammar(tokens, diagnostics, standard, headers=headers)
+    try:
+        return grammar.translation_unit()
+    finally:
+        vars(grammar).clear()  # its parts refer to it, and would keep all tokens until a collection
 
 
 def parse_expression(

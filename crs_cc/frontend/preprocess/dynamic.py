@@ -13,6 +13,7 @@ True
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Callable
 from itertools import count
 
@@ -21,8 +22,9 @@ from crs_cc.frontend.preprocess.state import State
 from crs_cc.frontend.preprocess.tokens import NUMBER, STRING, Token
 
 
-def dynamic_macros(state: State) -> list[Macro]:
-    """Return these macros for a run."""
+def dynamic_macros(run: State) -> list[Macro]:
+    """Return these macros for a run; they do not keep it, as it keeps them."""
+    state: State = weakref.proxy(run)
     counter = count()
 
     def line(token: Token) -> str:

@@ -100,13 +100,13 @@ class _Run:
         self.folder = folder
         report = Report(diagnostics, SourceMap())
         report.source_map.add(ORIGIN, "")
-        self.state = State(report, Headers(folder, options, diagnostics.digests))
-        self.state.strict = options.is_strict
-        self.state.is_c23 = is_c23(options.standard)
+        self.state = state = State(report, Headers(folder, options, diagnostics.digests))
+        state.strict = options.is_strict
+        state.is_c23 = is_c23(options.standard)
         self.options = options
         self.writer = Writer()
         self.gnu = GnuSyntax(
-            report, lambda tokens: execute_pragma(self.state, tokens), strict=options.is_strict
+            report, lambda tokens: execute_pragma(state, tokens), strict=options.is_strict
         )
 
     def read(self, content: str, path: Path) -> None:

@@ -46,7 +46,7 @@ FILE_COST: Final = 2048
 """The minimum size that an opened file counts for [characters]."""
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, weakref_slot=True)
 class State:
     """The state of a run.
 
