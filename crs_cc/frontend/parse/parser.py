@@ -48,7 +48,7 @@ def parse(
     try:
         return grammar.translation_unit()
     finally:
-        vars(grammar).clear()  # its parts refer to it, and would keep all tokens until a collection
+        grammar.__dict__.clear()  # its parts refer to it: tokens would stay until a collection
 
 
 def parse_expression(
