@@ -50,7 +50,7 @@ class _Tree:
 
 @dataclass(frozen=True, slots=True)
 class _Piece:
-    """What is known of lines of a header.
+    """A piece of a header: lines that are not interrupted by another file.
 
     Attributes:
         words: the tokens: type, text, line (counted from 0) and column of each.
@@ -77,7 +77,7 @@ def remembered() -> tuple[int, int]:
 
 @dataclass(frozen=True, slots=True)
 class HeaderTokens:
-    """The tokens of lines of a header in a file: which is the last, and what is known of them."""
+    """The tokens of lines of a header in a file: the last one, and the piece."""
 
     last: Token
     piece: _Piece

@@ -98,7 +98,7 @@ class _Numbers(dict[str, int]):
 
 
 class _Answers(dict[str, Any]):
-    """What a program's table answered to what it was asked for by name."""
+    """The results of look-ups by name in a table of a program, as they are made."""
 
     def __init__(self, real: Mapping[str, Any]) -> None:
         super().__init__()

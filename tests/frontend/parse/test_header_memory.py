@@ -58,6 +58,8 @@ PROGRAMS = {
     "a macro after": "#include <stdio.h>\n#define EOF 3\nint x = EOF;",
     "no macro after": "#include <stdio.h>\n#undef EOF\nint x = EOF;",
     "another size_t": "typedef short size_t;\n#include <string.h>\nint x = sizeof strlen(0);",
+    "another size_t in its place": "#define _STRINGS_H\ntypedef unsigned char size_t;\n"
+    "#include <string.h>\nunsigned f(char *t, int n) { return strnlen(t, n); }",
     "a size_t by that name": "#define size_t mine\n#include <string.h>\nmine x = sizeof strlen(0);",
     "a struct of the same name": "struct tm { char c; };\n#include <time.h>\nstruct tm x;",
     "a struct": "#include <time.h>\nint f(struct tm *t) { return mktime(t) + t->tm_sec; }",
