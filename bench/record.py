@@ -145,7 +145,7 @@ def measure(robots: int, seconds: float, repeat: int, folder: Path) -> None:
             for kinds_s in [of(used_s, axis=0).sum(axis=1)]
         ]
         whole = (folder / f"{name}.mcap").stat().st_size / robots / steps
-        print(f"{robots:7,}  sensors {name:5} fastest {more[0]:+5.1f} %, median {more[1]:+5.1f} %,"
+        print(f"{robots:7,}  sensors {name:5} fastest {more[0]:+5.1f}%, median {more[1]:+5.1f}%,"
               f" mean {more[2]:+5.1f} %{whole:9.2f} bytes/robot/frame")  # fmt: skip
     true, believed = (
         frame_bytes(folder / "none.mcap", topic) / robots / steps

@@ -134,7 +134,7 @@ _OPTIONS = (
     ),
     click.option(
         "--dialect", type=click.Choice(DIALECTS),
-        help="The API that the program uses: nomad (Nomadic's) or report (that of the CRS report, "
+        help="The API that the program uses: nomad (Nomadic's) or report (that of the CRS report; "
         "see docs/glossary.md). With report, a program may consist of just the statements of a "
         "function body. Default: report if the program defines runcode, has no main and "
         "includes no Nomadic header; otherwise nomad.",

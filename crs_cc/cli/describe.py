@@ -137,11 +137,11 @@ def _properties(channel: Channel) -> Iterator[str]:
         varies = f" to {(channel.delay_s + channel.jitter_s) * 1000:g}" if channel.jitter_s else ""
         yield f"delay {channel.delay_s * 1000:g}{varies} ms"
     if channel.loss:
-        yield f"loss {100 * channel.loss:g} %"
+        yield f"loss {100 * channel.loss:g}%"
     if channel.burst_begin:
         yield "bursts of losses"
     if channel.corruption:
-        yield f"corruption {100 * channel.corruption:g} % of bytes"
+        yield f"corruption {100 * channel.corruption:g}% of bytes"
 
 
 def _robot(robot: Robot) -> str:

@@ -5,7 +5,7 @@
 >>> Pace(2.0).behind_s(5.0, 0.1)
 2.4
 >>> progress_text(3.0, 12.0, 1.5, "1 of 1 running")
-'3.0 of 12.0 s simulated (25 %), 2.0 x real time, 5 s left, 1 of 1 running'
+'3.0 of 12.0 s simulated (25%), 2.0 x real time, 5 s left, 1 of 1 running'
 >>> progress_text(3.0, None, 1.5, "1 of 1 running")
 '3.0 s simulated, 2.0 x real time, 1 of 1 running'
 """
@@ -77,7 +77,7 @@ def progress_text(simulated_s: float, end_s: float | None, real_s: float, runnin
         return f"{simulated_s:.1f} s simulated, {speed}, {running}"
     percent = 100.0 * min(1.0, simulated_s / end_s)
     left_s = (end_s - simulated_s) / rate if rate > 0.0 else 0.0
-    done = f"{simulated_s:.1f} of {end_s:.1f} s simulated ({percent:.0f} %)"
+    done = f"{simulated_s:.1f} of {end_s:.1f} s simulated ({percent:.0f}%)"
     return f"{done}, {speed}, {_duration_text(left_s)} left, {running}"
 
 

@@ -35,8 +35,8 @@ Examples:
 @click.option("--at", "at_s", callback=parse_time, metavar="TIME", help="Show the state at TIME.")
 @written_file(
     "--plot",
-    "Plot the world from above with each robot's path: FILE.svg, or FILE.gif or FILE.apng for an "
-    "animation.",
+    "Plot the world from above, with each robot's path, to FILE. Its extension selects the "
+    "format: .svg for a picture, .gif or .apng for an animation.",
 )
 @written_folder(
     "--csv", "Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.", to="tables"

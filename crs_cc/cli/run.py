@@ -56,8 +56,8 @@ Examples:
 )
 @written_file(
     "--plot",
-    "Plot the world from above with each robot's path: FILE.svg, or FILE.gif or FILE.apng for an "
-    "animation.",
+    "Plot the world from above, with each robot's path, to FILE. Its extension selects the "
+    "format: .svg for a picture, .gif or .apng for an animation.",
 )
 @click.option(
     "--plot-sensors",

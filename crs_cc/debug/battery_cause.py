@@ -19,7 +19,7 @@ def battery_facts(environment: Environment, robot: int, name: str) -> Iterator[F
     if battery is None:
         yield Fact("it is unlimited: the world file gives it no capacity")
         return
-    yield Fact(f"it had {100 * battery.charge:g} % of {battery.capacity_j:g} J at first")
+    yield Fact(f"it had {100 * battery.charge:g}% of {battery.capacity_j:g} J at first")
     joined_s = float(environment.state.presence.joined_s[robot])
     for_s = max(0.0, environment.time_s - joined_s)
     if battery.power_w:

@@ -22,7 +22,7 @@ def digest(session: Session) -> str:
     """Return the hash of a run between two timesteps."""
     state, world = session.state, session.environment.last_state
     odometry, bodies = world.odometry, world.bodies
-    parts = [  # no loop, which would take 50 % longer, 60 times a minute
+    parts = [  # no loop, which would take 50% longer, 60 times a minute
         b"%d" % state.timesteps,
         state.clock_s.tobytes(), state.fuel.tobytes(), state.alive.tobytes(),
         state.due_s.tobytes(), state.ended_s.tobytes(), state.called_s.tobytes(),

@@ -42,8 +42,8 @@ from crs_cc.recording.mcap_records import (
 )
 
 PROFILE: Final = "crs"
-LEVEL: Final = 1  # of zstd: level 3 is 2 % smaller and takes twice the time
-SMALL_LEVEL: Final = 9  # for seconds of which many are one chunk: 12 % smaller
+LEVEL: Final = 1  # of zstd: level 3 is 2% smaller and takes twice the time
+SMALL_LEVEL: Final = 9  # for seconds of which many are one chunk: 12% smaller
 _SMALL: Final = zstandard.ZstdCompressionParameters(
     strategy=zstandard.STRATEGY_LAZY2,
     window_log=18,
@@ -61,7 +61,7 @@ MAX_CHUNK: Final = 256 * 1024
 
 BLOCK: Final = 300
 """Messages from this size on [bytes] are separate zstd blocks: each has its own table of byte
-frequencies. In one block, those of few robots take 5 % more."""
+frequencies. In one block, those of few robots take 5% more."""
 
 _Pending = tuple[int, int, Channel, bytes]  # log time [ns], order, channel, content
 

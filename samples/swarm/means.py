@@ -16,7 +16,7 @@ def with_means(results: Results) -> Table:
     """Return the table of medians, with means and their bootstrapped intervals."""
     table = medians(results)
     means = [_mean(group.values) for group in results.groups]
-    heading = (*table.heading, "mean", "95 % interval of the mean")
+    heading = (*table.heading, "mean", "95% interval of the mean")
     rows = [(*cells, *more) for cells, more in zip(table.rows, means, strict=True)]
     return replace(table, heading=heading, rows=tuple(rows))
 

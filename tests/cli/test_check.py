@@ -151,7 +151,7 @@ def test_channels_that_a_world_changes_are_described(capfd: pytest.CaptureFixtur
     assert main(["check", "world.xml"]) == 0
     lines = [line.split(": ", 1)[1] for line in capfd.readouterr().out.splitlines()]
     assert lines[1:4] == [
-        "channel 'radio': range 20 m times 0.5 for each object in between, 14400 B/s, loss 10 %",
-        "channel 'wire': unlimited range, 1000 B/s, delay 5 to 10 ms, corruption 1 % of bytes",
+        "channel 'radio': range 20 m times 0.5 for each object in between, 14400 B/s, loss 10%",
+        "channel 'wire': unlimited range, 1000 B/s, delay 5 to 10 ms, corruption 1% of bytes",
         "1 outage",
     ]

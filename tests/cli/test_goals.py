@@ -46,7 +46,7 @@ def test_a_run_shows_and_records_the_status_of_goals(
     assert near == {"id": "near", "title": title, "points": 2.5, "status": "met", "progress": ""}
     assert (late["status"], late["at_s"]) == ("failed", 1.0)
     assert (clean["status"], clean["at_s"]) == ("holds", None)
-    assert (cover["status"], cover["progress"]) == ("open", "1 % covered")
+    assert (cover["status"], cover["progress"]) == ("open", "1% covered")
     assert data["points"] == {"earned": 5.5, "of": 7.5}
     rows = [" ".join(line.split()) for line in err.splitlines()]
     assert f"{title} met {at_s:.2f} s 2.5 of 2.5" in rows
@@ -73,7 +73,7 @@ def test_the_debugger_shows_goals_as_they_are_at_the_instant() -> None:
         "[b]A <place>[/b]  open (2.5 points)",
         "goal1             open (1 point)",
         "goal2             holds (3 points)",
-        "goal3             open, 0 % covered (1 point)",
+        "goal3             open, 0% covered (1 point)",
         "points            3 of 7.5",
     ]
     assert "Catchpoint 1: goal 'goal1' failed" in said[2]

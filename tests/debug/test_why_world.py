@@ -138,7 +138,7 @@ def test_each_value_has_causes_of_its_kind(expression: str, cause: str, debugger
     [
         ("$world.time", "40 timesteps of 0.05 s have been simulated"),
         ("$world.timestep", "40 timesteps of 0.05 s have been simulated"),
-        ("near.motor_battery", "it had 100 % of 1.4688e+06 J at first"),
+        ("near.motor_battery", "it had 100% of 1.4688e+06 J at first"),
         ("near.motor_battery", "5 W for 2.000 s have taken 10 J"),
         ("near.motor_battery", "moving has taken"),
         ("near.computer_battery", "20 W for 2.000 s have taken 40 J"),

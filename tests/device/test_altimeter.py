@@ -28,7 +28,7 @@ def test_robot_without_altimeter_returns_false():
 
 
 def test_noise_has_standard_deviation_of_definition(tmp_path):
-    """2,000 readings of a robot at rest: the standard error is 1.6 % of the deviation."""
+    """2,000 readings of a robot at rest: the standard error is 1.6% of the deviation."""
     robot = scout_with(tmp_path, '<altimeter rate="1kHz" noise="10in"/>')
     loop = 'for (i = 0; i < 2000; i++) { crs_altitude(&h); printf("%d\\n", h); }'
     readings = np.array(drive(f"int i, h; {loop}", robot=robot).numbers)

@@ -136,7 +136,7 @@ def test_noise_grows_with_square_of_distance(tmp_path):
     )
     program = f'struct crs_pixel row[320]; int i, n; {loop} printf("%d\\n", row[i].range); }}'
     ranges = np.array(drive(program, robot=robot, things=f'<robot x="0" y="0"/>{poles}').numbers)
-    assert ranges.std() * 0.00254 == pytest.approx(0.04, rel=0.04)  # 6,400: 0.9 % standard error
+    assert ranges.std() * 0.00254 == pytest.approx(0.04, rel=0.04)  # 6,400: 0.9% standard error
     assert ranges.mean() * 0.00254 == pytest.approx(2.0, abs=0.003)
 
 

@@ -74,7 +74,7 @@ def test_amounts_below_the_threshold_are_not_smelled(tmp_path):
 
 
 def test_noise_is_relative_and_degradations_follow(tmp_path):
-    """2,000 readings: the standard error is 1.6 % of the deviation."""
+    """2,000 readings: the standard error is 1.6% of the deviation."""
     body = 'int i; for (i = 0; i < 2000; i++) printf("%.9f\\n", crs_smell(0, 1));'
     place = 'reach="1.3m" apart="22deg" rate="1kHz"'
     readings = np.array(smell(tmp_path, body, f'{place} noise="0.1"').numbers)

@@ -43,7 +43,7 @@ def test_robot_without_inclinometer_returns_false():
 
 
 def test_noise_has_standard_deviation_of_definition(tmp_path):
-    """2,000 readings of a robot at rest: the standard error is 1.6 % of the deviation."""
+    """2,000 readings of a robot at rest: the standard error is 1.6% of the deviation."""
     robot = scout_with(tmp_path, '<inclinometer rate="1kHz" noise="1deg"/>')
     loop = 'for (i = 0; i < 2000; i++) { crs_tilt(&p, &r); printf("%d %d\\n", p, r); }'
     readings = np.array(drive(f"int i, p, r; {loop}", robot=robot).numbers).reshape(-1, 2)

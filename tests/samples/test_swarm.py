@@ -239,7 +239,7 @@ def test_the_share_of_the_short_branch_agrees_with_theory(bridge: str) -> None:
     with (SWARM / "results" / f"{bridge}.csv").open(encoding="utf-8", newline="") as file:
         rows = {(row["minute"], row["colony"]): row for row in csv.DictReader(file)}
     for minute in "123":
-        low, high = map(float, rows[minute, "robots"]["95 % interval of the mean"].split(" to "))
+        low, high = map(float, rows[minute, "robots"]["95% interval of the mean"].split(" to "))
         assert 0.5 < low <= float(rows[minute, "without bodies"]["mean"]) <= high
 
 

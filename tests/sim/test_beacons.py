@@ -110,7 +110,7 @@ def test_robots_hear_others_from_their_direction(tmp_path):
 
 
 def test_noise_is_proportional_as_defined(tmp_path):
-    """500 readings of 1000: the deviation is 50, its standard error 3.2 % of that."""
+    """500 readings of 1000: the deviation is 50, its standard error 3.2% of that."""
     things = ROBOT + '<light x="1m" y="0" brightness="1000"/><sound x="1m" y="0" level="1000"/>'
     devices = EYES.replace("/>", ' noise="0.05"/>'), '<microphones noise="0.05"/>'
     driver = gripping(tmp_path, things, WIDE, *devices)

@@ -54,7 +54,7 @@ def as_page(grades: Sequence[Grade], title: str, runs: str | None) -> str:
         "title": _text(title),
         "policy": f"sha256-{policy}",
         "script": script,
-        "summary": f"{len(grades)} submissions, {sum(earned) / len(grades):.0f} % on average",
+        "summary": f"{len(grades)} submissions, {sum(earned) / len(grades):.0f}% on average",
         "head": "".join(_head(grades[0])),
         "rows": "\n".join(_row(grade, number) for number, grade in enumerate(grades)),
         "details": "\n".join(_details(grade, n, runs) for n, grade in enumerate(grades)),
@@ -85,7 +85,7 @@ def _row(grade: Grade, number: int) -> str:
         f'<tr class="{grade.result.replace(" ", "-")}">'
         f'<td><a href="#s{number}">{_text(grade.submission.name)}</a></td>'
         f'<td class="number">{grade.earned:g}</td>'
-        f'<td class="number" data-key="{grade.percent:.4f}">{grade.percent:.0f} %</td>{marks}'
+        f'<td class="number" data-key="{grade.percent:.4f}">{grade.percent:.0f}%</td>{marks}'
         f"<td>{grade.result}</td>"
         f"<td>{_text(grade.message)}{like if grade.identical else ''}</td></tr>"
     )

@@ -232,7 +232,7 @@ def _charge(environment: Environment, words: Words) -> str:
         text = f"{words[1][:_MAX_LENGTH]!r} is not a state of charge (expected 0 to 100 percent)"
         raise ValueError(text)
     environment.charge(environment.world.robots.index(robot), percent / 100)
-    return f"{robot.id}'s motor battery is now at {percent:g} %"
+    return f"{robot.id}'s motor battery is now at {percent:g}%"
 
 
 def _heat(environment: Environment, words: Words) -> str:

@@ -238,7 +238,7 @@ def _devices(environment: Environment, robot: int, model: RobotModel) -> Iterato
     batteries = ("computer_battery", "motor_battery")
     for name, charge in zip(batteries, environment.charges(robot), strict=True):
         if model.device(name) is not None:
-            yield Row(name.replace("_", " "), f"{100 * charge:.1f} %")
+            yield Row(name.replace("_", " "), f"{100 * charge:.1f}%")
     for title, text in environment.device_rows(robot):
         yield Row(title, text)
     if state.heat.left[robot]:

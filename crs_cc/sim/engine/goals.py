@@ -404,10 +404,10 @@ class GoalJudge:
             case Cover(cell_m=cell_m):
                 free = self._floor.free(cell_m)
                 covered = int((self._marks_of(number, state) & free).sum())
-                return f"{100 * covered // max(1, int(free.sum()))} % covered"
+                return f"{100 * covered // max(1, int(free.sum()))}% covered"
             case Follow():
                 right, counted = int(goals.right[number]), int(goals.counted[number])
-                return f"{100 * right // max(1, counted)} % of the time"
+                return f"{100 * right // max(1, counted)}% of the time"
             case Cool(things, heat):
                 numbers = [self._numbers.get(thing) for thing in things]
                 cool = sum(n is not None and state.heat.left[n] <= heat for n in numbers)

@@ -112,7 +112,7 @@ def box_and_strip(results: Results) -> str:
 
 
 def curve(results: Results) -> str:
-    """Return medians over a parameter with their 95 % intervals, a line for each other one.
+    """Return medians over a parameter with their 95% intervals, a line for each other one.
 
     The first parameter of the results must be numeric.
     """

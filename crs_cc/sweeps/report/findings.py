@@ -81,7 +81,7 @@ def medians(results: Results) -> Table:
         )
     met = ("met",) if results.is_time else ()
     heading = (*results.varied, "runs", *met, "median", "lower quartile", "upper quartile",
-               "95 % interval of the median")  # fmt: skip
+               "95% interval of the median")  # fmt: skip
     note = "The interval is a bootstrap confidence interval (percentiles of 5,000 resamples)."
     if results.is_time:
         note += " Where a goal was not met, the value is the end of the run: ≥ marks such bounds."
@@ -135,7 +135,7 @@ def comparisons(results: Results) -> Table:
         "column says how many seeds would show such an effect in four of five cases at p = 0.05 "
         "(Noether 1987)."
     )
-    heading = ("first", "second", "p", "effect", "seeds for 80 % power")
+    heading = ("first", "second", "p", "effect", "seeds for 80% power")
     return Table("Differences", heading, rows, note)
 
 

@@ -42,9 +42,9 @@ def _is_numeric(results: Results, name: str) -> bool:
 
 _CAPTIONS: Final = {
     "values": "Every run; boxes from quartile to quartile, with the median.",
-    "curve": "Medians, with the bootstrap 95 % confidence interval.",
+    "curve": "Medians, with the bootstrap 95% confidence interval.",
     "heat-map": "Medians over two parameters.",
-    "survival": "Runs in which the goal is not yet met (Kaplan-Meier), with the 95 % confidence"
+    "survival": "Runs in which the goal is not yet met (Kaplan-Meier), with the 95% confidence"
     " interval.",
     "convergence": "The medians of the first seeds: with enough seeds, they no longer change.",
     "visits": "Where the robots were in the median run.",

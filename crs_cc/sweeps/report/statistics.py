@@ -36,7 +36,7 @@ class Summary:
         median: the median.
         low_quartile: a quarter is below.
         high_quartile: a quarter is above.
-        low: the lower end of the bootstrapped 95 % interval of the median.
+        low: the lower end of the bootstrapped 95% interval of the median.
         high: its upper end.
     """
 
@@ -97,7 +97,7 @@ def comparison(first: Sequence[float], second: Sequence[float]) -> Comparison:
 
 
 def required_sample_size(effect: float) -> int | None:
-    """Return the sample size per group that shows an effect with a power of 80 %.
+    """Return the sample size per group that shows an effect with a power of 80%.
 
     The formula is Noether's for the Mann-Whitney test (Sample size determination for some common
     nonparametric tests, 1987, JASA 82, 645-647), with half of the values in each group.
@@ -141,7 +141,7 @@ class Survival:
     Attributes:
         times: when it changes.
         shares: the share from then on.
-        low: the lower end of its 95 % interval.
+        low: the lower end of its 95% interval.
         high: its upper end.
     """
 

@@ -137,7 +137,7 @@ export class Compared {
     const name = file.name.endsWith(".mcap") ? file.name : `${file.name}.mcap`;
     const bytes = new Uint8Array(await file.arrayBuffer());
     for (let offset = 0; offset < Math.max(1, bytes.length); offset += PIECE) {
-      this.model.notify(`${file.name}: ${Math.round((100 * offset) / Math.max(1, bytes.length))} % sent`);
+      this.model.notify(`${file.name}: ${Math.round((100 * offset) / Math.max(1, bytes.length))}% sent`);
       const data = toBase64(bytes.subarray(offset, offset + PIECE));
       if (!(await this.model.request("upload_piece", { name, offset, data }))) return;
     }

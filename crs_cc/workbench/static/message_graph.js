@@ -77,7 +77,7 @@ function arrow(link, [x0, y0], [x1, y1], { most, seconds, meaning, names, select
   const tip = Math.hypot(tx, ty) || 1;
   const [hx, hy] = [tx / tip, ty / tip];
   group.append(svg("path", { class: "tip", d: `M${ex} ${ey}l${-8 * hx - 4 * hy} ${-8 * hy + 4 * hx}l${8 * hy} ${-8 * hx}z` }));
-  const rate = `${+(all / Math.max(seconds, 0.05)).toPrecision(2)}/s${share > 0 ? `, ${Math.round(100 * share)} % lost` : ""}`;
+  const rate = `${+(all / Math.max(seconds, 0.05)).toPrecision(2)}/s${share > 0 ? `, ${Math.round(100 * share)}% lost` : ""}`;
   group.append(svg("text", { x: (sx + 2 * mx + ex) / 4 + bx * 0.6, y: (sy + 2 * my + ey) / 4 + by * 0.6 + 3, class: "rate" }, rate));
   const pick = () => choose(selected === key ? "" : key);
   group.addEventListener("click", pick);

@@ -118,7 +118,7 @@ def test_a_long_delay_of_many_values_is_right_to_a_62nd_of_it():
 
 
 def test_noise_has_the_deviation_that_was_asked_for():
-    """4,000 deviates: the standard error of their deviation is 1.1 %, of their mean 1.6 %."""
+    """4,000 deviates: the standard error of their deviation is 1.1%, of their mean 1.6%."""
     law = Law.of(fault(noise=0.5))
     told = np.array([law.read(2.0) for _ in range(4000)])
     assert told.std() == pytest.approx(0.5, rel=0.05)
@@ -136,7 +136,7 @@ def test_noise_fades_in_its_deviation():
      ({"dead": True, "duration_s": 0.5, "recovery_s": 1.0}, 0.5)],
 )  # fmt: skip
 def test_dropouts_come_as_often_as_was_asked_for(what, share):
-    """4,000 values: the standard error is at most 0.8 %."""
+    """4,000 values: the standard error is at most 0.8%."""
     law = Law.of(fault(**what))
     lost = np.isnan([law.read(2.0, 1.0) for _ in range(4000)])
     assert lost.mean() == pytest.approx(share, abs=0.025)

@@ -58,7 +58,7 @@ def test_scatters_of_one_file_are_independent() -> None:
 
 
 def test_distributions_are_those_asked_for() -> None:
-    """Of 2,000 small cans: the standard error of a mean is 2.2 % of the deviation."""
+    """Of 2,000 small cans: the standard error of a mean is 2.2% of the deviation."""
     can = '<define name="dot"><cylinder x="0" y="0" radius="1mm"/></define>'
 
     def centred(how: str) -> np.ndarray:

@@ -145,7 +145,7 @@ def test_a_share_of_the_free_floor_is_covered() -> None:
     course = Course(f'{ROBOT}{wall}<goal><cover share="0.2" cell="1m"/></goal>')
     for number in range(9):
         course.step(robot0=(0.5 + number % 5, 0.5 + number // 5))
-    assert (course.status(), course.progress()) == ("open", "18 % covered")
+    assert (course.status(), course.progress()) == ("open", "18% covered")
     course.step(robot0=(4.5, 1.5))
     assert course.status() == "met"
 
@@ -170,7 +170,7 @@ def test_the_following_robot_must_be_at_the_right_distance_for_a_share_of_the_ti
     course.step(3, robot1=(1.0, 1.8))
     assert course.status() == "holds"
     course.step(3, robot1=(1.0, 2.2))
-    assert (course.status(), course.progress()) == ("holds", "50 % of the time")
+    assert (course.status(), course.progress()) == ("holds", "50% of the time")
     course.step()
     assert course.status() == "open"
 

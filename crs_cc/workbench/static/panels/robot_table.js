@@ -120,7 +120,7 @@ export const robotTable = {
         [data.line ? `${data.file}:${data.line} ${data.function}` : "", ".code"],
         [data.present && Number.isFinite(x) ? `${x.toFixed(3)}, ${y.toFixed(3)} m, ${angleText(heading)}` : "–", ".number"],
         [data.present ? `${data.speed.toFixed(2)} m/s` : "–", ".number"],
-        [data.battery === null ? "–" : `${(100 * data.battery).toFixed(0)} %`, ".number"],
+        [data.battery === null ? "–" : `${(100 * data.battery).toFixed(0)}%`, ".number"],
         [bumpers.length ? bumpers.join(", ") : "–", bumpers.length ? ".bad" : ""],
         [state || "runs", isBad ? ".bad" : ""],
         [(data.fails ?? []).join("; ") || "–", data.fails?.length ? ".bad" : ""],

@@ -62,7 +62,7 @@ export const robots = {
         body ? ["position", `${body.x.toFixed(3)}, ${body.y.toFixed(3)} m`] : null,
         body ? ["heading", `${(((body.heading * 180) / Math.PI + 3600) % 360).toFixed(1)}°`] : null,
         ["speed", `${data.speed.toFixed(3)} m/s, ${turn}°/s`],
-        data.battery === null ? null : ["battery", `${(100 * data.battery).toFixed(1)} %`],
+        data.battery === null ? null : ["battery", `${(100 * data.battery).toFixed(1)}%`],
         ["collisions", String(data.collisions)],
         ["activity", data.does],
         data.fails?.length ? ["fails", data.fails.join("; ")] : null,
