@@ -446,7 +446,8 @@ class Debugger:
         with self._showing_new():
             self.run.record_change(Change(self.position, text, robot, patches, program, printed))
         self.branches.discard_checkpoints()
-        self.stop_points.add_joined_robots()
+        if robot < 0:
+            self.stop_points.add_joined_robots()
 
     # -- branches ------------------------------------------------------------------------------
 

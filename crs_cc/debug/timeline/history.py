@@ -18,6 +18,7 @@ import copy
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import Final
 
 import numpy as np
@@ -53,6 +54,9 @@ class RunSnapshot:
 
     session: SessionSnapshot
     console: ConsolePosition
+
+
+_position: Final = attrgetter("position")
 
 
 class History:
@@ -126,7 +130,7 @@ class History:
 
     def revert(self, position: Position) -> None:
         """Discard the changes and snapshots from a position on."""
-        self.changes = tuple(each for each in self.changes if each.position < position)
+        self.changes = self.changes[: bisect_left(self.changes, position, key=_position)]
         first = self._positions[0]
         if position > first or self._start is not None:
             self._drop(position)
@@ -135,14 +139,14 @@ class History:
         if self._start is not None and position == first:
             self._positions.append(first)
             self._snapshots[first], self._start = self._start, None
-        self._edits[:] = [each for each in self._edits if each < position]
+        del self._edits[bisect_left(self._edits, position) :]
         self.farthest = position
         self._user = None
 
     def _drop(self, position: Position) -> None:
         """Discard the snapshots and edits from a position on."""
         self._drop_from(bisect_left(self._positions, position))
-        self._edits[:] = [each for each in self._edits if each < position]
+        del self._edits[bisect_left(self._edits, position) :]
 
     def _drop_from(self, first: int) -> None:
         """Discard the snapshots from a number on."""
@@ -159,7 +163,7 @@ class History:
         other = copy.copy(self)
         self._store.most_bytes += self._more_bytes
         other._positions = self._positions[: bisect_right(self._positions, position)]
-        other._edits = [each for each in self._edits if each <= position]
+        other._edits = self._edits[: bisect_right(self._edits, position)]
         other.changes = self.changes_until(position)
         other.farthest = position
         other._snapshots = {
@@ -178,7 +182,7 @@ class History:
 
     def changes_until(self, position: Position) -> tuple[Change, ...]:
         """Return the changes up to a position."""
-        return tuple(each for each in self.changes if each.position <= position)
+        return self.changes[: bisect_right(self.changes, position, key=_position)]
 
     def unused_edits(self, robot: int, position: Position) -> list[MemoryPatch]:
         """Return the changes, up to a position, of objects that a robot's program does not use."""
@@ -241,7 +245,8 @@ class History:
         """Drop snapshots until the limit is met."""
         places = np.array([each.timestep + _ROUNDS * each.round for each in self._positions])
         here = self._here.timestep + _ROUNDS * self._here.round
-        needed = np.array([each in self._edits for each in self._positions])
+        edits = set(self._edits)
+        needed = np.array([each in edits for each in self._positions])
         needed[0] = True
         left = list(range(len(places)))
         fewest = len(left) // 2  # dropping data shared with other branches frees nothing

@@ -7,7 +7,9 @@ back: they repeat unless the user changes something.
 from __future__ import annotations
 
 import copy
+from bisect import bisect_left
 from collections.abc import Sequence
+from operator import itemgetter
 from typing import Final
 
 import numpy as np
@@ -116,7 +118,7 @@ class EventHistory:
         """Discard a timestep and all later ones."""
         self.timesteps = min(self.timesteps, timestep)
         self._happened = [each for each in self._happened if each[0] < timestep]
-        self._poses = [each for each in self._poses if each[0] < timestep]
+        self._poses = self._poses[: bisect_left(self._poses, timestep, key=itemgetter(0))]
 
     def fork(self, timestep: int) -> EventHistory:
         """Return an independent copy of the timesteps before this one."""
