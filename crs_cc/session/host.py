@@ -5,7 +5,6 @@ Those about time are answered where programs are run, see `runtime.turns`.
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, Literal
@@ -113,17 +112,6 @@ class Host:
         self._output = output
         self.reply: Output = discard
         self._read = read
-        self._serve: dict[int, Callable[[HostRequest], None]] = {
-            CODES["EXIT"]: self._exit,
-            CODES["WRITE"]: self._write,
-            CODES["READ"]: self._read_stream,
-            CODES["ARGUMENT"]: self._argument,
-            CODES["CLIENT"]: self._which_client,
-            CODES["UNCONNECTED"]: self._unconnected,
-            CODES["INPUT"]: self._input,
-        }
-        for name, serve in _FILES.items():
-            self._serve[CODES[f"FILE_{name}"]] = functools.partial(self._file, serve)
 
     def add(self, arguments: Sequence[str]) -> None:
         """Add the host of another robot."""
@@ -137,11 +125,12 @@ class Host:
 
     def serve(self, code: int, request: HostRequest) -> None:
         """Answer a request: -1 for an unknown code."""
-        handler = self._serve.get(code)
-        if handler is None:
-            request.message["result"] = -1
+        if code in FILE_SERVERS:
+            self._file(FILE_SERVERS[code], request)
+        elif code in HANDLERS:
+            HANDLERS[code](self, request)
         else:
-            handler(request)
+            request.message["result"] = -1
 
     def _exit(self, request: HostRequest) -> None:
         self.exit_status[request.robot] = int(request.message["i"][0]) & 0xFF
@@ -199,21 +188,32 @@ class Host:
 
 FileServer = Callable[[Disk, int, int, int, bytes], int | bytes]
 
-_FILES: Final[dict[str, FileServer]] = {
-    "OPEN": lambda disk, flags, _1, _2, name: disk.open(name, flags),
-    "CLOSE": lambda disk, number, _1, _2, _data: disk.close(number),
-    "READ": lambda disk, number, offset, wanted, _data: disk.read(
+FILE_SERVERS: Final[dict[int, FileServer]] = {
+    CODES["FILE_OPEN"]: lambda disk, flags, _1, _2, name: disk.open(name, flags),
+    CODES["FILE_CLOSE"]: lambda disk, number, _1, _2, _data: disk.close(number),
+    CODES["FILE_READ"]: lambda disk, number, offset, wanted, _data: disk.read(
         number, offset, min(wanted, DATA_SIZE)
     ),
-    "WRITE": lambda disk, number, offset, _, data: disk.write(number, offset, data),
-    "RESIZE": lambda disk, number, size, _, _data: disk.resize(number, size),
-    "REMOVE": lambda disk, _0, _1, _2, name: disk.remove(name),
-    "LIST": lambda disk, index, _1, _2, name: _fitting(disk.entry(name, index)),
-    "RENAME": lambda disk, size, _1, _2, names: disk.rename(
+    CODES["FILE_WRITE"]: lambda disk, number, offset, _, data: disk.write(number, offset, data),
+    CODES["FILE_RESIZE"]: lambda disk, number, size, _, _data: disk.resize(number, size),
+    CODES["FILE_REMOVE"]: lambda disk, _0, _1, _2, name: disk.remove(name),
+    CODES["FILE_LIST"]: lambda disk, index, _1, _2, name: _fitting(disk.entry(name, index)),
+    CODES["FILE_RENAME"]: lambda disk, size, _1, _2, names: disk.rename(
         names[: max(size, 0)], names[max(size, 0) :]
     ),
 }
 """The disk operation of each file request, given `i[0]`, `i[1]`, `i[2]` and the data."""
+
+HANDLERS: Final[dict[int, Callable[[Host, HostRequest], None]]] = {
+    CODES["EXIT"]: Host._exit,
+    CODES["WRITE"]: Host._write,
+    CODES["READ"]: Host._read_stream,
+    CODES["ARGUMENT"]: Host._argument,
+    CODES["CLIENT"]: Host._which_client,
+    CODES["UNCONNECTED"]: Host._unconnected,
+    CODES["INPUT"]: Host._input,
+}
+"""The methods that answer all other requests; no bound ones, which would be a reference cycle."""
 
 
 def _fitting(found: bytes | int) -> bytes | int:

@@ -22,20 +22,19 @@ _NOBODY: Final = np.zeros(0, np.intp)
 class QuietPrograms:
     """The quiet time of a session's programs."""
 
-    def __init__(self, state: SessionState, answer: Callable[[IndexArray], None]) -> None:
-        """Prepare for quiet time.
+    def __init__(self, state: SessionState) -> None:
+        """Prepare for quiet time in a session, given its state."""
+        self._state = state
 
-        Args:
-            state: the session's state.
-            answer: answers programs that have asked for anything.
-        """
-        self._state, self._answer = state, answer
-
-    def run(self, end: int) -> None:
+    def run(self, end: int, answer: Callable[[IndexArray], None]) -> None:
         """Run timesteps, up to a number of them, in which nothing happens in the world.
 
         Return before one in which several programs run or a request arrives, and in one in which
         the only program that runs has stopped.
+
+        Args:
+            end: the maximum number of timesteps.
+            answer: answers programs that have asked for anything.
         """
         state, environment = self._state, self._state.environment
         until = min(environment.quiet_until(), environment.cycle + end - state.timesteps)
@@ -49,15 +48,16 @@ class QuietPrograms:
             alone_until = self._cycle_of(float(runs_s.min()), until)
             if is_request or environment.cycle >= alone_until:
                 return
-            if not self._run_alone(first, alone_until):
+            if not self._run_alone(first, alone_until, answer):
                 return
 
-    def _run_alone(self, robot: int, until: int) -> bool:
+    def _run_alone(self, robot: int, until: int, answer: Callable[[IndexArray], None]) -> bool:
         """Run a program in quiet cycles in which no other runs; return False if it asks for more.
 
         Args:
             robot: its robot.
             until: the first cycle in which it is not alone.
+            answer: answers it.
         """
         state, environment = self._state, self._state.environment
         timestep_s, begin = environment.timestep_s, environment.cycle
@@ -72,7 +72,7 @@ class QuietPrograms:
                 cycle, rounds = cycle + 1, 0
         self.skip(cycle - begin)
         state.rounds = rounds
-        self._answer(requesting)
+        answer(requesting)
         return not requesting.size
 
     def skip(self, cycles: int) -> None:

@@ -144,7 +144,7 @@ class Session:
         self._passed = getattr(observer, "passed", None)
         self._hints = Hints(self.environment, self.fleet)
         self.calm = CalmPrograms(self.state, self._hints)
-        self._quiet = QuietPrograms(self.state, self._answer)
+        self._quiet = QuietPrograms(self.state)
 
     # -- the state -----------------------------------------------------------------------------
 
@@ -284,7 +284,7 @@ class Session:
     def _run_quietly(self, end: int) -> None:
         """Run timesteps, up to a number of them, in which nothing happens, see `QuietPrograms`."""
         if self._is_quiet and not self.fleet.has_marks and self._can_continue:
-            self._quiet.run(end)
+            self._quiet.run(end, self._answer)
 
     def run_round(self) -> bool:
         """Run programs for one round; return False when all have used up the cycle.

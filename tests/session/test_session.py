@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import gc
 import pickle
 import subprocess
 import sys
+import weakref
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,6 +20,7 @@ STEPS = 60
 
 AGAIN = """
 import sys
+import weakref
 from dataclasses import replace
 from pathlib import Path
 from tests.session.programs import HALL, ROAM, build, run
@@ -215,3 +218,16 @@ def test_the_current_call_of_a_running_program_is_known(tmp_path: Path) -> None:
 def test_a_session_needs_one_program_for_each_robot() -> None:
     with pytest.raises(ValueError, match="0 programs for 1 robots"):
         Session(empty_world(), [])
+
+
+def test_a_session_that_nobody_uses_is_freed_without_a_collection(tmp_path: Path) -> None:
+    """With it go its fleet and its programs, which may be large."""
+    session = Session(HALL, [build(tmp_path, ROAM)] * 2)
+    session.advance(STEPS)
+    fleet = weakref.ref(session.fleet)
+    gc.disable()
+    try:
+        del session
+        assert fleet() is None
+    finally:
+        gc.enable()
