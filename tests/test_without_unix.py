@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import os
+import platform
 import subprocess
 import sys
 from pathlib import Path
@@ -79,11 +80,14 @@ def test_only_one_module_names_what_only_unix_has() -> None:
             assert unix_names(ast.parse(path.read_text("utf-8"))) == allowed, path
 
 
-def without_unix(*arguments: str, folder: Path = ROOT) -> subprocess.CompletedProcess[str]:
-    """Run Python without what only Unix has."""
+def without_unix(
+    *arguments: str, folder: Path = ROOT, **variables: str
+) -> subprocess.CompletedProcess[str]:
+    """Run Python without what only Unix has, with the library that tests have compiled."""
     paths = [str(ROOT / "tests" / "without_unix"), str(ROOT), os.environ.get("PYTHONPATH", "")]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
     environment.pop("PYTEST_XDIST_WORKER", None)
+    environment |= {"PROCESSOR_ARCHITECTURE": platform.machine(), **variables}  # as Windows does
     return subprocess.run(
         [sys.executable, *arguments],
         cwd=folder, env=environment, check=False, capture_output=True, text=True,
@@ -91,7 +95,10 @@ def without_unix(*arguments: str, folder: Path = ROOT) -> subprocess.CompletedPr
 
 
 def test_tests_of_all_parts_pass_without_it() -> None:
-    done = without_unix("-m", "pytest", "-p", "no:cacheprovider", "-n", "0", *TESTS)
+    # As a further worker, whose folder is beside the cache: the library is compiled once.
+    folder = Path(os.environ["CRS_CACHE"]).parent / "without_unix"
+    options = ["-p", "no:cacheprovider", "-n", "0", "--basetemp", str(folder)]
+    done = without_unix("-m", "pytest", *options, *TESTS, PYTEST_XDIST_WORKER="without_unix")
     assert done.returncode == 0, done.stdout[-5000:] + done.stderr[-1000:]
 
 

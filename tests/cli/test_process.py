@@ -74,39 +74,33 @@ def crs(
 
 
 @pytest.fixture(scope="module")
-def programs_cache(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """Return the cache of tests that need no world from it; the library is compiled once."""
-    return str(tmp_path_factory.mktemp("programs"))
-
-
-@pytest.fixture(scope="module")
 def worlds_cache(tmp_path_factory: pytest.TempPathFactory) -> str:
     """Return the cache of tests each of which puts a world of its own into it."""
     return str(tmp_path_factory.mktemp("worlds"))
 
 
-def loaded(folder: Path, cache: str, *arguments: str) -> set[str]:
-    """Return the modules that a run loads for what is in the cache."""
+def loaded(folder: Path, *arguments: str) -> set[str]:
+    """Return the modules that a run loads for what is in the cache that tests share."""
     (folder / "hello.c").write_text(HELLO)
     (folder / "room.xml").write_text(ROOM)
     for _ in range(2):
-        done = crs(folder, LOADED, "run", "hello.c", *arguments, CRS_CACHE=cache)
+        done = crs(folder, LOADED, "run", "hello.c", *arguments, CRS_CACHE=os.environ["CRS_CACHE"])
         assert (done.returncode, done.stdout) == (0, "hello\n"), done.stderr
     return set(done.stderr.split())
 
 
 def test_a_known_program_in_no_world_loads_only_what_it_runs_with(
-    tmp_path: Path, programs_cache: str
+    tmp_path: Path,
 ) -> None:
-    modules = loaded(tmp_path, programs_cache)
+    modules = loaded(tmp_path)
     assert not modules & (COMPILES | READS_WORLDS | SLOW | {"pymunk"})
     assert "wasmtime" in modules
 
 
 def test_a_known_program_in_a_room_without_contact_needs_no_pymunk(
-    tmp_path: Path, programs_cache: str
+    tmp_path: Path,
 ) -> None:
-    modules = loaded(tmp_path, programs_cache, "room.xml")
+    modules = loaded(tmp_path, "room.xml")
     assert not modules & (COMPILES | {"numpy.ma", "pymunk"})  # np.unique loads numpy.ma
     assert modules > READS_WORLDS
 

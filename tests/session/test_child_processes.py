@@ -21,31 +21,27 @@ int main(void)
 """
 
 RUNS = """
-import multiprocessing, os, sys
-from pathlib import Path
+import multiprocessing, sys
 import crs_cc
 
 WORLD = b'''<world version="1"><area length="3m" width="3m"/>
 <robot setup="noisy" x="1m" y="1m"/><robot x="2m" y="2m"/></world>'''
 
-def run(cache=None):
+def run(folder):
     from crs_cc.runtime import fleet
     from crs_cc.sim.files.world_xml import parse_world
-    if cache:
-        os.environ["CRS_CACHE"] = cache  # empty: everything is compiled
     fleet.PARALLEL_S = -1.0  # threads for every round
-    programs = [crs_cc.compile_c("drive.c")] * 2
+    programs = [crs_cc.compile_c(folder + "/drive.c")] * 2
     session = crs_cc.Session(parse_world(WORLD, "room"), programs, seed=3, threads=2)
     while session.step():
         pass
     return session.state_hash()
 
 if __name__ == "__main__":
-    method = sys.argv[1]
-    forked = method == "fork"  # with whatever the compiler has started
-    ours = run("cache of parent" if forked else None)
-    with multiprocessing.get_context(method).Pool(1) as pool:
-        child = pool.apply_async(run, ("cache of child" if forked else None,))
+    ours = run("parent")
+    # A fork has whatever the compiler has started.
+    with multiprocessing.get_context(sys.argv[1]).Pool(1) as pool:
+        child = pool.apply_async(run, ("child",))  # for which nothing is in the cache
         assert child.get(timeout=100) == ours
 """
 
@@ -56,7 +52,9 @@ def test_a_child_compiles_and_runs_after_its_parent_did(method: str, tmp_path: P
 
     Threads that run programs are not inherited, either: a child starts its own.
     """
-    (tmp_path / "drive.c").write_text(PROGRAM)
+    for whose in ("parent", "child"):
+        (tmp_path / whose).mkdir()
+        (tmp_path / whose / "drive.c").write_text(PROGRAM)
     (tmp_path / "runs.py").write_text(RUNS)
     done = subprocess.run(
         [sys.executable, "runs.py", method],
