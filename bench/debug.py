@@ -163,12 +163,12 @@ def world_text(robots: int) -> str:
     """Return the world file."""
     side = max(1, round(robots**0.5 + 0.49))
     places = [(2 + 4 * (n % side), 2 + 4 * (n // side)) for n in range(robots)]
-    things = [f'<robot x="{x}m" y="{y}m" heading="{37 * x % 360}deg"/>' for x, y in places]
-    things += [
+    elements = [f'<robot x="{x}m" y="{y}m" heading="{37 * x % 360}deg"/>' for x, y in places]
+    elements += [
         f'<box x="{x + 1.2}m" y="{y + 1.2}m" length="0.5m" width="0.5m"/>' for x, y in places
     ]
     size = f'length="{4 * side}m" width="{4 * side}m"'
-    return f'<world version="1"><area {size}/>{"".join(things)}</world>'
+    return f'<world version="1"><area {size}/>{"".join(elements)}</world>'
 
 
 def timed(work: Callable[[], object]) -> float:

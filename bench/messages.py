@@ -76,7 +76,7 @@ def world_of(robots: int) -> WorldModel:
     """Return the world."""
     rng = np.random.default_rng(0)
     side, attributes = int(np.ceil(np.sqrt(robots))), 'definition="quiet.xml"'
-    things = [
+    elements = [
         f'<robot x="{3 * column + 1.5 + x:.2f}" y="{3 * row + 1.5 + y:.2f}" {attributes}/>'
         for (row, column), (x, y) in zip(
             (divmod(number, side) for number in range(robots)),
@@ -84,12 +84,12 @@ def world_of(robots: int) -> WorldModel:
             strict=True,
         )
     ]
-    things += [
+    elements += [
         f'<box x="{3 * x}" y="{3 * y}" length="0.6" width="0.6"/>'
         for x, y in rng.integers(1, max(side, 2), (robots // 4, 2)).tolist()
     ]
     area = f'<area length="{3 * side}" width="{3 * side}"/>'
-    text = f'<world version="1" timestep="100ms">{area}{CHANNEL}{"".join(things)}</world>'
+    text = f'<world version="1" timestep="100ms">{area}{CHANNEL}{"".join(elements)}</world>'
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "quiet.xml").write_text(DEFINITION)

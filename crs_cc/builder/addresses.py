@@ -2,7 +2,7 @@
 
 `crate` is the element with this id, given or by default (`wall0`); `area`, `surface/ramp[1]` and
 `sensor[3]/position` are elements by their tags, counted from 0; `define[table]/leg0` is a part of a
-definition. So page, shell and Python name the same things, with and without an id.
+definition. So page, shell and Python name the same elements, with and without an id.
 
 >>> from crs_cc.builder.document import Document
 >>> room = Document(b"<world><wall/><define name='t'><box id='top'/></define></world>", "room.xml")
@@ -24,7 +24,7 @@ from typing import Final
 
 from crs_cc.builder.spans import Node
 from crs_cc.core.suggest import closest, unknown
-from crs_cc.sim.files.object_ids import THINGS
+from crs_cc.sim.files.object_ids import TAGS_WITH_ID
 
 _STEP: Final = re.compile(r"([A-Za-z-]+)(?:\[([^\]]*)\])?")
 _ENDING: Final = re.compile(r"(.*?)([-_.]?)([0-9]+)")
@@ -48,7 +48,7 @@ def ids(parent: Node) -> dict[str, Node]:
     found: dict[str, Node] = {}
     counts: Counter[str] = Counter()
     for child in parent.children:
-        if child.tag in THINGS:
+        if child.tag in TAGS_WITH_ID:
             default = f"{child.tag}{counts[child.tag]}"
             counts[child.tag] += 1
             found.setdefault(child.attributes.get("id", default), child)
@@ -57,7 +57,7 @@ def ids(parent: Node) -> dict[str, Node]:
 
 def id_of(node: Node) -> str:
     """Return an element's id, given or by default; empty if it has none."""
-    if node.tag not in THINGS or node.parent is None:
+    if node.tag not in TAGS_WITH_ID or node.parent is None:
         return ""
     before = (each for each in node.parent.children if each.tag == node.tag)
     return node.attributes.get("id") or f"{node.tag}{next(_index(before, node))}"

@@ -15,7 +15,7 @@ from crs_cc.builder.sensor_copies import is_sensor, sensor_copies
 from crs_cc.builder.spans import Node
 from crs_cc.builder.table import SIDES
 from crs_cc.core.suggest import unknown
-from crs_cc.sim.files.object_ids import THINGS
+from crs_cc.sim.files.object_ids import TAGS_WITH_ID
 from crs_cc.sim.files.schema_properties import properties
 
 MAX_COPIES: Final = 10_000
@@ -78,7 +78,7 @@ def copies(document: Document, nodes: Sequence[Node], motions: Sequence[Motion])
         where, slash, own = address(node).rpartition("/")
         for motion in motions:
             values = moved(document, node, motion)
-            if node.tag in THINGS:
+            if node.tag in TAGS_WITH_ID:
                 name = unused_name(own, names)
                 names.add(name)
                 values = {"id": name, **values}

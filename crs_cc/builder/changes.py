@@ -17,7 +17,7 @@ from crs_cc.builder.mounting import is_mounted, mounted
 from crs_cc.builder.naming import rename_references
 from crs_cc.builder.spans import Node
 from crs_cc.core.suggest import unknown
-from crs_cc.sim.files.object_ids import THINGS
+from crs_cc.sim.files.object_ids import TAGS_WITH_ID
 from crs_cc.sim.files.schema_properties import children, properties
 
 IN_SURFACE: Final = ("heightmap", "ramp", "plateau")
@@ -123,7 +123,7 @@ def add(
     if tag not in known:
         raise ValueError(unknown(f"element of <{parent.tag}>", tag, known))
     name, count = "", sum(each.tag == tag for each in parent.children)
-    if tag in THINGS:
+    if tag in TAGS_WITH_ID:
         name = values.get("id") or unused_name(f"{tag}{count}", ids(parent))
         values = {"id": name, **values}
     elif "name" in values:
@@ -137,7 +137,7 @@ def add(
 def _add_with_home(document: Document, home: str, inner: str, own: str) -> Plan:
     """Add an element, given as text and by its own name, in a new one that it goes into."""
     world = document.root
-    if home not in THINGS:
+    if home not in TAGS_WITH_ID:
         new = markup.element(home, {}, "", inner)
         return Plan(markup.insert(document, world, home, [new]), [f"{home}/{own}"])
     count = sum(each.tag == home for each in world.children)

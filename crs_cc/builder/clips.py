@@ -33,11 +33,11 @@ from crs_cc.builder.spans import Node
 from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.include import MAX_FILES
 from crs_cc.sim.files.nearby import read_below
-from crs_cc.sim.files.object_ids import THINGS
+from crs_cc.sim.files.object_ids import TAGS_WITH_ID
 from crs_cc.sim.files.xml_document import MAX_BYTES
 
 _NAMED: Final = ("material", "define")
-_CLIPPED: Final = (*_NAMED, *IN_SURFACE, *THINGS)
+_CLIPPED: Final = (*_NAMED, *IN_SURFACE, *TAGS_WITH_ID)
 
 
 def included_files(document: Document, folder: Path | None) -> Iterator[Document]:
@@ -138,7 +138,7 @@ def paste(document: Document, text: str, motion: Motion, library: Sequence[Docum
                 groups.setdefault(node.tag, []).append(markup.fragment(source, node))
             continue
         values = moved(source, node, motion) if list(movable(node)) == [node] else {}
-        if node.tag in THINGS:
+        if node.tag in TAGS_WITH_ID:
             values["id"] = new_ids[address(node)]
             plan.names.append(new_ids[address(node)])
         groups.setdefault(node.tag, []).append(written(source, node, values))

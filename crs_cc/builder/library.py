@@ -99,28 +99,28 @@ def _clip(home: Document, path: Path, name: str) -> str:
     return clips.clip(home, [definitions(home.root)[name]], included)
 
 
-def put_object(builder: WorldBuilder, thing: LibraryObject, x_m: float, y_m: float) -> str:
+def put_object(builder: WorldBuilder, obj: LibraryObject, x_m: float, y_m: float) -> str:
     """Put an object of the library into a world; return its id.
 
     Raises:
         ValueError: the world has another definition of this name.
         WorldError: the file of the object cannot be read.
     """
-    home = Document(read_file(thing.file), str(thing.file))
+    home = Document(read_file(obj.file), str(obj.file))
     with builder.together("add"):
         known = [builder.document, *builder.library()]
-        there = [each for each in known if thing.name in definitions(each.root)]
-        if there and not any(_is_same(each, home, thing.name) for each in there):
-            raise ValueError(f"the world has another definition {thing.name!r}: rename one of them")
+        there = [each for each in known if obj.name in definitions(each.root)]
+        if there and not any(_is_same(each, home, obj.name) for each in there):
+            raise ValueError(f"the world has another definition {obj.name!r}: rename one of them")
         if not there:
             folder = None if builder.path is None else builder.path.parent
-            if folder is not None and thing.file.is_relative_to(folder):
-                file = thing.file.relative_to(folder).as_posix()
+            if folder is not None and obj.file.is_relative_to(folder):
+                file = obj.file.relative_to(folder).as_posix()
                 builder.add("include", {"file": file})
             else:
-                builder.paste(_clip(home, thing.file, thing.name))
-        own_id = unused_name(thing.name, ids(builder.document.root))
-        return builder.add("object", id=own_id, ref=thing.name, x=x_m, y=y_m)
+                builder.paste(_clip(home, obj.file, obj.name))
+        own_id = unused_name(obj.name, ids(builder.document.root))
+        return builder.add("object", id=own_id, ref=obj.name, x=x_m, y=y_m)
 
 
 def _is_same(one: Document, other: Document, name: str) -> bool:

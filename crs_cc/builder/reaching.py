@@ -19,7 +19,7 @@ from crs_cc.builder.floor_grid import DIAGONAL, Cells, FloorGrid, edge_of
 from crs_cc.core.source import Diagnostic, Location
 from crs_cc.sim.engine.goal_floor import Floor
 from crs_cc.sim.model.goals import Approach, Bring, Cover, Follow, Goal, Reach, Visit
-from crs_cc.sim.model.world import Box, Cylinder, Robot, Thing, Wall, WorldModel, is_pushable
+from crs_cc.sim.model.world import Box, Cylinder, Robot, Wall, WorldModel, WorldObject, is_pushable
 
 MAX_CELLS: Final = 30_000
 """Cells of the grid; a floor for which they would be as large as robots is not examined."""
@@ -38,7 +38,7 @@ class _Reachability:
         self.world = world
         self.floor = floor
         self._by_robot: dict[str, Cells] = {}
-        self._things = {each.id: each for each in world.solids() if not isinstance(each, Wall)}
+        self._objects = {each.id: each for each in world.solids() if not isinstance(each, Wall)}
 
     def by(self, robot: Robot) -> Cells:
         """Return where the centre of a robot can go."""
@@ -50,10 +50,10 @@ class _Reachability:
 
     def of_movable(self, name: str) -> Cells | None:
         """Return where the centre of a movable object can go; None if nothing is known of it."""
-        thing = self._things.get(name)
-        if thing is None or thing.part_of or not is_pushable(thing):
+        obj = self._objects.get(name)
+        if obj is None or obj.part_of or not is_pushable(obj):
             return None
-        return self.floor.around(thing.pose.x_m, thing.pose.y_m, _inner_radius_m(thing))
+        return self.floor.around(obj.pose.x_m, obj.pose.y_m, _inner_radius_m(obj))
 
     def may_be_touched(self, name: str) -> bool:
         """Return whether robots can get at a movable object, or push others against it.
@@ -61,20 +61,20 @@ class _Reachability:
         Whatever gets there does not fit through a gap half as wide as the smallest body.
         """
         radii_m = [robot.model.radius_m for robot in self.world.robots]
-        radii_m += [_inner_radius_m(each) for each in self._things.values() if is_pushable(each)]
+        radii_m += [_inner_radius_m(each) for each in self._objects.values() if is_pushable(each)]
         radius_m = min(radii_m) / 2
         if radius_m < self.floor.cell_m:
             return True  # it is not known
-        pose = self._things[name].pose
+        pose = self._objects[name].pose
         around = self.floor.around(pose.x_m, pose.y_m, radius_m)
         return any((self.by(robot) & around).any() for robot in self.world.robots)
 
 
-def _inner_radius_m(thing: Thing) -> float:
+def _inner_radius_m(obj: WorldObject) -> float:
     """Return the radius of a disc around the centre of an object that is inside of it."""
-    if isinstance(thing, Box):
-        return min(thing.length_m, thing.width_m) / 2
-    return thing.radius_m if isinstance(thing, Cylinder) else 0.0
+    if isinstance(obj, Box):
+        return min(obj.length_m, obj.width_m) / 2
+    return obj.radius_m if isinstance(obj, Cylinder) else 0.0
 
 
 def unreachable(document: Document, world: WorldModel) -> list[Diagnostic]:
@@ -128,8 +128,8 @@ def _targets(floor: FloorGrid, goal: Goal) -> Iterator[Cells]:
             yield floor.in_place(place)
         case Visit(places):
             yield from map(floor.in_place, places)
-        case Approach(thing, distance_m):
-            cells = floor.near(thing, distance_m)
+        case Approach(obj, distance_m):
+            cells = floor.near(obj, distance_m)
             if cells.any():
                 yield cells
 
@@ -150,7 +150,7 @@ def _not_brought(reached: _Reachability, goal: Bring) -> str:
     if any(robot.model.device("arm") for robot in reached.world.robots):
         return ""  # it may lift them over what is in the way
     target = reached.floor.in_place(goal.place)
-    for name in goal.things:
+    for name in goal.objects:
         cells = reached.of_movable(name)
         if cells is None:
             continue

@@ -141,12 +141,12 @@ def _robot(robot: Robot) -> Shape:
     return {"kind": "robot", **place, "radius": robot.model.radius_m, **_warmth(robot)}
 
 
-def _warmth(thing: Solid | Robot) -> Shape:
+def _warmth(obj: Solid | Robot) -> Shape:
     """Return the heat of an object and its spread, if it has any."""
-    if thing.heat <= 0:
+    if obj.heat <= 0:
         return {}
-    spread_m = thing.spread_m if math.isfinite(thing.spread_m) else None
-    return {"heat": thing.heat, "spread": spread_m}
+    spread_m = obj.spread_m if math.isfinite(obj.spread_m) else None
+    return {"heat": obj.heat, "spread": spread_m}
 
 
 def _places(goal: Goal) -> Iterator[Shape]:

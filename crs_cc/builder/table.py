@@ -97,14 +97,14 @@ class Operation:
     Attributes:
         name: its name.
         summary: what it does, in one sentence.
-        things: on how many elements it acts.
+        elements: on how many elements it acts.
         fields: the values that it takes.
         attributes: whether it takes attributes of elements besides.
     """
 
     name: str
     summary: str
-    things: Literal["none", "one", "some"]
+    elements: Literal["none", "one", "some"]
     fields: tuple[Field, ...] = ()
     attributes: bool = False
 

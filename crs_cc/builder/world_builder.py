@@ -223,7 +223,7 @@ class WorldBuilder:
         wanted = row.values(values or {})
         if attributes and not row.attributes:
             raise ValueError(f"{row.name} takes no attributes")
-        tags = [] if row.things == "none" else path_of(nodes[0])
+        tags = [] if row.elements == "none" else path_of(nodes[0])
         if row.name == "add":
             tags = path_inside(self.element(wanted["into"]), wanted["kind"])
         given = {
@@ -234,11 +234,11 @@ class WorldBuilder:
         return plan.names
 
     def _elements(self, row: Operation, names: Sequence[str]) -> list[Node]:
-        if row.things == "none" and names:
+        if row.elements == "none" and names:
             raise ValueError(f"{row.name} acts on no elements")
-        if row.things == "one" and len(names) != 1:
+        if row.elements == "one" and len(names) != 1:
             raise ValueError(f"{row.name} acts on one element, not {len(names)}")
-        if row.things == "some" and not names:
+        if row.elements == "some" and not names:
             raise ValueError(f"{row.name} acts on one element or more")
         return find_all(self.document.root, names)
 
@@ -271,7 +271,7 @@ class WorldBuilder:
         """Add an element; return its name.
 
         Args:
-            kind: its tag, such as `box`; or a thing as it is in a `WorldModel`.
+            kind: its tag, such as `box`; or an object as it is in a `WorldModel`.
             attributes: its attributes.
             into: the element around it, such as `define[table]`; by default the world.
             text: its own text.

@@ -148,8 +148,8 @@ class _Film:
         with self._drawing.layer() as page:
             self._drawing.marks(at_time(self._marks, at_s)[-MAX_MARKS:])
             robots = len(roster.robots)
-            for thing, _ in movables_at(self._world, roster.objects, frame, robots):
-                self._drawing.standing(thing)
+            for obj, _ in movables_at(self._world, roster.objects, frame, robots):
+                self._drawing.standing(obj)
             for number in range(min(robots, self._last.shape[1])):
                 x_m, y_m, heading_rad = frame.values[:3, number].tolist()
                 if np.isfinite(x_m):
@@ -166,8 +166,8 @@ class _Film:
         with self._drawing.layer() as page:
             self._drawing.contact(*self._drawing.low.tolist())
             self._drawing.marks([each.drawing for each in self._marks[-MAX_MARKS:]])
-            for thing in self._drawing.movable():
-                self._drawing.standing(thing)
+            for obj in self._drawing.movable():
+                self._drawing.standing(obj)
         draw(page, image)
         return palette(smaller(image))
 

@@ -67,7 +67,7 @@ def _world(world: WorldModel) -> Iterator[str]:
 
 
 def _objects(world: WorldModel) -> Iterator[str]:
-    things = [
+    described = [
         counted(len(found), noun, plural)
         for found, noun, plural in (
             (world.walls, "wall", ""), (world.boxes, "box", "boxes"),
@@ -75,13 +75,13 @@ def _objects(world: WorldModel) -> Iterator[str]:
         )
         if found
     ]  # fmt: skip
-    if things:
+    if described:
         solids = world.solids()
         pushable = sum(map(is_pushable, solids))
         hot = sum(solid.heat > 0.0 for solid in solids)
         notes = [f"{pushable} to be pushed"] if pushable else []
         notes += [f"{hot} hot"] if hot else []
-        yield ", ".join(things) + (f" ({', '.join(notes)})" if notes else "")
+        yield ", ".join(described) + (f" ({', '.join(notes)})" if notes else "")
     if world.surface.heightmap is not None:
         yield "ground from a picture"
     if world.surface.patches:

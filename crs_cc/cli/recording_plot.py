@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from crs_cc.core.arrays import FloatArray
     from crs_cc.recording.recording import Frame, Recording
-    from crs_cc.sim.model.world import Robot, Thing, WorldModel
+    from crs_cc.sim.model.world import Robot, WorldModel, WorldObject
 
 
 def world_of(recording: Recording) -> WorldModel:
@@ -56,8 +56,8 @@ def recorded_picture(recording: Recording) -> Picture:
     subtitle += f"{count} collision{'' if count == 1 else 's'}"
     title = f"{', '.join(names) or 'programs'} in {where}"
     pushed = [
-        thing
-        for thing, is_moved in movables_at(world, roster.objects, last, len(roster.robots))
+        obj
+        for obj, is_moved in movables_at(world, roster.objects, last, len(roster.robots))
         if is_moved
     ]
     drawings = at_time(drawn_marks(recording), math.inf)
@@ -66,7 +66,7 @@ def recorded_picture(recording: Recording) -> Picture:
 
 def movables_at(
     world: WorldModel, objects: Sequence[str], frame: Frame, robots: int
-) -> Iterator[tuple[Thing, bool]]:
+) -> Iterator[tuple[WorldObject, bool]]:
     """Yield the movable objects at their poses in a frame, and whether they were moved.
 
     Args:
@@ -76,14 +76,14 @@ def movables_at(
         robots: how many robots it has, before the objects.
     """
     scene = Scene(world)
-    known = {thing.id: thing for thing in scene.pushables}
+    known = {obj.id: obj for obj in scene.pushables}
     for row, name in enumerate(objects, robots):
-        thing = known.get(name)
-        if thing is None or row >= frame.values.shape[1] or np.isnan(frame.values[0, row]):
+        obj = known.get(name)
+        if obj is None or row >= frame.values.shape[1] or np.isnan(frame.values[0, row]):
             continue
         x_m, y_m, angle_rad = frame.values[:3, row].tolist()
-        is_moved = math.hypot(x_m - thing.pose.x_m, y_m - thing.pose.y_m) > 0.005
-        yield replace(thing, pose=Pose(x_m, y_m, angle_rad)), is_moved
+        is_moved = math.hypot(x_m - obj.pose.x_m, y_m - obj.pose.y_m) > 0.005
+        yield replace(obj, pose=Pose(x_m, y_m, angle_rad)), is_moved
 
 
 class _Paths:

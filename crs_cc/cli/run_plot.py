@@ -17,7 +17,7 @@ from crs_cc.plot.tracks import Tracks
 from crs_cc.sim.engine.drawings import drawings_in
 from crs_cc.sim.engine.sensor_overlay import sights
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.model.world import Pose, Thing, WorldModel
+from crs_cc.sim.model.world import Pose, WorldModel, WorldObject
 
 if TYPE_CHECKING:
     from crs_cc.cli.summary import Run
@@ -161,11 +161,11 @@ def _positions_m(session: Session) -> _Points:
     return np.where(present, state.x_m, np.nan), np.where(present, state.y_m, np.nan)
 
 
-def _pushed(session: Session, world: WorldModel) -> list[Thing]:
+def _pushed(session: Session, world: WorldModel) -> list[WorldObject]:
     """Return the objects that were pushed, at their current poses."""
     bodies, scene, pushed = session.environment.state.bodies, Scene(world), []
-    for body, thing in enumerate(scene.pushables, scene.robots):
+    for body, obj in enumerate(scene.pushables, scene.robots):
         (x_m, y_m), angle_rad = bodies.position_m[body], bodies.angle_rad[body]
-        if math.hypot(x_m - thing.pose.x_m, y_m - thing.pose.y_m) > _MOVED_M:
-            pushed.append(replace(thing, pose=Pose(float(x_m), float(y_m), float(angle_rad))))
+        if math.hypot(x_m - obj.pose.x_m, y_m - obj.pose.y_m) > _MOVED_M:
+            pushed.append(replace(obj, pose=Pose(float(x_m), float(y_m), float(angle_rad))))
     return pushed

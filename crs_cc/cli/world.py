@@ -116,15 +116,17 @@ def _command(row: Operation) -> click.Command:
     parameters: list[click.Parameter] = [
         click.Argument(["file"], type=click.Path(path_type=Path)),
     ]
-    is_alone = row.things == "none"
+    is_alone = row.elements == "none"
     parameters += [
         click.Argument([field.name]) for field in row.fields if is_alone and field.required
     ]
-    if row.things == "one":
+    if row.elements == "one":
         parameters.append(click.Argument(["names"], nargs=1, metavar="NAME"))
-    if row.things == "some" or row.attributes:
+    if row.elements == "some" or row.attributes:
         words = "NAME..." if not row.attributes else "NAME=VALUE..."
-        several = "NAME... ATTRIBUTE=VALUE..." if row.things == "some" and row.attributes else words
+        several = (
+            "NAME... ATTRIBUTE=VALUE..." if row.elements == "some" and row.attributes else words
+        )
         parameters.append(click.Argument(["words"], nargs=-1, required=True, metavar=several))
     parameters += [_option(field) for field in row.fields if not (is_alone and field.required)]
     parameters.append(

@@ -79,8 +79,8 @@ def command_statement(run: RecordedRun, robot: int) -> int | None:
 
 def pushing_robots(environment: Environment, number: int) -> list[int]:
     """Return the other robots that touched an object in the last timestep."""
-    robots, things = np.divmod(environment.state.contacts_before, len(environment.names))
-    return list(dict.fromkeys(robots[(things == number) & (robots != number)].tolist()))
+    robots, objects = np.divmod(environment.state.contacts_before, len(environment.names))
+    return list(dict.fromkeys(robots[(objects == number) & (robots != number)].tolist()))
 
 
 def facts(run: RecordedRun, number: int, concern: Concern) -> Iterator[Fact]:
@@ -98,8 +98,8 @@ def facts(run: RecordedRun, number: int, concern: Concern) -> Iterator[Fact]:
 def _obstructions(environment: Environment, robot: int) -> Iterator[Fact]:
     """Return the reason why a robot is stopped now."""
     drive, names = environment.state.drive, environment.names
-    robots, things = np.divmod(environment.state.contacts_before, len(names))
-    touched = ", ".join(names[each] for each in things[robots == robot].tolist())
+    robots, objects = np.divmod(environment.state.contacts_before, len(names))
+    touched = ", ".join(names[each] for each in objects[robots == robot].tolist())
     stalled_s = float(drive.stalled_s[robot])
     if touched:
         yield Fact(f"it touches {touched}" + ", which hinders it" * bool(drive.hindered[robot]))

@@ -100,10 +100,10 @@ class RunValues:
     def _of_world(self, name: WorldName) -> Value:
         environment = self._run.session.environment
         match name.path:
-            case (thing, value_name):
-                number = object_number(environment, thing)
+            case (obj, value_name):
+                number = object_number(environment, obj)
                 rows = values_of(environment, number)
-                return self._scalar(_row(rows, value_name, f"value of {thing}"), number)
+                return self._scalar(_row(rows, value_name, f"value of {obj}"), number)
             case (value_name,) if self.is_object(value_name):
                 number = object_number(environment, value_name)
                 return self._all(values_of(environment, number), number)

@@ -34,9 +34,9 @@ from crs_cc.sim.model.world import (
     Cylinder,
     Robot,
     Solid,
-    Thing,
     Wall,
     WorldModel,
+    WorldObject,
     is_pushable,
 )
 
@@ -103,7 +103,7 @@ class Picture:
     world: WorldModel
     paths: Sequence[RobotPath]
     contacts: Sequence[tuple[int, float, float]] = ()
-    pushed: Sequence[Thing] = ()
+    pushed: Sequence[WorldObject] = ()
     drawings: Sequence[Drawing] = ()
     sights: Sequence[Beam] = ()
 
@@ -172,14 +172,14 @@ class PlotDrawing:
         radius_px = self._radius_px(self.picture.paths[number])
         self._robot(self.view.point(*place_m), radius_px, heading_rad, colour(number))
 
-    def movable(self) -> list[Thing]:
+    def movable(self) -> list[WorldObject]:
         """Return the objects that can be moved, at their start."""
         solids = self.picture.world.solids()
         return [each for each in solids if not isinstance(each, Wall) and is_pushable(each)]
 
-    def standing(self, thing: Thing) -> None:
+    def standing(self, obj: WorldObject) -> None:
         """Draw an object that can be moved."""
-        self._standing(thing)
+        self._standing(obj)
 
     def contact(self, x_m: float, y_m: float) -> None:
         """Mark a contact."""
@@ -245,7 +245,7 @@ class PlotDrawing:
 
     def _solids(self, *, is_still: bool) -> None:
         """Draw walls and objects, with what can be moved or without."""
-        pushed = {thing.id for thing in self.picture.pushed}
+        pushed = {obj.id for obj in self.picture.pushed}
         solids = self.picture.world.solids()
         if is_still:
             solids = tuple(each for each in solids if each not in self.movable())
@@ -260,23 +260,23 @@ class PlotDrawing:
                 continue
             if solid.id in pushed:
                 with self.page.group(fill="none", stroke=_FAINT_INK, stroke_dasharray="3 3"):
-                    self._thing(solid)
+                    self._obj(solid)
             else:
                 self._standing(solid)
-        for thing in () if is_still else self.picture.pushed:
-            self._standing(thing)
+        for obj in () if is_still else self.picture.pushed:
+            self._standing(obj)
 
-    def _standing(self, thing: Thing) -> None:
-        paint = _paint(thing, _MOVABLE if is_pushable(thing) else _FIXED)
+    def _standing(self, obj: WorldObject) -> None:
+        paint = _paint(obj, _MOVABLE if is_pushable(obj) else _FIXED)
         with self.page.group(fill=paint, stroke=_INK, stroke_width=_OUTLINE_PX):
-            self._thing(thing)
+            self._obj(obj)
 
-    def _thing(self, thing: Thing) -> None:
-        if isinstance(thing, Cylinder):
-            centre = self.view.point(thing.pose.x_m, thing.pose.y_m)
-            self.page.circle(centre, self.view.length(thing.radius_m))
+    def _obj(self, obj: WorldObject) -> None:
+        if isinstance(obj, Cylinder):
+            centre = self.view.point(obj.pose.x_m, obj.pose.y_m)
+            self.page.circle(centre, self.view.length(obj.radius_m))
         else:
-            corners = [self.view.point(*corner) for corner in corners_m(thing).tolist()]
+            corners = [self.view.point(*corner) for corner in corners_m(obj).tolist()]
             self.page.polygon(corners, stroke_linejoin="round")
 
     def _wall(self, wall: Wall, paint: str, wider_px: float) -> None:

@@ -284,11 +284,11 @@ class Recording:
         """Return whether a frame has the rows of the roster of its time, or of the one before."""
         columns, rows = frame.values.shape
         for roster in self.rosters:
-            robots, things = len(roster.robots), len(roster.objects)
+            robots, solids = len(roster.robots), len(roster.objects)
             if topic == topics.ODOMETRY.topic:
                 if (columns, rows) == (3, robots):
                     return True
-            elif (columns, rows) == (len(roster.columns), robots + things):
+            elif (columns, rows) == (len(roster.columns), robots + solids):
                 return True
         return False
 

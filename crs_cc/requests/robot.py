@@ -53,7 +53,7 @@ _ORDER: Final = fields(
     ("count", "size", "1", "sensors in the order"),
     ("order", "data", "sensor number", "the order, one byte each"),
 )
-_OBJECTS: Final = fields(("things", "i[0]", "1", "number of objects that lost heat"))
+_OBJECTS: Final = fields(("objects", "i[0]", "1", "number of objects that lost heat"))
 
 
 def _axes(unit: str) -> tuple[Field, ...]:

@@ -118,7 +118,7 @@ class BuildScreen:
             self._shown = {
                 "area": robot_area(builder.document), "shapes": robot_shapes(builder.document)
             }  # fmt: skip
-        things = [_thing(node, name) for node, name in named(root)]
+        items = [_item(node, name) for node, name in named(root)]
         return message(
             "document",
             file=displayed(str(builder.path or "")),
@@ -128,9 +128,9 @@ class BuildScreen:
             redo=builder.document.redoable[-1:],
             unit=builder.document.length_unit,
             isRobot=is_robot,
-            things=things,
+            items=items,
             parts={
-                name: [_thing(part, address(part)) for part in node.children]
+                name: [_item(part, address(part)) for part in node.children]
                 for name, node in definitions(root).items()
             },
             materials=_names(root, "material", builder.library()),
@@ -264,11 +264,11 @@ def _operations() -> list[dict[str, Any]]:
             ],
         }
         for row in OPERATIONS.values()
-        if row.things != "none" and not row.attributes and row.name != "text"
+        if row.elements != "none" and not row.attributes and row.name != "text"
     ]  # fmt: skip
 
 
-def _thing(node: Node, name: str) -> dict[str, Any]:
+def _item(node: Node, name: str) -> dict[str, Any]:
     found: dict[str, Any] = {"name": name, "tag": node.tag, "attributes": node.attributes}
     if node.tag == "object":
         with contextlib.suppress(ValueError):  # the loader reports the error

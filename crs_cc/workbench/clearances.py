@@ -144,7 +144,7 @@ def _poses(
 ) -> tuple[FloatArray, FloatArray]:
     """Return the times [s] of frames, and the poses of all objects, (n, objects, 3)."""
     rosters = feed.rosters()
-    bodies = max((len(robots) + len(things) for _, robots, things in rosters), default=0)
+    bodies = max((len(robots) + len(objects) for _, robots, objects in rosters), default=0)
     stride = 1 + feed.frames.frames_about * bodies * 3 // MAX_NUMBERS
     objects, step = len(shapes.margin_m), 1
     frames: list[tuple[float, FloatArray]] = []

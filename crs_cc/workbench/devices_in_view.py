@@ -73,9 +73,9 @@ def _joints(environment: Environment, rows: Sequence[int]) -> Iterator[tuple[int
 
 def _holds(environment: Environment, rows: Sequence[int]) -> Iterator[tuple[int, list[str]]]:
     """Yield the names of what robots hold."""
-    things = environment.state.bodies.holds.object
+    objects = environment.state.bodies.holds.object
     for robot in rows:
-        held = [environment.pushables[each] for each in things[robot].tolist() if each >= 0]
+        held = [environment.pushables[each] for each in objects[robot].tolist() if each >= 0]
         if held:
             yield robot, held
 
@@ -97,9 +97,9 @@ def _degraded(environment: Environment) -> Iterator[tuple[int, str, int, str, st
 def _heats(environment: Environment) -> Iterator[tuple[str, float]]:
     """Yield the heat of what no longer has that of the world file."""
     left = environment.state.heat.left.tolist()
-    for thing, heat in zip(environment.objects, left, strict=False):  # the ground has none
-        if heat != thing.heat:
-            yield thing.id, heat
+    for obj, heat in zip(environment.objects, left, strict=False):  # the ground has none
+        if heat != obj.heat:
+            yield obj.id, heat
 
 
 def field_map(sketch: FieldSketch) -> dict[str, Any]:

@@ -156,8 +156,8 @@ def test_things_of_a_model_are_added_as_they_would_be_written() -> None:
 
 def test_sources_and_nests_are_shown_moved_and_scaled() -> None:
     places = '<nest x="1m" y="1m"/><source x="3m" y="1m" radius="20cm"/>'
-    things = f'<area length="4m" width="3m"/>{places}<robot x="2m" y="2m"/>'
-    builder = WorldBuilder(text=f'<world version="1">{things}</world>')
+    elements = f'<area length="4m" width="3m"/>{places}<robot x="2m" y="2m"/>'
+    builder = WorldBuilder(text=f'<world version="1">{elements}</world>')
     builder.move(["nest0", "source0"], y=1)
     builder.scale("source0", 2)
     found = shapes(builder.document, builder.world())

@@ -98,11 +98,11 @@ def test_invalid_join_times_are_rejected(
 def test_a_later_robot_may_overlap_moving_objects(tmp_path: Path):
     """Three robots join at the same place, where there is a box at first."""
     robots = "".join(f'<robot x="1m" y="1m" join="{n}s"/>' for n in range(1, 4))
-    things = '<robot x="1.3m" y="1m"/><box x="1m" y="1m" length="9cm" width="9cm" mass="1kg"/>'
+    elements = '<robot x="1.3m" y="1m"/><box x="1m" y="1m" length="9cm" width="9cm" mass="1kg"/>'
     world = tmp_path / "world.xml"
     world.write_text(
         f'<world version="1"><area length="9m" width="9m"/>{robots}'
-        f"{things.replace('1.3m', '4m')}</world>"
+        f"{elements.replace('1.3m', '4m')}</world>"
     )
     assert main(["check", str(world)]) == 0
     world.write_text(world.read_text().replace('mass="1kg"', ""))

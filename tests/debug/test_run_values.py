@@ -58,8 +58,8 @@ def test_values_of_the_world_are_those_of_the_environment(debugger: Debugger) ->
 
 
 def test_every_row_can_be_read(debugger: Debugger) -> None:
-    robot, thing = debugger.names[0], debugger.session.environment.names[-1]
-    for path, rows in ("$world", WORLD_VALUES), (robot, ROBOT_VALUES), (thing, OBJECT_VALUES):
+    robot, obj = debugger.names[0], debugger.session.environment.names[-1]
+    for path, rows in ("$world", WORLD_VALUES), (robot, ROBOT_VALUES), (obj, OBJECT_VALUES):
         for row in rows:
             name = path if path.startswith("$") else f"$world.'{path}'"
             assert not math.isnan(number(debugger, f"{name}.{row.name}")), row.name

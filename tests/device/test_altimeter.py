@@ -15,7 +15,7 @@ RAMP = '<surface><ramp x="0" y="0" length="4m" width="4m" to="1m"/></surface>'
 def test_reads_height_of_ramp(tmp_path, x, height):
     """The ramp rises from 0 at x = -2 m to 1 m at x = 2 m: 0.25 m per metre, 39.37 inches."""
     robot = scout_with(tmp_path, "<altimeter/>")
-    done = drive(ASK, robot=robot, things=f'{RAMP}<robot x="{x}" y="0"/>')
+    done = drive(ASK, robot=robot, elements=f'{RAMP}<robot x="{x}" y="0"/>')
     assert done.numbers == [1, height]
 
 
@@ -39,7 +39,7 @@ def test_noise_has_standard_deviation_of_definition(tmp_path):
 def test_bias_of_degradation_is_added(tmp_path):
     robot = scout_with(tmp_path, "<altimeter/>")
     fault = '<robot x="0" y="0"/><degradation robot="robot0" device="altitude" bias="10in"/>'
-    assert drive(ASK, robot=robot, things=fault).numbers == [1, 100]
+    assert drive(ASK, robot=robot, elements=fault).numbers == [1, 100]
 
 
 def test_altimeter_with_timer_measures_independently_of_requests(tmp_path):

@@ -31,7 +31,7 @@ def test_hand_lifts_object_at_tip(tmp_path):
         f"int w; {show} crs_hand(CRS_CLOSE); usleep(100000); {show}"
         f"crs_hand(CRS_OPEN); usleep(100000); {show}"
     )
-    assert drive(program, robot=robot, things=CAN).numbers == [0, 500, 0]
+    assert drive(program, robot=robot, elements=CAN).numbers == [0, 500, 0]
 
 
 def test_robot_without_arm_returns_false():

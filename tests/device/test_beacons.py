@@ -5,7 +5,7 @@ import pytest
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 
-THINGS = (
+ELEMENTS = (
     '<robot x="0" y="0"/><light x="2m" y="0" brightness="400"/>'
     '<sound x="0" y="2m" level="300" tone="2"/>'
 )
@@ -20,7 +20,7 @@ def test_lights_and_sounds_of_the_world_are_sensed(tmp_path):
         f'got = crs_get_sound(n, 8, &d); {SHOW} printf("%d\\n", d);'
         'got = crs_get_light(n, 2); printf("%d %d\\n", got, crs_get_sound(n, -1, NULL));'
     )
-    done = drive(program, robot=robot, things=THINGS)
+    done = drive(program, robot=robot, elements=ELEMENTS)
     light = [100, 71, 0, 0, 0, 0, 0, 71, 8]
     assert done.numbers == [*light, 0, 0, 150, 0, 0, 0, 0, 0, 8, 900, 2, 0]
 
@@ -33,8 +33,8 @@ def test_robots_sense_lamps_and_speakers_of_each_other(tmp_path):
         'printf("%d %d\\n", n[0], m[5]);'
     )
     show = 'printf("%d\\n", crs_light(400) + crs_sound(600, 5));'
-    things = '<robot x="0" y="0"/><robot x="2m" y="0"/>'
-    done = drive(sense, show, robot=robot, things=things)
+    elements = '<robot x="0" y="0"/><robot x="2m" y="0"/>'
+    done = drive(sense, show, robot=robot, elements=elements)
     assert done.output == ["100 300\n", "2\n"]
 
 

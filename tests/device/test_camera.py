@@ -43,7 +43,7 @@ def seen(tmp_path, camera: str, program: str = ROW, width: int = 2, **world):
 def test_columns_have_colour_and_range_from_left_to_right(tmp_path):
     """Four columns around: 135 degrees to the left, 45, then the same to the right."""
     camera = 'columns="4" field-of-view="360deg" range="10m" direction="45deg" background="#010203"'
-    row = seen(tmp_path, camera, things=POLES)
+    row = seen(tmp_path, camera, elements=POLES)
     assert row.tolist() == [
         [BLUE, 900],  # behind, at 180 degrees
         [GREEN, 900],  # to the left
@@ -56,21 +56,21 @@ def test_camera_sees_from_its_position_on_robot(tmp_path):
     """From 5 in ahead and 3 in left, a wall at x = 50 in, of 2 in, is 44 in away at its centre."""
     wall = '<robot x="0" y="0"/><wall x1="50in" y1="-2m" x2="50in" y2="2m" thickness="2in"/>'
     camera = 'columns="3" field-of-view="90deg" forward="5in" left="3in"'
-    row = seen(tmp_path, camera, things=wall)
+    row = seen(tmp_path, camera, elements=wall)
     assert row[:, 0].tolist() == [0x808080] * 3
     assert row[:, 1].tolist() == [round(440 / math.cos(math.radians(30))), 440, 508]
 
 
 def test_robot_is_seen_in_its_own_colour(tmp_path):
-    things = '<robot x="0" y="0"/><robot x="100in" y="0" colour="yellow"/>'
+    elements = '<robot x="0" y="0"/><robot x="100in" y="0" colour="yellow"/>'
     robot = scout_with(tmp_path, '<camera columns="1" field-of-view="10deg"/>')
-    assert drive(ROW, "return 0;", things=things, robot=robot).numbers == [0xFFFF00, 920]
+    assert drive(ROW, "return 0;", elements=elements, robot=robot).numbers == [0xFFFF00, 920]
 
 
 def test_300_columns_are_returned_in_pages(tmp_path):
     """A wall across the view: the range of each column is that of its direction."""
     wall = '<robot x="0" y="0"/><wall x1="101in" y1="-9m" x2="101in" y2="9m" thickness="2in"/>'
-    row = seen(tmp_path, 'columns="320" field-of-view="80deg"', things=wall)
+    row = seen(tmp_path, 'columns="320" field-of-view="80deg"', elements=wall)
     angle = np.radians((159.5 - np.arange(320)) * 80 / 320)
     assert row[:, 1] == pytest.approx(1000 / np.cos(angle), abs=0.51)
 
@@ -93,18 +93,18 @@ def test_blobs_have_angle_width_colour_and_nearest_range(tmp_path):
 
     At half a degree it is 200 cos 0.5 - sqrt(10^2 - (200 sin 0.5)^2) = 190.15 in away.
     """
-    found = seen(tmp_path, 'columns="60"', BLOBS, width=4, things=POLES)
+    found = seen(tmp_path, 'columns="60"', BLOBS, width=4, elements=POLES)
     assert found.tolist() == [[0, 60, RED, 1901]]
 
 
 def test_blobs_are_ordered_from_left_and_split_by_colour(tmp_path):
     """Seen from 100 in, a screen of two halves, 20 in each, 11.31 degrees to each side."""
-    things = (
+    elements = (
         '<robot x="0" y="0"/>'
         '<box x="101in" y="10in" length="2in" width="20in" colour="lime"/>'
         '<box x="101in" y="-10in" length="2in" width="20in" colour="blue"/>'
     )
-    found = seen(tmp_path, 'columns="60"', BLOBS, width=4, things=things)
+    found = seen(tmp_path, 'columns="60"', BLOBS, width=4, elements=elements)
     assert found[:, 2].tolist() == [GREEN, BLUE]
     assert found[:, :2].tolist() == [[55, 110], [-55, 110]]
     assert found[:, 3] == pytest.approx([1000, 1000], abs=1)
@@ -120,7 +120,7 @@ def test_previous_picture_is_returned_between_two_pictures(tmp_path):
     ask = 'crs_camera(row, 1); printf("%d\\n", row[0].range);'
     program = f"struct crs_pixel row[1]; connect_robot(1); vm(100, 100, 0); {ask} usleep(300000);"
     robot = scout_with(tmp_path, '<camera columns="1" rate="1Hz"/>')
-    now, same, later = drive(f"{program} {ask} sleep(1); {ask}", robot=robot, things=wall).numbers
+    now, same, later = drive(f"{program} {ask} sleep(1); {ask}", robot=robot, elements=wall).numbers
     assert now == same > later
 
 
@@ -135,7 +135,7 @@ def test_noise_grows_with_square_of_distance(tmp_path):
         "for (n = 0; n < 20; n++) { crs_camera(row, 320); usleep(40000); for (i = 0; i < 320; i++)"
     )
     program = f'struct crs_pixel row[320]; int i, n; {loop} printf("%d\\n", row[i].range); }}'
-    ranges = np.array(drive(program, robot=robot, things=f'<robot x="0" y="0"/>{poles}').numbers)
+    ranges = np.array(drive(program, robot=robot, elements=f'<robot x="0" y="0"/>{poles}').numbers)
     assert ranges.std() * 0.00254 == pytest.approx(0.04, rel=0.04)  # 6,400: 0.9% standard error
     assert ranges.mean() * 0.00254 == pytest.approx(2.0, abs=0.003)
 
@@ -179,7 +179,7 @@ def test_report_sensor_element_places_camera(tmp_path):
     assert (camera.range_m, camera.x_m, camera.y_m) == pytest.approx((4.0, 0.127, 0.0762))
     assert (camera.columns, camera.z_m) == (3, pytest.approx(0.254))
     wall = '<robot x="0" y="0"/><wall x1="-2m" y1="51in" x2="2m" y2="51in" thickness="2in"/>'
-    row = np.array(drive(ROW, robot=str(tmp_path / "scout-with.xml"), things=wall).numbers)
+    row = np.array(drive(ROW, robot=str(tmp_path / "scout-with.xml"), elements=wall).numbers)
     slanted = 470 / math.cos(math.radians(30))
     assert row[1::2] == pytest.approx([slanted, 470, slanted], abs=0.6)
 
@@ -225,5 +225,5 @@ def test_degraded_column_has_other_range_and_dead_one_background(tmp_path):
         '<degradation robot="me" device="camera" element="2" dead="yes"/>'
     )
     camera = 'columns="3" field-of-view="3deg" background="#00000a"'
-    row = seen(tmp_path, camera, things=wall + faults)
+    row = seen(tmp_path, camera, elements=wall + faults)
     assert row.tolist() == [[0x808080, 1181], [0x808080, 787], [10, -1]]

@@ -12,7 +12,7 @@ ASK = 'int x, y, got = crs_gps(&x, &y); printf("%d %d %d\\n", got, x, y);'
 @pytest.mark.function("crs_gps")
 def test_position_is_in_tenths_of_an_inch(tmp_path):
     robot = scout_with(tmp_path, '<gps rate="1Hz"/>')
-    done = drive(ASK, robot=robot, things='<robot x="30in" y="-4in"/>')
+    done = drive(ASK, robot=robot, elements='<robot x="30in" y="-4in"/>')
     assert done.numbers == [1, 300, -40]
 
 
@@ -41,4 +41,4 @@ def test_noise_has_standard_deviation_of_definition(tmp_path):
 def test_slow_receiver_measures_at_its_first_request(tmp_path):
     """Not 10 s later, until when it would report 0, 0."""
     robot = scout_with(tmp_path, '<gps rate="0.1Hz"/>')
-    assert drive(ASK, robot=robot, things='<robot x="30in" y="-4in"/>').numbers == [1, 300, -40]
+    assert drive(ASK, robot=robot, elements='<robot x="30in" y="-4in"/>').numbers == [1, 300, -40]

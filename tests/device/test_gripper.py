@@ -17,7 +17,7 @@ def test_gripper_grasps_and_releases_can(tmp_path):
         f"int o, b, w; {SHOW} crs_gripper(CRS_CLOSE); sleep(2); {SHOW}"
         f"crs_gripper(CRS_OPEN); sleep(2); {SHOW}"
     )
-    done = drive(program, robot=robot, things=CAN)
+    done = drive(program, robot=robot, elements=CAN)
     assert done.numbers == [79, 1, 0, 31, 1, 1000, 79, 1, 0]
 
 

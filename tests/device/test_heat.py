@@ -10,8 +10,8 @@ ASK = 'int heat, got = crs_heat(&heat); printf("%d %d\\n", got, heat);'
 STOVE = '<cylinder x="{}m" y="0" radius="20cm" heat="{}" spread="{}m"/>'
 
 
-def around(things: str) -> list[float]:
-    return drive(ASK, things=f'<robot x="0" y="0"/>{things}').numbers
+def around(elements: str) -> list[float]:
+    return drive(ASK, elements=f'<robot x="0" y="0"/>{elements}').numbers
 
 
 @pytest.mark.function("crs_heat")

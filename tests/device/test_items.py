@@ -22,13 +22,13 @@ def test_items_are_taken_carried_and_brought(tmp_path):
         printf("%d ", crs_take()); printf("%d ", crs_drop()); printf("%d", crs_items());
     """
     robot = scout_with(tmp_path, '<carrier capacity="2"/>')
-    done = drive(program, robot=robot, things=f'<robot x="0" y="0"/>{PLACES}', area=AREA)
+    done = drive(program, robot=robot, elements=f'<robot x="0" y="0"/>{PLACES}', area=AREA)
     assert done.numbers == [0, 0, 1, 1, 2, 0, 1, 1]
 
 
 def test_robot_without_carrier_is_refused():
     program = "return crs_take() + crs_drop() + (crs_items() != -1);"
-    assert drive(program, things=f'<robot x="0" y="0"/>{PLACES}', area=AREA).status == 0
+    assert drive(program, elements=f'<robot x="0" y="0"/>{PLACES}', area=AREA).status == 0
 
 
 def test_sources_and_nests_are_in_the_results_of_a_run(tmp_path, capsys):

@@ -14,9 +14,9 @@ PAIR = '<robot x="0" y="0"/><robot x="1m" y="0"/>'
 SHOW = 'printf("%d %d %d %d %s\\n", m.from, m.to, m.type, m.size, m.data);'
 
 
-def run(*programs: str, things: str = PAIR, **options):
+def run(*programs: str, elements: str = PAIR, **options):
     declared = [f"struct crs_message m; int i; (void)m; (void)i; {text}" for text in programs]
-    return drive(*declared, things=things, **options)
+    return drive(*declared, elements=elements, **options)
 
 
 @pytest.mark.function("crs_send", "crs_receive")
@@ -52,7 +52,7 @@ def test_sending_to_unknown_robot_or_itself_is_refused():
 def test_broadcast_reaches_all_in_range_except_sender():
     hear = f"crs_receive(&m, 500); {SHOW}"
     done = run(
-        'crs_broadcast(3, "x", 1); printf("%d", crs_receive(&m, 300));', hear, hear, things=ROW
+        'crs_broadcast(3, "x", 1); printf("%d", crs_receive(&m, 300));', hear, hear, elements=ROW
     )
     assert done.output == ["0", "0 -1 3 1 x\n", "0 -1 3 1 x\n"]
 
@@ -65,7 +65,7 @@ def test_group_messages_reach_members_until_they_leave():
     join = "crs_join_group(4);"
     hear = 'while (crs_receive(&m, 1000)) printf("%d group %d to %d ", m.type, m.group, m.to);'
     leave = f"{join} usleep(300000); crs_leave_group(4); {hear}"
-    done = run(send, f"{join} {hear}", leave, things=ROW)
+    done = run(send, f"{join} {hear}", leave, elements=ROW)
     assert done.output[1:] == ["1 group 4 to -1 2 group 4 to -1 ", "1 group 4 to -1 "]
 
 
@@ -101,7 +101,7 @@ def test_receive_waits_up_to_its_timeout():
 
 @pytest.mark.function("crs_use_channel", "crs_find_channel")
 def test_message_uses_selected_channel():
-    things = f'{PAIR}<communication><channel name="pipe" delay="1s"/></communication>'
+    elements = f'{PAIR}<communication><channel name="pipe" delay="1s"/></communication>'
     send = """
         crs_broadcast(0, "", 0);
         printf("%d %d", crs_find_channel("pipe"), crs_find_channel("none"));
@@ -110,13 +110,13 @@ def test_message_uses_selected_channel():
         printf(" %d", crs_use_channel(99));
     """
     receive = 'while (crs_receive(&m, 2000)) printf("%d on %d, ", m.type, m.channel);'
-    done = run(send, receive, things=things)
+    done = run(send, receive, elements=elements)
     assert done.output == ["3 -1 0", "0 on 0, 2 on 2, 1 on 3, "]
 
 
 @pytest.mark.function("crs_my_number", "crs_robot_count", "crs_find_robot", "crs_robot_name")
 def test_robot_number_and_names_can_be_looked_up():
-    things = '<robot id="anna" x="0" y="0"/><robot id="bert" x="1m" y="0"/>'
+    elements = '<robot id="anna" x="0" y="0"/><robot id="bert" x="1m" y="0"/>'
     text = """
         char name[20], cut[3];
         i = 1 - crs_my_number();
@@ -126,15 +126,15 @@ def test_robot_number_and_names_can_be_looked_up():
                crs_find_robot("bert"), crs_find_robot("carl"));
         printf(" %d", crs_robot_name(2, name, sizeof name));
     """
-    done = run(text, text, things=things)
+    done = run(text, text, elements=elements)
     assert done.output == ["0 of 2, bert be 1 -1 0", "1 of 2, anna an 1 -1 0"]
 
 
 def test_message_has_send_and_arrival_times():
-    things = f'{PAIR}<communication><channel name="radio" delay="1s" jitter="0"/></communication>'
+    elements = f'{PAIR}<communication><channel name="radio" delay="1s" jitter="0"/></communication>'
     show = 'crs_receive(&m, CRS_FOREVER); printf("%d %d", m.sent, m.arrived);'
     sent, arrived = map(
-        int, run('sleep(1); crs_send(1, 0, "", 0);', show, things=things).output[1].split()
+        int, run('sleep(1); crs_send(1, 0, "", 0);', show, elements=elements).output[1].split()
     )
     assert sent == pytest.approx(1001, abs=1)
     assert arrived - sent == pytest.approx(1001, abs=1)  # 12 bytes at 14.4 kB/s
@@ -142,11 +142,11 @@ def test_message_has_send_and_arrival_times():
 
 def test_send_time_is_time_of_posting_despite_queueing():
     slow = '<channel name="radio" bandwidth="20B/s" delay="0s" jitter="0"/>'
-    things = f"{PAIR}<communication>{slow}</communication>"
+    elements = f"{PAIR}<communication>{slow}</communication>"
     send = 'crs_send(1, 0, "12345678", 8); crs_send(1, 0, "12345678", 8);'
     show = 'crs_receive(&m, CRS_FOREVER); printf("%d %d ", m.sent, m.arrived);'
     first, first_here, second, second_here = map(
-        int, run(send, show + show, things=things).output[1].split()
+        int, run(send, show + show, elements=elements).output[1].split()
     )
     assert (first, second) == (1, 2)
     assert second_here - first_here == pytest.approx(1000, abs=1)  # 20 bytes at 20 B/s

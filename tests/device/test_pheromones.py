@@ -14,10 +14,10 @@ WAIT = "usleep(200000);"
 PUT = "crs_deposit(0, 8.0); return 0;"
 
 
-def smell(folder, body: str, antennae: str = "", things: str = THERE, put: str = PUT):
+def smell(folder, body: str, antennae: str = "", elements: str = THERE, put: str = PUT):
     """Return the run of a robot at (0, 0) that smells; the other one, ahead of it, deposits."""
     robot = scout_with(folder, f"<gland/><antennae {antennae}/>")
-    return drive(WAIT + body, put, robot=robot, things=things, area=AREA)
+    return drive(WAIT + body, put, robot=robot, elements=elements, area=AREA)
 
 
 @pytest.mark.function("crs_find_field", "crs_deposit", "crs_smell", "crs_smell_gradient")
@@ -39,14 +39,14 @@ def test_antennae_smell_what_lies_under_their_ends(tmp_path):
 
 def test_three_antennae_tell_ahead_from_behind(tmp_path):
     """Only the one ahead smells: the plane through 8, 0 and 0 rises by 8 over 1.5 reaches."""
-    things = THERE.replace('y="0.25m"', 'y="0"').replace("10cm", "20cm")
+    elements = THERE.replace('y="0.25m"', 'y="0"').replace("10cm", "20cm")
     body = """
         double ahead, left;
         printf("%g %g %g\\n", crs_smell(0, 0), crs_smell(0, 1), crs_smell(0, 2));
         crs_smell_gradient(0, &ahead, &left);
         printf("%.4f %.4f\\n", ahead, left);
     """
-    done = smell(tmp_path, body, 'number="3" reach="1.25m" apart="120deg"', things)
+    done = smell(tmp_path, body, 'number="3" reach="1.25m" apart="120deg"', elements)
     assert done.numbers == [0, 8, 0, round(8 / (1.5 * 1.25), 4), 0]
 
 
@@ -89,8 +89,8 @@ def test_noise_is_relative_and_degradations_follow(tmp_path):
 def test_robot_without_gland_and_antennae_is_refused():
     program = "double a, b; return crs_deposit(0, 1) + crs_lay_trail(0, 1)"
     more = "+ crs_smell_gradient(0, &a, &b) + (crs_smell(0, 0) != -1.0);"
-    things = '<robot x="0" y="0"/><field name="trail"/>'
-    assert drive(program + more, things=things, area=AREA).status == 0
+    elements = '<robot x="0" y="0"/><field name="trail"/>'
+    assert drive(program + more, elements=elements, area=AREA).status == 0
 
 
 def test_runs_are_the_same_in_any_number_of_threads(tmp_path):

@@ -46,11 +46,11 @@ def test_far_mode_has_longer_range_and_fine_mode_higher_resolution(tmp_path):
     """
     near_m = far_m(1.2345) + 0.1
     x_m, y_m = near_m * 0.9238795, near_m * 0.3826834
-    things = (
+    elements = (
         f'<robot x="0" y="0"/><cylinder x="{far_m(7.34) + 0.1}m" y="0" radius="10cm"/>'
         f'<cylinder x="{x_m}m" y="{y_m}m" radius="10cm"/>'
     )
-    told = drive(program, things=things, robot=with_modes(tmp_path)).numbers
+    told = drive(program, elements=elements, robot=with_modes(tmp_path)).numbers
     tenth = INCH / 10
     coarse, fine = round(7.3 / tenth), round(1.235 / tenth)
     assert told == [
@@ -62,9 +62,9 @@ def test_far_mode_has_longer_range_and_fine_mode_higher_resolution(tmp_path):
 
 def test_beam_width_is_that_of_mode(tmp_path):
     """A pole 1 m away, 10 degrees off the axis: in a cone of 15 degrees, not in one of 5."""
-    things = '<robot x="0" y="0"/><cylinder x="1.188m" y="0.174m" radius="1cm"/>'
+    elements = '<robot x="0" y="0"/><cylinder x="1.188m" y="0.174m" radius="1cm"/>'
     program = f"int ranges[16]; {ASK} crs_sonar_mode(1); {TURNS} {ASK}"
-    wide, _, narrow, _ = drive(program, things=things, robot=with_modes(tmp_path)).numbers
+    wide, _, narrow, _ = drive(program, elements=elements, robot=with_modes(tmp_path)).numbers
     assert wide > 0
     assert narrow == -1
 
@@ -102,30 +102,30 @@ def test_robot_without_modes_has_one_mode_and_robot_without_sonars_none(tmp_path
     ],
 )
 @pytest.mark.parametrize(
-    "thing",
+    "obj",
     [
         '<wall x1="{x}m" y1="-3m" x2="{x}m" y2="3m" thickness="20cm" sonar="{share}"/>',
         '<cylinder x="{x}m" y="0" radius="10cm" sonar="{share}"/>',
         '<box x="{x}m" y="0" length="20cm" width="20cm" sonar="{share}"/>',
     ],
 )
-def test_range_scales_with_fourth_root_of_reflected_power(thing, share, away_m, is_heard):
-    things = '<robot x="0" y="0"/>' + thing.format(x=far_m(away_m) + 0.1, share=share)
-    message, _ = _driver(things).post("SONAR_RANGES", 0)
+def test_range_scales_with_fourth_root_of_reflected_power(obj, share, away_m, is_heard):
+    elements = '<robot x="0" y="0"/>' + obj.format(x=far_m(away_m) + 0.1, share=share)
+    message, _ = _driver(elements).post("SONAR_RANGES", 0)
     assert (message["data"][:4].view("<i4")[0] >= 0) == is_heard
 
 
 def test_curtain_hides_objects_behind_it():
     curtain = '<wall x1="3m" y1="-3m" x2="3m" y2="3m" thickness="2cm" sonar="0"/>'
     wall = '<wall x1="4m" y1="-3m" x2="4m" y2="3m"/>'
-    for things, is_heard in ((wall, True), (curtain + wall, False)):
-        message, _ = _driver('<robot x="0" y="0"/>' + things).post("SONAR_RANGES", 0)
+    for elements, is_heard in ((wall, True), (curtain + wall, False)):
+        message, _ = _driver('<robot x="0" y="0"/>' + elements).post("SONAR_RANGES", 0)
         assert (message["data"][:4].view("<i4")[0] >= 0) == is_heard
 
 
-def _driver(things: str) -> Driver:
+def _driver(elements: str) -> Driver:
     area = 'length="2000m" width="2000m" origin="centre" edge="0"'
-    text = f'<world version="1"><area {area}/>{things}</world>'
+    text = f'<world version="1"><area {area}/>{elements}</world>'
     return Driver.of(parse_world(text.encode(), "test"))
 
 

@@ -25,7 +25,7 @@ def test_reads_pitch_and_roll_on_ramp(tmp_path, heading, pitch, roll):
     Up is along x. With the heading 90 degrees the right side is the upper one.
     """
     robot = scout_with(tmp_path, "<inclinometer/>")
-    done = drive(ASK, robot=robot, things=f'{RAMP}<robot x="0" y="0" heading="{heading}"/>')
+    done = drive(ASK, robot=robot, elements=f'{RAMP}<robot x="0" y="0" heading="{heading}"/>')
     assert done.numbers == [1, pitch, roll]
 
 
@@ -35,7 +35,7 @@ def test_level_ground_reads_zero(tmp_path):
     level = RAMP.replace(
         "</surface>", '<plateau x="0" y="0" length="1" width="1" height="3m"/></surface>'
     )
-    assert drive(ASK, robot=robot, things=f'{level}<robot x="0" y="0"/>').numbers == [1, 0, 0]
+    assert drive(ASK, robot=robot, elements=f'{level}<robot x="0" y="0"/>').numbers == [1, 0, 0]
 
 
 def test_robot_without_inclinometer_returns_false():

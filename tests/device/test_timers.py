@@ -198,8 +198,8 @@ def test_light_sensors_and_microphones_with_timer_return_last_measurement(tmp_pa
     }
     """
     show = "usleep(500000); crs_light(400); crs_sound(600, 5);"
-    things = '<robot x="0" y="0"/><robot x="2m" y="0"/>'
-    done = drive(sense, show, robot=robot, things=things)
+    elements = '<robot x="0" y="0"/><robot x="2m" y="0"/>'
+    done = drive(sense, show, robot=robot, elements=elements)
     assert done.output[0] == "0 0 7\n100 300 4\n"
 
 
@@ -217,7 +217,7 @@ def test_inclinometer_with_timer_returns_last_measurement(tmp_path):
     }
     """
     ramp = '<surface><ramp x="2.6m" y="0" length="4m" width="4m" to="1m"/></surface>'
-    done = drive(program, robot=robot, things=f'{ramp}<robot x="0" y="0"/>')
+    done = drive(program, robot=robot, elements=f'{ramp}<robot x="0" y="0"/>')
     assert done.numbers == [0, 0, 140, 0]
 
 

@@ -75,7 +75,7 @@ class Drive:
 
 def drive(
     *programs: str,
-    things: str = OPEN,
+    elements: str = OPEN,
     area: str = 'length="2000in" width="2000in" origin="centre" edge="0"',
     timestep: str = "50ms",
     seconds: float = 60.0,
@@ -90,7 +90,7 @@ def drive(
 
     Args:
         programs: whole C programs, or just the body of `main`; in the report's dialect any.
-        things: the elements of the world.
+        elements: the elements of the world.
         area: the attributes of its area.
         timestep: its timestep.
         seconds: maximum duration of the run.
@@ -101,7 +101,7 @@ def drive(
         arguments: `argv` of each robot.
         dialect: the dialect of the programs; detected by default.
     """
-    text = f'<world version="1" timestep="{timestep}"><area {area}/>{things}</world>'
+    text = f'<world version="1" timestep="{timestep}"><area {area}/>{elements}</world>'
     world = parse_world(text.encode(), "test", setup, robot)
     built = [_build(source, dialect) for source in programs]
     executables = built if len(built) == len(world.robots) else built * len(world.robots)

@@ -260,7 +260,7 @@ def test_ndirect_scout_reports_less():
         "pa(1, 1, 1)",
     ]
     assert directly(unknown) == [0] * len(unknown)
-    assert directly([*unknown[:-1], "Smask[43]"], things=NOMAD200) == [1] * len(unknown)
+    assert directly([*unknown[:-1], "Smask[43]"], elements=NOMAD200) == [1] * len(unknown)
 
 
 def test_ndirect_scout_has_fixed_mask():

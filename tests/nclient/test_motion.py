@@ -215,7 +215,7 @@ def test_limp_robot_is_pushed_and_counts_it_while_held_one_stays():
     pushes = "connect_robot(1); sleep(1); vm(100, 100, 0); sleep(8);"
     for how, least, most in (("lp", 500, 700), ("st", 0, 9)):
         waits = f'connect_robot(1); {how}(); sleep(9); get_rc(); printf("%ld", State[34]);'
-        done = drive(pushes, waits, things=TWO)
+        done = drive(pushes, waits, elements=TWO)
         truth = (float(done.session.environment.state.x_m[1]) / 0.0254 - 30) * 10
         assert least <= truth <= most
         if how == "lp":
@@ -228,7 +228,7 @@ def test_robot_at_wall_stalls_and_odometry_stops():
         'connect_robot(1); vm(100, 100, 0); sleep(9); gs(); printf("%ld %ld %ld %ld ", State[34],'
         "State[38], State[39], State[41]); vm(-100, -100, 0); sleep(3); get_rc();"
         'printf("%ld", State[34]);',
-        things=WALL,
+        elements=WALL,
     )
     assert done.numbers[:4] == [pytest.approx(10 * AT_WALL_IN, abs=3), 0, 0, 3]
     assert done.numbers[4] == pytest.approx(10 * done.x_in[-1], abs=6)  # within a timestep
@@ -240,7 +240,7 @@ def test_move_into_wall_does_not_complete():
     done = drive(
         f"{NOW} pr(900, 900, 0); {PASSED} ws(1, 1, 0, 15); {PASSED} pr(-10, -10, 0);"
         f"ws(1, 1, 0, 15); {PASSED}",
-        things=WALL,
+        elements=WALL,
     )
     assert done.numbers[1] == pytest.approx(15 + 58 * 10 / 38400, abs=0.01)
     assert done.numbers[2] < 3
@@ -251,7 +251,7 @@ def test_robot_pushes_box():
     box = '<box id="box" x="30in" y="0" length="10in" width="10in" mass="5kg"/>'
     done = drive(
         "connect_robot(1); pr(500, 500, 0); ws(1, 1, 0, 30);",
-        things=f'<robot x="0" y="0"/>{box}',
+        elements=f'<robot x="0" y="0"/>{box}',
     )
     box_in = float(done.session.environment.state.bodies.position_m[1, 0]) / 0.0254
     assert done.x_in[-1] == pytest.approx(50, abs=0.2)
@@ -286,7 +286,7 @@ def test_place_robot_moves_robot_and_odometry():
         printf("%d ", place_robot(300, -400, 900, 0)); get_rc(); {TELL}
         pr(100, 100, 0); ws(1, 1, 0, 9);
         printf("%d ", place_robot(500, 0, 0, 0)); get_rc(); {TELL}""",
-        things=WALL,
+        elements=WALL,
     )
     assert done.numbers[:5] == [1, 300, -400, 900, 0]
     assert done.numbers[5:] == [1, 300, -300, 900, 0]  # the wall stands there; the client says yes

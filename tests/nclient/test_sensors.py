@@ -51,7 +51,7 @@ def test_bumper_bit_is_on_side_of_contact():
         printf("%ld\\n", State[STATE_BUMPER]);
         st(); usleep(500000); get_bp(); printf("%ld\\n", State[STATE_BUMPER]);
         pr(-50, -50, 0); ws(1, 1, 0, 20); get_bp(); printf("%ld\\n", State[STATE_BUMPER]);""",
-        things='<robot x="0" y="0"/><wall x1="30in" y1="-2m" x2="30in" y2="2m"/>',
+        elements='<robot x="0" y="0"/><wall x1="30in" y1="-2m" x2="30in" y2="2m"/>',
     )
     assert done.numbers == [1, 1, 0]  # switch 0 is in front, also while it is at rest at the wall
 
@@ -63,7 +63,7 @@ def test_collision_of_robots_presses_bumpers_of_both():
         'printf("%ld\\n", State[STATE_BUMPER]);',
         "connect_robot(1); do get_bp(); while (State[STATE_BUMPER] == 0);"
         'printf("%ld\\n", State[STATE_BUMPER]);',
-        things='<robot x="0" y="0"/><robot x="40in" y="0" heading="90"/>',
+        elements='<robot x="0" y="0"/><robot x="40in" y="0" heading="90"/>',
     )
     assert [int(text) for text in done.output] == [1, 1 << 2]  # ahead, and on the left
 
@@ -76,7 +76,7 @@ def test_infrared_reads_inches_to_wall():
     done = drive(
         'connect_robot(1); printf("%d\\n", get_ir());'
         'printf("%ld %ld\\n", State[STATE_IR_0], State[STATE_IR_8]);',
-        things=NOMAD + near_wall(6.2),
+        elements=NOMAD + near_wall(6.2),
     )
     assert done.numbers == [1, 6, 15]
 
@@ -92,7 +92,7 @@ def test_conf_ir_selects_sensors_and_history():
         conf_ir(5, all);
         do { usleep(100000); get_ir(); } while (State[STATE_IR_0] > 6);
         conf_ir(0, all); usleep(100000); get_ir(); printf("%ld\\n", State[STATE_IR_0]);""",
-        things=NOMAD + near_wall(5),
+        elements=NOMAD + near_wall(5),
     )
     off, near, held, now = done.numbers
     assert (off, held, now) == (15, 15, 5)
@@ -111,7 +111,7 @@ def test_compass_reads_turret_direction_when_on():
         get_cp(); printf("%ld\\n", State[STATE_COMPASS]);
         conf_cp(0); pr(0, 0, 100); ws(0, 0, 1, 20);
         get_cp(); printf("%ld\\n", State[STATE_COMPASS]);""",
-        things='<robot definition="nomad200" x="0" y="0" heading="60"/>',
+        elements='<robot definition="nomad200" x="0" y="0" heading="60"/>',
     )
     assert done.numbers == [0, 1, 600, 1055, 1055]
 
@@ -139,7 +139,7 @@ def test_laser_points_are_on_wall():
     done = drive(
         'int i; connect_robot(1); printf("%d ", conf_ls(51, 20, 20, 20, 4)); Laser[0] = 0;'
         'printf("%d ", get_ls());' + PRINT_LASER % 2,
-        things=NOMAD + WALL,
+        elements=NOMAD + WALL,
     )
     configured, read, *numbers = done.numbers
     assert (configured, read, len(numbers)) == (1, 1, 40)
@@ -154,7 +154,7 @@ def test_laser_segments_are_sides_of_corner():
     done = drive(
         "int i; connect_robot(1); conf_ls(33, 20, 20, 482, 4);"
         'printf("%d ", conf_sg(50, 4, 30)); printf("%d ", get_sg());' + PRINT_LASER % 4,
-        things=NOMAD + CORNER,
+        elements=NOMAD + CORNER,
     )
     configured, read, *numbers = done.numbers
     assert (configured, read) == (1, 1)
@@ -172,7 +172,7 @@ def test_every_state_includes_all_laser_points():
         """int i; connect_robot(1); conf_ls(51, 20, 20, 482, 4); gs();
         printf("%d %ld %d %d ", Laser[0], State[STATE_LASER], Laser[1], Laser[2 * Laser[0] - 1]);
         conf_ls(50, 20, 20, 20, 4); gs(); printf("%d", Laser[0]);""",
-        things=NOMAD + WALL,
+        elements=NOMAD + WALL,
     )
     assert done.numbers == [482, 51, 787, 787, 0]
 
@@ -223,7 +223,7 @@ def test_pos_data_contain_pose_at_measurement():
         posInfraredGet(&p, 3); {PRINT_POS}
         posLaserGet(&p); {PRINT_POS}
         posCompassGet(&p); {PRINT_POS}""",
-        things=NOMAD,
+        elements=NOMAD,
     )
     told, *attached = [line.split() for line in done.output[0].splitlines()]
     assert attached == [told] * 4
@@ -254,7 +254,7 @@ def test_bumper_pos_data_are_those_of_hit():
         vm(100, 100, 0); do get_bp(); while (State[STATE_BUMPER] == 0);
         hit_ms = posTimeGet(); sleep(2); gs(); posBumperGet(&p); {PRINT_POS}
         printf("%ld", hit_ms);""",
-        things='<robot x="0" y="0"/><wall x1="30in" y1="-2m" x2="30in" y2="2m"/>',
+        elements='<robot x="0" y="0"/><wall x1="30in" y1="-2m" x2="30in" y2="2m"/>',
     )
     before, after = done.numbers[:6], done.numbers[6:12]
     assert before == [0] * 6

@@ -13,9 +13,9 @@ TELL = 'for (int i = 0; i < 16; i++) printf("%ld ", State[STATE_SONAR_0 + i]);\n
 BEAM = math.atan2(45, 255)  # to each side
 
 
-def ring(things: str, setup: str = "") -> list[int]:
+def ring(elements: str, setup: str = "") -> list[int]:
     """Return the readings of a Scout at the origin for objects."""
-    done = drive(f"connect_robot(1); get_sn(); {TELL}", things=OPEN + things, setup=setup)
+    done = drive(f"connect_robot(1); get_sn(); {TELL}", elements=OPEN + elements, setup=setup)
     return [int(number) for number in done.numbers]
 
 
@@ -85,7 +85,7 @@ def test_get_sn_refreshes_only_sonars():
         get_sn();
         printf("%ld %ld", State[STATE_CONF_X], State[STATE_SONAR_0]);
         """,
-        things=OPEN + wall(100, 0),
+        elements=OPEN + wall(100, 0),
     )
     assert done.numbers == [77, 92]
 
@@ -101,7 +101,7 @@ def subset(order: str, rate: int = 15, wait_us: int = 1_000_000) -> list[int]:
         connect_robot(1);
         conf_sn({rate}, order); usleep({wait_us}); get_sn(); {TELL}
         """,
-        things='<robot x="50in" y="50in"/>',
+        elements='<robot x="50in" y="50in"/>',
         area='length="100in" width="100in"',
     )
     assert done.status == 0
@@ -152,7 +152,7 @@ def test_readings_age_until_next_firing():
             usleep(33000);
         }
         """,
-        things=OPEN + wall(200, 0),
+        elements=OPEN + wall(200, 0),
     )
     pairs = list(zip(done.numbers[::2], done.numbers[1::2], strict=True))
     late_in = [SHELL_IN + reading + x / 10 - 200 for x, reading in pairs]
@@ -168,7 +168,7 @@ def test_two_robots_measure_each_other():
         int order[2] = {{0, 255}};
         connect_robot(1); conf_sn(0, order); usleep(200000); get_sn(); {TELL}
         """,
-        things='<robot x="0" y="0"/><robot x="116in" y="0" heading="180"/>',
+        elements='<robot x="0" y="0"/><robot x="116in" y="0" heading="180"/>',
     )
     for output in done.output:
         assert [int(word) for word in output.split()] == [100, *[255] * 15]
@@ -185,6 +185,6 @@ def test_carmen_style_program_switches_sonars_off():
         printf("%d ", conf_sn(0, NULL)); gs();
         printf("%ld", State[STATE_SONAR_0]);
         """,
-        things=OPEN + wall(50, 0),
+        elements=OPEN + wall(50, 0),
     )
     assert done.numbers == [1, 42, 1, 255]

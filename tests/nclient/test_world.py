@@ -48,9 +48,9 @@ def test_robots_share_added_obstacles():
     first = f"{BLOCK} connect_robot(1); add_obstacle(block); sleep(3);"
     second = f"{ORDER} sleep(1); {LOOK}"
     robots = '<robot x="0" y="0"/><robot x="-30in" y="60in" heading="-90deg"/>'
-    assert drive(first, second, things=robots).output[1] == "255 "
+    assert drive(first, second, elements=robots).output[1] == "255 "
     robots = '<robot x="0" y="0"/><robot x="40in" y="60in" heading="-90deg"/>'
-    assert drive(first, second, things=robots).output[1] == "32 "
+    assert drive(first, second, elements=robots).output[1] == "32 "
 
 
 @pytest.mark.function("get_rpx")
@@ -60,7 +60,7 @@ def test_get_rpx_returns_poses_of_all_robots():
         'long p[1 + 3 * 30]; int i; connect_robot(1); printf("%d ", get_rpx(p));'
         'for (i = 0; i <= 3 * p[0]; i++) printf("%ld ", p[i]);',
         *["return 0;"] * 22,
-        things=robots,
+        elements=robots,
     )
     poses = [number for n in range(23) for number in (300 * n, 10 * n, 10 * n)]
     assert done.numbers == [1, 23, *poses]
@@ -126,7 +126,7 @@ def test_predicted_sensors_equal_measurement_at_that_pose():
             off += abs(laser[i] - Laser[i]) > 1;
         printf("%d %d %d ", off, laser[0] > 10, laser[0] == Laser[0]);
         printf("%ld %ld", state[17], state[33]);""",
-        things=f'<robot x="0" y="0" definition="nomad200"/>{wall}',
+        elements=f'<robot x="0" y="0" definition="nomad200"/>{wall}',
     )
     # The centre of the wall is 60 in from the robot's old position, and 30 in from the new one.
     radius_in = done.session.environment.world.robots[0].model.radius_m / 0.0254

@@ -233,8 +233,8 @@ def test_height_map_pixels_are_drawn_in_runs() -> None:
 
 def test_lights_sounds_and_fingers_are_drawn(tmp_path):
     """A light is a disc with eight rays, a sound three circles, a gripper two lines."""
-    things = '<robot x="1m" y="1m"/><light x="2m" y="2m"/><sound x="3m" y="1m"/>'
-    world = gripping(tmp_path, things, 'length="4m" width="3m"', GRIPPER).environment.world
+    elements = '<robot x="1m" y="1m"/><light x="2m" y="2m"/><sound x="3m" y="1m"/>'
+    world = gripping(tmp_path, elements, 'length="4m" width="3m"', GRIPPER).environment.world
     path = np.array([[1.0, 1.0]])
     trips = [RobotPath(world.robots[0], path, 0.0)]
     plain = Picture("t", "s", replace(world, lights=(), sounds=()), trips)

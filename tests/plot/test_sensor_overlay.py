@@ -19,8 +19,8 @@ def test_beams_end_at_their_echoes_and_lines_at_what_the_camera_sees(tmp_path: P
     robot = scout_with(tmp_path, camera)
     pole = '<cylinder x="1m" y="2.1m" radius="10cm" colour="red"/>'
     program = "struct crs_pixel row[3]; crs_camera(row, 3);"
-    things = f'<robot x="1m" y="1m" heading="90deg"/>{pole}'
-    session = drive(program, robot=robot, things=things).session
+    elements = f'<robot x="1m" y="1m" heading="90deg"/>{pole}'
+    session = drive(program, robot=robot, elements=elements).session
     state, world = session.environment.state, session.environment.world_now
     beams = sights(state, world, session.time_s)
     (echo,) = [beam for beam in beams if not beam.colour]

@@ -73,7 +73,7 @@ def walk(robots: int, count: int) -> tuple[np.ndarray, np.ndarray]:
     random = np.random.default_rng(8)
     speed, turn = random.normal(0.02, 0.01, (count, robots)), random.normal(0.1, 0.2, robots)
     heading = np.cumsum(np.tile(turn, (count, 1)), axis=0) + random.uniform(-3, 3, robots)
-    true = np.zeros((count, 4, robots + 1))  # and a thing
+    true = np.zeros((count, 4, robots + 1))  # and an object
     true[:, 0, :robots] = 5.0 + np.cumsum(speed * np.cos(heading), axis=0)
     true[:, 1, :robots] = np.cumsum(speed * np.sin(heading), axis=0)
     true[:, 2, :robots] = (heading + np.pi) % (2 * np.pi) - np.pi

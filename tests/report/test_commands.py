@@ -12,15 +12,15 @@ from tests.nclient.drive import Drive, drive
 STANDING = "ws(1, 1, 0, 255);"
 
 
-def run(body: str, things: str = '<robot x="0" y="0"/>', **options) -> Drive:
+def run(body: str, elements: str = '<robot x="0" y="0"/>', **options) -> Drive:
     """Run the statements of a body."""
-    done = drive(body, things=things, dialect="report", **options)
+    done = drive(body, elements=elements, dialect="report", **options)
     assert done.session.result().robots[0].error is None
     return done
 
 
 def cylinder(x_in: float, y_in: float = 0.0, heat: float = 0.0) -> str:
-    """Return a round thing of 10 inches and a Scout at the origin."""
+    """Return a cylinder of 10 inches and a Scout at the origin."""
     place = f'x="{x_in}in" y="{y_in}in" radius="10in" heat="{heat}"'
     return f'<robot x="0" y="0"/><cylinder {place}/>'
 
@@ -244,6 +244,6 @@ def test_there_is_a_simulated_robot_and_no_real_one():
 
 
 def test_two_robots_sense_each_others_heat():
-    things = '<robot x="0" y="0" heat="1"/><robot x="1m" y="0" heat="1"/>'
-    done = run('heatSensorCheck(); printf("%ld\\n", State[STATE_HEAT]);', things)
+    elements = '<robot x="0" y="0" heat="1"/><robot x="1m" y="0" heat="1"/>'
+    done = run('heatSensorCheck(); printf("%ld\\n", State[STATE_HEAT]);', elements)
     assert done.output == ["1\n", "1\n"]

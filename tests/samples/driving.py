@@ -80,7 +80,7 @@ class Drive:
         goals: what has become of the world's goals.
         state_hash: of the state in which it ends.
         hints: what is doubtful about its robot calls.
-        things: x, y [m] and heading [rad] of what can be pushed, at the end, by name.
+        objects: x, y [m] and heading [rad] of what can be pushed, at the end, by name.
     """
 
     def __init__(
@@ -142,8 +142,8 @@ class Drive:
         self.output = b"".join(self._outputs)
         bodies, pushables = session.environment.state.bodies, Scene(world).pushables
         poses = np.column_stack([bodies.position_m, bodies.angle_rad])[len(world.robots) :]
-        names = [thing.id for thing in pushables]
-        self.things = dict(zip(names, poses.tolist(), strict=True))
+        names = [obj.id for obj in pushables]
+        self.objects = dict(zip(names, poses.tolist(), strict=True))
         self.files = {name.decode(): content for name, content in session.files(0).items()}
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:

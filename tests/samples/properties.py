@@ -435,7 +435,7 @@ def drives_its_square_by_compass(drive: Drive) -> None:
 def sorts_cans(drive: Drive) -> None:
     """Heavy cans stand to the left of the robot's home, light ones to the right."""
     assert drive.robot.exit_status == 0
-    for name, (x_m, y_m, _) in drive.things.items():
+    for name, (x_m, y_m, _) in drive.objects.items():
         assert x_m == pytest.approx(-70 * INCH_M, abs=0.1)
         assert (y_m > 1.0) if name.startswith("heavy") else (y_m < -1.0)
 
@@ -457,7 +457,9 @@ def spreads_out(drive: Drive) -> None:
 
 def puts_cans_into_a_row(drive: Drive) -> None:
     touches_nothing(drive)
-    places_in = {name: (x_m / INCH_M, y_m / INCH_M) for name, (x_m, y_m, _) in drive.things.items()}
+    places_in = {
+        name: (x_m / INCH_M, y_m / INCH_M) for name, (x_m, y_m, _) in drive.objects.items()
+    }
     for name, x_in in (("red", 0), ("green", 4), ("blue", -4)):
         assert places_in[name] == pytest.approx((x_in, 22), abs=0.1)
 
@@ -489,7 +491,7 @@ def finds_who_calls(drive: Drive) -> None:
 
 def pushes_the_crate_together(drive: Drive) -> None:
     """The floor holds the crate with 70 N, and a Scout has 60 N."""
-    x_m, y_m, heading_rad = drive.things["crate"]
+    x_m, y_m, heading_rad = drive.objects["crate"]
     assert x_m == pytest.approx((-60 + 80) * INCH_M, abs=0.05)
     assert abs(y_m) < 0.05
     assert abs(heading_rad) < math.radians(3)

@@ -87,12 +87,12 @@ WORLDS = {
     "rings fail": HALL + ROBOTS.format(PLAIN, NOISY, PLAIN)
     + '<degradation robot="a" device="infrared" onset="2.2s" duration="1s" noise="0.2m"/>'
     + '<degradation robot="b" device="compass" onset="4.2s" duration="1s" noise="9deg"/>',
-    "dark things": HALL
+    "dark objects": HALL
     + '<material name="dark" infrared="0.3"/>'
     + '<box x="4.5m" y="3m" length="0.5m" width="0.3m" material="dark"/>'
     + ROBOTS.format(PLAIN, NOISY, PLAIN),
 }  # fmt: skip
-CALM = {"rings fail": 30, "dark things": 0}
+CALM = {"rings fail": 30, "dark objects": 0}
 
 
 def world_of(name: str, folder: Path) -> WorldModel:

@@ -18,15 +18,15 @@ INCH = 0.0254
 SCOUT_RADIUS_M = 8 * INCH
 
 
-def world_of(things: str, size: str = 'length="10m" width="10m"', timestep: str = "50ms"):
+def world_of(elements: str, size: str = 'length="10m" width="10m"', timestep: str = "50ms"):
     """Return a world of objects, written in XML."""
-    text = f'<world version="1" timestep="{timestep}"><area {size}/>{things}</world>'
+    text = f'<world version="1" timestep="{timestep}"><area {size}/>{elements}</world>'
     return parse_world(text.encode(), "test")
 
 
-def open_world(things: str = '<robot x="0" y="0"/>', timestep: str = "50ms"):
+def open_world(elements: str = '<robot x="0" y="0"/>', timestep: str = "50ms"):
     """Return a wide world without edges, its origin at the centre."""
-    return world_of(things, 'length="2000m" width="2000m" origin="centre" edge="0"', timestep)
+    return world_of(elements, 'length="2000m" width="2000m" origin="centre" edge="0"', timestep)
 
 
 @dataclass
@@ -86,21 +86,21 @@ def told(message) -> np.ndarray:
 def own_world(
     folder,
     *changes: tuple[str, str],
-    things: str = "",
+    elements: str = "",
     timestep: str = "50ms",
     robot: str = "scout",
 ):
     """Return a wide world of robots with a changed known definition.
 
-    In `things`, `<robot` stands for such a robot; without `things` there is one at the origin.
+    In `elements`, `<robot` stands for such a robot; without `elements` there is one at the origin.
     """
     text = (Path(world_xml.__file__).parents[0] / "robots" / f"{robot}.xml").read_text()
     for old, new in changes:
         assert old in text
         text = text.replace(old, new)
     (folder / "own.xml").write_text(text)
-    things = (things or '<robot x="0" y="0"/>').replace("<robot", '<robot definition="own.xml"')
+    elements = (elements or '<robot x="0" y="0"/>').replace("<robot", '<robot definition="own.xml"')
     area = '<area length="2000m" width="2000m" origin="centre" edge="0"/>'
     path = folder / "world.xml"
-    path.write_text(f'<world version="1" timestep="{timestep}">{area}{things}</world>')
+    path.write_text(f'<world version="1" timestep="{timestep}">{area}{elements}</world>')
     return load_world(path)

@@ -16,12 +16,12 @@ GRIPPER = '<gripper reach="10cm" opening="20cm" closing="1s" max-mass="5kg"/>'
 OPEN, CLOSE = 0, 1
 
 
-def gripping(folder: Path, things: str, area: str, *devices: str) -> Driver:
+def gripping(folder: Path, elements: str, area: str, *devices: str) -> Driver:
     """Return a world whose Scouts have grippers, or other devices."""
     scout_with(folder, *(devices or (GRIPPER,)))
-    things = things.replace("<robot ", '<robot definition="scout-with.xml" ')
+    elements = elements.replace("<robot ", '<robot definition="scout-with.xml" ')
     path = folder / "world.xml"
-    path.write_text(f'<world version="1"><area {area}/>{things}</world>')
+    path.write_text(f'<world version="1"><area {area}/>{elements}</world>')
     return Driver.of(load_world(path))
 
 
@@ -36,7 +36,7 @@ def kinds(steps) -> list[str]:
     return [event.kind for step in steps for event in step.events]
 
 
-def place(driver: Driver, thing: int = 0):
+def place(driver: Driver, obj: int = 0):
     """Return x and y [m] of a pushable object."""
     bodies = driver.state.bodies
-    return bodies.position_m[len(driver.state.heading_rad) + thing]
+    return bodies.position_m[len(driver.state.heading_rad) + obj]

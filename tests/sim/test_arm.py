@@ -23,8 +23,8 @@ CAN = '<cylinder x="60cm" y="2cm" radius="4cm" mass="1kg"/>'
 """Position of the tip of the extended arm."""
 
 
-def arm_of(tmp_path, things="", robot=ROBOT):
-    return gripping(tmp_path, robot + things, WIDE, ARM)
+def arm_of(tmp_path, elements="", robot=ROBOT):
+    return gripping(tmp_path, robot + elements, WIDE, ARM)
 
 
 def tell(driver, robot=0):
@@ -117,12 +117,12 @@ def test_arm_passes_over_objects_and_releases_only_into_free_space(tmp_path):
 
 def test_hand_does_not_grasp_far_heavy_or_held_objects(tmp_path):
     """The can's side is 6 cm from the tip, 4 cm, 4 cm; the last stands in another robot's hand."""
-    for thing, grips in (
+    for obj, grips in (
         ('<cylinder x="70cm" y="2cm" radius="4cm" mass="1kg"/>', []),
         ('<cylinder x="68cm" y="2cm" radius="4cm" mass="1kg"/>', ["grip"]),
         ('<cylinder x="68cm" y="2cm" radius="4cm" mass="3kg"/>', []),
     ):
-        driver = arm_of(tmp_path, thing)
+        driver = arm_of(tmp_path, obj)
         driver.post("HAND", CLOSE)
         assert kinds(driver.run(2)) == grips
     facing = ROBOT + '<robot x="120cm" y="4cm" heading="180"/>'

@@ -111,9 +111,9 @@ def test_robots_hear_others_from_their_direction(tmp_path):
 
 def test_noise_is_proportional_as_defined(tmp_path):
     """500 readings of 1000: the deviation is 50, its standard error 3.2% of that."""
-    things = ROBOT + '<light x="1m" y="0" brightness="1000"/><sound x="1m" y="0" level="1000"/>'
+    elements = ROBOT + '<light x="1m" y="0" brightness="1000"/><sound x="1m" y="0" level="1000"/>'
     devices = EYES.replace("/>", ' noise="0.05"/>'), '<microphones noise="0.05"/>'
-    driver = gripping(tmp_path, things, WIDE, *devices)
+    driver = gripping(tmp_path, elements, WIDE, *devices)
     lights = np.array([eyes(driver)[0] for _ in range(500)])
     sounds = np.array([ears(driver)[0][0] for _ in range(500)])
     for readings in (lights, sounds):
@@ -159,10 +159,10 @@ def test_beacons_are_reproduced_from_snapshot(tmp_path):
     ('device="light" dead="yes"', EYES, [0, 0]),
 ])  # fmt: skip
 def test_light_sensors_can_be_degraded(tmp_path, fault, device, reads):
-    things = (
+    elements = (
         ROBOT + '<light x="2m" y="0" brightness="800"/>' + f'<degradation robot="robot0" {fault}/>'
     )
-    assert eyes(gripping(tmp_path, things, WIDE, device))[:2] == reads
+    assert eyes(gripping(tmp_path, elements, WIDE, device))[:2] == reads
 
 
 def test_lamps_speakers_and_microphones_can_be_degraded(tmp_path):

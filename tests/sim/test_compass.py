@@ -13,8 +13,8 @@ PLAIN = 'offset="0deg" deviation="0deg" calibration="180s" rate="10Hz" noise="0d
 
 
 def nomad(folder, compass: str = PLAIN, heading: float = 30.0) -> Driver:
-    things = f'<robot x="0" y="0" heading="{heading}"/>'
-    return Driver.of(own_world(folder, (PLAIN, compass), things=things, robot="nomad200"))
+    elements = f'<robot x="0" y="0" heading="{heading}"/>'
+    return Driver.of(own_world(folder, (PLAIN, compass), elements=elements, robot="nomad200"))
 
 
 def test_reads_world_direction_of_turret_in_tenths_of_degree(tmp_path):

@@ -579,8 +579,8 @@ _NONSENSE: dict[str, Driver] = {}
 def nonsense(robot: str) -> Driver:
     """Return one environment for all examples: invalid requests must not accumulate either."""
     if robot not in _NONSENSE:
-        things = f'<robot definition="{robot}" x="5m" y="5m"/>'
-        _NONSENSE[robot] = Driver.of(world_of(things))
+        elements = f'<robot definition="{robot}" x="5m" y="5m"/>'
+        _NONSENSE[robot] = Driver.of(world_of(elements))
     driver = _NONSENSE[robot]
     driver.state.connected[:] = True
     return driver

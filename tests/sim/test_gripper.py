@@ -20,14 +20,14 @@ WIDE = 'length="100m" width="100m" origin="centre" edge="0"'
 ROBOT = '<robot x="0" y="0"/>'
 
 
-def found(things, mount=(0.0, 0.0, 0.0), strip=(0.2, 0.3)):
+def found(elements, mount=(0.0, 0.0, 0.0), strip=(0.2, 0.3)):
     """Return what is between fingers at a place: right, left and nearest point [m]."""
-    scene = Scene(world_of('<robot x="9m" y="9m"/>' + things, WIDE))
+    scene = Scene(world_of('<robot x="9m" y="9m"/>' + elements, WIDE))
     moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
     rows = between(moving, 1, np.array([mount]), np.array([strip]))
     return [
-        (scene.names[thing], *(round(float(value), 6) for value in values))
-        for thing, *values in zip(rows.object, rows.right_m, rows.left_m, rows.near_m, strict=True)
+        (scene.names[obj], *(round(float(value), 6) for value in values))
+        for obj, *values in zip(rows.object, rows.right_m, rows.left_m, rows.near_m, strict=True)
     ]
 
 
@@ -90,7 +90,7 @@ def test_fingers_stop_at_width_of_object(tmp_path):
     assert tell(driver) == [79, 1, 0]
 
 
-@pytest.mark.parametrize(("thing", "beam"), [
+@pytest.mark.parametrize(("obj", "beam"), [
     ('<cylinder x="26cm" y="0" radius="4cm" mass="5.1kg"/>', 1),                     # too heavy
     ('<cylinder x="26cm" y="0" radius="4cm"/>', 1),                                  # fixed
     ('<cylinder x="32cm" y="0" radius="11cm" mass="1kg"/>', 1),                      # too wide
@@ -98,8 +98,8 @@ def test_fingers_stop_at_width_of_object(tmp_path):
     ('<cylinder x="36cm" y="0" radius="4cm" mass="1kg"/>', 0),                   # too far ahead
     ('<robot x="45cm" y="0"/>', 1),
 ])  # fmt: skip
-def test_fingers_close_completely_on_ungraspable_objects(tmp_path, thing, beam):
-    driver = gripping(tmp_path, ROBOT + thing, WIDE)
+def test_fingers_close_completely_on_ungraspable_objects(tmp_path, obj, beam):
+    driver = gripping(tmp_path, ROBOT + obj, WIDE)
     assert tell(driver)[1] == beam
     driver.post("GRIPPER", CLOSE)
     assert kinds(driver.run_s(1.5)) == []

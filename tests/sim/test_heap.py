@@ -31,17 +31,17 @@ SURFACE = (
 
 def heap():
     """Return the world."""
-    things = []
+    elements = []
     for number in range(100):
         row, column = divmod(number, 10)
         x_m, y_m = 0.8 + SPACING_M * column, 0.8 + SPACING_M * row
         if (row + column) % 2:
             size = f'length="{25 + number % 7 * 3}cm" width="30cm" heading="{number * 11 % 90}"'
-            things.append(f'<box x="{x_m}" y="{y_m}" {size} mass="{2 + number % 5}kg"/>')
+            elements.append(f'<box x="{x_m}" y="{y_m}" {size} mass="{2 + number % 5}kg"/>')
         else:
             heading = math.degrees(math.atan2(3.5 - y_m, 3.5 - x_m))
-            things.append(f'<robot x="{x_m}" y="{y_m}" heading="{heading:.3f}"/>')
-    return world_of(SURFACE + "".join(things), 'length="7m" width="7m"')
+            elements.append(f'<robot x="{x_m}" y="{y_m}" heading="{heading:.3f}"/>')
+    return world_of(SURFACE + "".join(elements), 'length="7m" width="7m"')
 
 
 @pytest.fixture(scope="module")

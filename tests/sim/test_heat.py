@@ -21,8 +21,8 @@ def heat(driver: Driver, robot: int = 0) -> int:
     return int(message["i"][0])
 
 
-def of(things: str, robot: str = '<robot x="0" y="0"/>') -> Driver:
-    return Driver.of(open_world(robot + things))
+def of(elements: str, robot: str = '<robot x="0" y="0"/>') -> Driver:
+    return Driver.of(open_world(robot + elements))
 
 
 def test_sensor_reads_0_without_heat():
@@ -37,7 +37,7 @@ def test_heat_in_range_is_summed_independently_of_distance():
 
 
 @pytest.mark.parametrize(
-    ("thing", "edge_m"),
+    ("obj", "edge_m"),
     [
         ('<cylinder x="{}m" y="0" radius="50cm" heat="1"/>', 0.5),
         ('<box x="{}m" y="0" length="2m" width="1m" heat="1"/>', 1.0),
@@ -50,9 +50,9 @@ def test_heat_in_range_is_summed_independently_of_distance():
         ('<polygon points="{0},0 9,-1 9,1" heat="1" mass="2kg"/>', 0.0),
     ],
 )
-def test_distance_is_that_of_nearest_point(thing: str, edge_m: float):
-    assert heat(of(thing.format(3 + edge_m - 0.01))) == 1
-    assert heat(of(thing.format(3 + edge_m + 0.01))) == 0
+def test_distance_is_that_of_nearest_point(obj: str, edge_m: float):
+    assert heat(of(obj.format(3 + edge_m - 0.01))) == 1
+    assert heat(of(obj.format(3 + edge_m + 0.01))) == 0
 
 
 def test_robot_in_concavity_is_outside_polygon():
@@ -74,9 +74,9 @@ def test_robots_sense_heat_of_others_only():
 
 
 def test_tagging_removes_heat_in_range_for_all_robots():
-    things = '<cylinder x="2m" y="0" radius="20cm" heat="1"/><robot x="1m" y="0" heat="1"/>'
+    elements = '<cylinder x="2m" y="0" radius="20cm" heat="1"/><robot x="1m" y="0" heat="1"/>'
     far = '<cylinder x="5m" y="0" radius="20cm" heat="7"/>'
-    driver = of(things + far, '<robot x="0" y="0" heat="2"/>')
+    driver = of(elements + far, '<robot x="0" y="0" heat="2"/>')
     assert heat(driver, 0) == 2
     message, _ = driver.post("TAG")
     assert (message["result"], message["i"][0]) == (1, 2)
@@ -100,12 +100,12 @@ def test_heat_moves_with_pushed_object():
 def test_batched_readings_equal_single_readings():
     generator = np.random.default_rng(7)
     places = generator.uniform(0.5, 19.5, (60, 2))
-    things = "".join(
+    elements = "".join(
         f'<robot x="{x:.3f}m" y="{y:.3f}m" heat="{1 + number % 3}"/>'
         for number, (x, y) in enumerate(places.round(3))
         if all(np.hypot(*(places[:number] - (x, y)).T) > 0.5)
     )
-    driver = Driver.of(world_of(things, 'length="20m" width="20m" edge="0"'))
+    driver = Driver.of(world_of(elements, 'length="20m" width="20m" edge="0"'))
     state = driver.state
     for robot in range(len(state.x_m)):
         apart_m = np.hypot(state.x_m - state.x_m[robot], state.y_m - state.y_m[robot])

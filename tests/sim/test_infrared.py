@@ -54,11 +54,11 @@ def test_sensors_are_numbered_counterclockwise_from_front(number):
 
 def test_quarter_reflectance_doubles_apparent_distance(tmp_path):
     dark = (EXACT, EXACT.replace('reflectance="1"', 'reflectance="0.25"'))
-    things = '<robot x="0" y="0"/>' + wall(5)
-    driver = Driver.of(own_world(tmp_path, dark, things=things, robot="nomad200"))
+    elements = '<robot x="0" y="0"/>' + wall(5)
+    driver = Driver.of(own_world(tmp_path, dark, elements=elements, robot="nomad200"))
     assert ring(driver)[0] == 10
-    things = '<robot x="0" y="0"/>' + wall(7.6)
-    driver = Driver.of(own_world(tmp_path, dark, things=things, robot="nomad200"))
+    elements = '<robot x="0" y="0"/>' + wall(7.6)
+    driver = Driver.of(own_world(tmp_path, dark, elements=elements, robot="nomad200"))
     assert ring(driver)[0] == 15
 
 
@@ -156,8 +156,8 @@ def test_scout_has_no_infrared():
 
 def test_noise_has_standard_deviation_of_definition(tmp_path):
     noisy = (EXACT, EXACT.replace('noise="0in"', 'noise="1in"').replace('step="1in"', 'step="4in"'))
-    things = '<robot x="0" y="0"/>' + wall(30)
-    driver = Driver.of(own_world(tmp_path, noisy, things=things, robot="nomad200"))
+    elements = '<robot x="0" y="0"/>' + wall(30)
+    driver = Driver.of(own_world(tmp_path, noisy, elements=elements, robot="nomad200"))
     seen = []
     for _ in range(300):
         driver.run(1)

@@ -41,8 +41,8 @@ def pages(driver: Driver, count: int, robot: int = 0, predicted: int = 0) -> lis
     return found
 
 
-def laser(things: str, *conf: int) -> Driver:
-    driver = Driver.of(open_world(NOMAD + things))
+def laser(elements: str, *conf: int) -> Driver:
+    driver = Driver.of(open_world(NOMAD + elements))
     assert driver.post("CONF_LS", *(conf or (51, 20, 20, 20, 4)))[0]["result"] == 1
     return driver
 
@@ -58,8 +58,8 @@ def test_points_on_wall_are_intersections_with_beams():
 
 def test_points_out_of_range_are_omitted():
     # From 0.2 m ahead of the middle 2.9 m along x are in range, at 30 degrees they are not.
-    things = '<wall x1="3.15m" y1="-5m" x2="3.15m" y2="5m" thickness="0.1m"/>'
-    found = readings(laser(things, 51, 20, 20, 60, 4))
+    elements = '<wall x1="3.15m" y1="-5m" x2="3.15m" y2="5m" thickness="0.1m"/>'
+    found = readings(laser(elements, 51, 20, 20, 60, 4))
     edge_deg = math.degrees(math.acos(2.9 / 3.0))
     assert len(found) == 2 * int(edge_deg + 0.5)  # one each degree, at 0.5, 1.5, ...
     assert readings(laser("")) == []
@@ -199,8 +199,8 @@ def test_snapshots_contain_reported_readings():
 
 
 def test_robots_with_and_without_lasers_in_one_batch():
-    things = f'<robot x="0" y="5m"/>{NOMAD}<robot x="0" y="-5m"/>'
-    driver = Driver.of(open_world(things + WALL))
+    elements = f'<robot x="0" y="5m"/>{NOMAD}<robot x="0" y="-5m"/>'
+    driver = Driver.of(open_world(elements + WALL))
     messages = np.zeros(3, MESSAGE)
     messages["i"][:, :5] = 51, 20, 20, 20, 4
     everybody = np.arange(3)
@@ -215,8 +215,8 @@ def test_robots_with_and_without_lasers_in_one_batch():
 
 def test_excess_segments_are_dropped(tmp_path):
     noisy = (EXACT, EXACT.replace('noise="0mm"', 'noise="200mm"'))
-    things = '<robot x="0" y="0"/>' + WALL
-    driver = Driver.of(own_world(tmp_path, noisy, things=things, robot="nomad200"))
+    elements = '<robot x="0" y="0"/>' + WALL
+    driver = Driver.of(own_world(tmp_path, noisy, elements=elements, robot="nomad200"))
     driver.ask("CONF_LS", 33, 20, 20, 482, 1)
     driver.ask("CONF_SG", 0, 0, -1)
     assert len(readings(driver, "GET_SG")) == 241  # four numbers each, of the 964 in Laser
@@ -225,8 +225,8 @@ def test_excess_segments_are_dropped(tmp_path):
 def test_large_errors_make_no_negative_range(tmp_path):
     """-1 is no object in range; at 2 m the deviation is 20 m here."""
     noisy = (EXACT, EXACT.replace('noise="0mm"', 'noise="5m"'))
-    things = '<robot x="0" y="0"/>' + WALL
-    driver = Driver.of(own_world(tmp_path, noisy, things=things, robot="nomad200"))
+    elements = '<robot x="0" y="0"/>' + WALL
+    driver = Driver.of(own_world(tmp_path, noisy, elements=elements, robot="nomad200"))
     driver.ask("CONF_LS", 51, 20, 20, 60, 1)
     assert driver.post("LASER")[0]["i"][0] == 60
     page, _ = driver.post("READINGS", 3)
@@ -254,8 +254,8 @@ def test_noise_grows_with_square_of_distance_and_shrinks_by_averaging(tmp_path):
     spread = {}
     for far_m, pixels in ((1.0, 1), (2.0, 1), (2.0, 16)):
         wall = WALL.replace("2.05m", f"{far_m + 0.25}m")
-        things = '<robot x="0" y="0"/>' + wall
-        driver = Driver.of(own_world(tmp_path, noisy, things=things, robot="nomad200"))
+        elements = '<robot x="0" y="0"/>' + wall
+        driver = Driver.of(own_world(tmp_path, noisy, elements=elements, robot="nomad200"))
         driver.ask("CONF_LS", 51, 20, 20, 482, pixels)
         points = np.array(readings(driver))
         middle = points[200:280]

@@ -33,7 +33,7 @@ def test_default_object_is_plain_and_tall():
 
 
 @pytest.mark.parametrize(
-    "thing",
+    "obj",
     [
         '<wall x1="5" y1="5" x2="6" y2="5" {}/>',
         '<box x="5" y="5" length="1" width="1" {}/>',
@@ -41,9 +41,9 @@ def test_default_object_is_plain_and_tall():
         '<polygon points="5,5 6,5 6,6" {}/>',
     ],
 )
-def test_every_solid_has_material_heat_and_height(thing: str):
+def test_every_solid_has_material_heat_and_height(obj: str):
     attributes = 'colour="#0a141E" sonar=".5" infrared="1" heat="2.5" height="18in"'
-    *_, solid = world(thing.format(attributes)).solids()
+    *_, solid = world(obj.format(attributes)).solids()
     assert solid.material == Material((10, 20, 30), 0.5, 1.0)
     assert solid.heat == 2.5
     assert math.isclose(solid.height_m, 18 * 0.0254)

@@ -37,8 +37,8 @@ DEVICES = (
 )
 
 
-def hall(things: str) -> Driver:
-    return Driver.of(world_of(things, 'length="8m" width="4m"', timestep="100ms"))
+def hall(elements: str) -> Driver:
+    return Driver.of(world_of(elements, 'length="8m" width="4m"', timestep="100ms"))
 
 
 def ahead_m(driver: Driver) -> float:
@@ -187,8 +187,8 @@ def test_messages_do_not_reach_absent_robots():
         crs_receive(&m, CRS_FOREVER);
         printf("%d %s %d", m.type, m.data, crs_message_count());
     """
-    things = '<robot x="0" y="0"/><robot x="1m" y="0" join="1s"/>'
-    assert drive(send, receive, things=things).output[1] == "3 late 0"
+    elements = '<robot x="0" y="0"/><robot x="1m" y="0" join="1s"/>'
+    assert drive(send, receive, elements=elements).output[1] == "3 late 0"
 
 
 def test_held_object_stays_when_robot_leaves(tmp_path: Path):

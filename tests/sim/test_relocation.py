@@ -7,15 +7,15 @@ import pytest
 from crs_cc.sim.model.world import Pose
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, open_world, world_of
 
-THINGS = (
+ELEMENTS = (
     '<robot id="a" x="2m" y="2m"/><robot id="b" x="5m" y="5m"/>'
     '<box id="crate" x="8m" y="2m" length="1m" width="0.5m" mass="5kg"/>'
     '<wall id="screen" x1="4m" y1="0" x2="4m" y2="3m" thickness="10cm"/>'
 )
 
 
-def driver_of(things: str = THINGS) -> Driver:
-    return Driver.of(world_of(things))
+def driver_of(elements: str = ELEMENTS) -> Driver:
+    return Driver.of(world_of(elements))
 
 
 def run(driver: Driver, steps: int) -> str:
@@ -125,7 +125,7 @@ def test_objects_can_be_removed_but_not_robots_and_edges() -> None:
     for name in ("crate", "screen"):
         driver.environment.remove_obstacle(name)
         assert name not in driver.environment.names
-        with pytest.raises(ValueError, match=f"unknown thing '{name}'"):
+        with pytest.raises(ValueError, match=f"unknown object '{name}'"):
             driver.environment.remove_obstacle(name)
     driver.ask(
         "ADD_OBSTACLE",
@@ -134,7 +134,7 @@ def test_objects_can_be_removed_but_not_robots_and_edges() -> None:
     )
     driver.environment.remove_obstacle("obstacle-0")
     for name in ("a", "edge-north", "obstacle-0"):
-        with pytest.raises(ValueError, match="unknown thing"):
+        with pytest.raises(ValueError, match="unknown object"):
             driver.environment.remove_obstacle(name)
 
 

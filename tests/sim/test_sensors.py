@@ -20,9 +20,9 @@ from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, open_world, world_of
 RING = slice(SONAR_0, SONAR_0 + 16)
 
 
-def sonars(things: str, heading: float = 0.0) -> list[int]:
+def sonars(elements: str, heading: float = 0.0) -> list[int]:
     """Return the readings of a Scout at the origin of a wide world."""
-    driver = Driver.of(open_world(f'<robot x="0" y="0" heading="{heading}"/>{things}'))
+    driver = Driver.of(open_world(f'<robot x="0" y="0" heading="{heading}"/>{elements}'))
     return driver.ask("GET_SN")[RING].tolist()
 
 
@@ -58,16 +58,16 @@ def test_corner_of_box_is_measured():
 
 
 @pytest.mark.parametrize(
-    "thing",
+    "obj",
     [
         '<box x="18.5m" y="3m" length="1m" width="1m"/>',
         '<box x="18.5m" y="3m" length="1m" width="1m" mass="2kg"/>',
         '<polygon points="18m,2.5m 19m,2.5m 18m,4m"/>',
     ],
 )
-def test_sonar_in_line_with_side_measures_object_ahead(thing):
+def test_sonar_in_line_with_side_measures_object_ahead(obj):
     for x_m in (18.0, 18.000001):
-        driver = Driver.of(open_world(f'<robot x="{x_m}m" y="1m"/>{thing}'))
+        driver = Driver.of(open_world(f'<robot x="{x_m}m" y="1m"/>{obj}'))
         assert driver.ask("GET_SN")[SONAR_0 + 4] == 51
 
 

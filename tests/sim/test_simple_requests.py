@@ -114,7 +114,7 @@ def test_instruments_measure_for_replies_of_kernels(timer: str, tmp_path: Path) 
     world = own_world(
         tmp_path, (LASER, ""), (ring, f'{ring.replace("0in", "2in")} history="3" {timer}'),
         (compass, compass.replace("0deg", "3deg").replace('"no"', '"yes"')),
-        things='''<robot x="1m" y="1m"/><robot x="1.6m" y="1m" heading="90deg"/>
+        elements='''<robot x="1m" y="1m"/><robot x="1.6m" y="1m" heading="90deg"/>
         <degradation robot="robot0" device="infrared" bias="2in" onset="2s"/>
         <box x="2.5m" y="1m" length="40cm" width="40cm" mass="1kg"/>''', robot="nomad200",
     )  # fmt: skip

@@ -234,9 +234,9 @@ def test_no_echo_is_reported_after_flight_time_of_range():
 
 
 def test_echo_after_next_firing_is_lost():
-    things = '<robot x="0" y="0"/>' + wall_at(100)
+    elements = '<robot x="0" y="0"/>' + wall_at(100)
     for least_s, heard in ((0.04, 100), (0.012, NO_ECHO)):
-        world = with_board(open_world(things), least_interval_s=least_s)
+        world = with_board(open_world(elements), least_interval_s=least_s)
         driver = Driver.of(world)
         conf_sn(driver, 0, 0, 8)
         driver.run_s(0.5)
@@ -563,8 +563,8 @@ def test_pending_ping_survives_snapshot():
 )
 @pytest.mark.filterwarnings("error")
 def test_no_board_breaks_simulator(changes):
-    things = '<robot x="5m" y="5m"/><robot x="6m" y="5m" heading="180"/>'
-    driver = Driver.of(with_board(world_of(things), **changes))
+    elements = '<robot x="5m" y="5m"/><robot x="6m" y="5m" heading="180"/>'
+    driver = Driver.of(with_board(world_of(elements), **changes))
     driver.ask("VM", 200, 200)
     for _ in range(40):
         readings = driver.ask("GS")[RING]

@@ -24,8 +24,8 @@ N200 = '<robot definition="nomad200" x="0" y="0"/>'
 N150 = '<robot definition="nomad150" x="0" y="0"/>'
 
 
-def nomad(things: str = N200) -> Driver:
-    driver = Driver.of(open_world(things))
+def nomad(elements: str = N200) -> Driver:
+    driver = Driver.of(open_world(elements))
     driver.ask("AC", 300, 500, 500)
     driver.ask("SP", 100, 300, 300)
     return driver

@@ -14,7 +14,7 @@ SCOUT = Path(world_xml.__file__).parents[0] / "robots" / "scout.xml"
 ROOM_IN = 10 / INCH - 8  # x of a robot's centre when it touches the east edge
 
 
-def changed_scout(folder, things: str, *changes: tuple[str, str]) -> Driver:
+def changed_scout(folder, elements: str, *changes: tuple[str, str]) -> Driver:
     """Return a world with Scouts whose definition was changed."""
     text = SCOUT.read_text()
     for old, new in changes:
@@ -23,7 +23,7 @@ def changed_scout(folder, things: str, *changes: tuple[str, str]) -> Driver:
     (folder / "own.xml").write_text(text)
     world = folder / "world.xml"
     world.write_text(
-        f'<world version="1"><area length="10m" width="10m"/>{things}</world>'.replace(
+        f'<world version="1"><area length="10m" width="10m"/>{elements}</world>'.replace(
             "<robot ", '<robot definition="own.xml" '
         )
     )

@@ -163,7 +163,7 @@ class Hand:
 
     def has(self, *names: str) -> None:
         """Wait until there are these elements."""
-        known = f"{list(names)}.every((name) => crs.model.thing(name))"
+        known = f"{list(names)}.every((name) => crs.model.item(name))"
         wait(self.page, known)
 
 
@@ -210,7 +210,7 @@ def a_robot_is_placed_and_turned(hand: Hand) -> None:
     hand.press("v")
     wait(hand.page, "crs.model.selection.has('robot0')")
     hand.press("[")
-    wait(hand.page, "crs.model.thing('robot0').attributes.heading === '15deg'")
+    wait(hand.page, "crs.model.item('robot0').attributes.heading === '15deg'")
 
 
 def problems_are_listed_and_undone(hand: Hand) -> None:
@@ -218,7 +218,7 @@ def problems_are_listed_and_undone(hand: Hand) -> None:
     told = "robot 'robot0' overlaps wall 'wall0'"
     wait(hand.page, f'document.querySelector(".problem")?.innerText.endsWith("{told}")')
     hand.page.wait_for_selector("button:disabled:has-text('Save')")
-    hand.page.locator(".thing").first.click()
+    hand.page.locator(".item").first.click()
     hand.page.locator(".problem").click()
     wait(hand.page, "crs.model.selection.has('robot0')")
     hand.press("Control+z")
@@ -235,10 +235,10 @@ def the_file_is_as_a_person_would_have_written_it(hand: Hand, folder: Path) -> N
 def properties_are_typed_and_everything_is_undone_and_done_again(
     hand: Hand, screen: BuildScreen
 ) -> None:
-    hand.page.locator(".thing", has_text="wall0").click()
+    hand.page.locator(".item", has_text="wall0").click()
     hand.page.fill(".property [aria-label=thickness]", "20cm")
     hand.press("Enter")
-    wait(hand.page, "crs.model.thing('wall0').attributes.thickness === '20cm'")
+    wait(hand.page, "crs.model.item('wall0').attributes.thickness === '20cm'")
     hand.page.locator("canvas").first.focus()
     hand.page.fill(".property [aria-label=thickness]", "wide")
     hand.press("Enter")
@@ -250,13 +250,13 @@ def properties_are_typed_and_everything_is_undone_and_done_again(
     while screen.builder.document.redoable:
         screen.builder.redo()
     hand.press("Control+z", "Control+z")
-    wait(hand.page, "crs.model.thing('wall2') && !crs.model.document.changed")
+    wait(hand.page, "crs.model.item('wall2') && !crs.model.document.changed")
     assert screen.builder.text == DRAWN
 
 
 def the_world_is_tried_and_editing_goes_on_where_it_was(hand: Hand, folder: Path) -> None:
     hand.page.set_default_timeout(60_000)  # a process starts, and compiles
-    hand.page.locator(".thing", has_text="wall0").click()
+    hand.page.locator(".item", has_text="wall0").click()
     hand.page.locator("canvas").first.focus()
     hand.press("k")
     hand.page.evaluate("crs.view.zoom(5, [400, 300])")
@@ -265,7 +265,7 @@ def the_world_is_tried_and_editing_goes_on_where_it_was(hand: Hand, folder: Path
     assert (folder / ".hall.trial.xml").exists()
     assert hand.page.locator("#title").inner_text() == "go.c in hall.xml"
     hand.page.locator("button:has(span:text-is('Edit'))").click()
-    wait(hand.page, "window.crs && crs.model.document && crs.model.document.things.length === 15")
+    wait(hand.page, "window.crs && crs.model.document && crs.model.document.items.length === 15")
     wait(hand.page, "crs.model.locked.has('wall0') && crs.view.scale > 300")
 
 
@@ -291,7 +291,7 @@ def goals_sounds_steps_and_ranges_are_drawn(hand: Hand) -> None:
     hand.has(channel)
     wait(hand.page, f"crs.model.selection.has('{channel}')")
     hand.drag((3.0, 1.0), (2.6, 1.0))
-    wait(hand.page, f"crs.model.thing('{channel}').attributes.range === '1.6m'")
+    wait(hand.page, f"crs.model.item('{channel}').attributes.range === '1.6m'")
     hand.page.click("summary:text-is('Add')")
 
 
@@ -302,19 +302,19 @@ def the_ground_is_raised_by_a_brush_and_read_from_a_picture(hand: Hand, folder: 
     hand.has("surface/heightmap")
     wait(hand.page, "Math.max(...crs.model.shapes('surface/heightmap')[0].rows.flat()) > 0.09")
     hand.press("Control+z")
-    wait(hand.page, "!crs.model.thing('surface/heightmap')")
+    wait(hand.page, "!crs.model.item('surface/heightmap')")
     Image.linear_gradient("L").save(folder / "grey.png")
     hand.page.set_input_files("[aria-label='image of heights']", folder / "grey.png")
     hand.has("surface/heightmap")
     wait(hand.page, "crs.model.shapes('surface/heightmap')[0].rows.at(-1)[0] > 0.9")
     hand.press("Control+z", "Escape")
-    wait(hand.page, "!crs.model.thing('surface/heightmap')")
+    wait(hand.page, "!crs.model.item('surface/heightmap')")
 
 
 def a_definition_is_edited_and_all_copies_follow(hand: Hand, screen: BuildScreen) -> None:
     hand.to(6.2, 4.2)
     hand.page.mouse.dblclick(*hand.at)
-    wait(hand.page, "crs.model.inside && crs.model.things.length === 2")
+    wait(hand.page, "crs.model.inside && crs.model.items.length === 2")
     hand.drag((-0.3, 0.0), (-0.3, 0.1))
     wait(hand.page, "crs.model.shapes('define[table]/box0')[0].points[0][1] > 0.35")
     hand.press("b")
@@ -352,7 +352,7 @@ def an_object_is_dragged_from_the_library(hand: Hand) -> None:
     hand.page.evaluate(PASTE, CLIP)
     hand.has("stool")
     hand.press("Control+z", "Control+z", "Control+z", "Control+z")
-    wait(hand.page, "!crs.model.thing('chair') && !crs.model.thing('define[chair]')")
+    wait(hand.page, "!crs.model.item('chair') && !crs.model.item('define[chair]')")
     hand.page.click("summary:text-is('Library')")
 
 
@@ -368,7 +368,7 @@ def goals_and_programs_are_checked_while_drawing(hand: Hand, folder: Path) -> No
     hand.press("Control+z")
     problem.wait_for(state="detached")
     (folder / "bad.c").write_text("int main(void) { return x; }\n")
-    hand.page.locator(".thing", has_text="robot0").click()
+    hand.page.locator(".item", has_text="robot0").click()
     hand.page.locator(".properties b", has_text="robot0").wait_for()
     hand.page.fill(".property [aria-label=program]", "bad.c")
     hand.press("Enter")
@@ -392,11 +392,11 @@ def it_is_looked_at_in_three_dimensions(hand: Hand) -> None:
     x, y = hand.page.evaluate("crs.solid.picture.project(2, 1, 0).slice(0, 2)")
     hand.page.mouse.move(box["x"] + x, box["y"] + y)
     hand.page.mouse.up()
-    wait(hand.page, "crs.model.thing('robot0').attributes.x === '2m'")
+    wait(hand.page, "crs.model.item('robot0').attributes.x === '2m'")
     hand.press("Control+z", "b")
     wait(hand.page, "!crs.solid.isOn && !document.querySelector('.solid canvas')")
     hand.press("Escape")
-    wait(hand.page, "crs.model.thing('robot0').attributes.x === '1m'")
+    wait(hand.page, "crs.model.item('robot0').attributes.x === '1m'")
 
 
 def a_view_that_is_closed_while_it_is_made_or_dragged_stays_closed(page: Any) -> None:
@@ -431,18 +431,18 @@ def a_unit_is_chosen_for_what_is_drawn(hand: Hand) -> None:
     hand.has("cylinder0")
     hand.drag((3.4, 4.6), (3.6, 4.8))  # not 28.28427124746190cm
     hand.has("cylinder1")
-    assert hand.page.evaluate("crs.model.thing('cylinder1').attributes.radius") == "28.3cm"
+    assert hand.page.evaluate("crs.model.item('cylinder1').attributes.radius") == "28.3cm"
     hand.press("Control+z")
-    wait(hand.page, "!crs.model.thing('cylinder1')")
-    hand.page.locator(".thing", has_text="cylinder0").click()
-    known = hand.page.evaluate("crs.model.thing('cylinder0').attributes")
+    wait(hand.page, "!crs.model.item('cylinder1')")
+    hand.page.locator(".item", has_text="cylinder0").click()
+    known = hand.page.evaluate("crs.model.item('cylinder0').attributes")
     assert known == {"id": "cylinder0", "x": "340cm", "y": "540cm", "radius": "20cm"}
     hand.page.once("dialog", lambda dialog: dialog.accept("post"))
     wait(hand.page, "crs.model.selection.has('cylinder0')")
     hand.press("Control+g")
     hand.has("post", "define[post]")
     hand.press("Control+z", "Control+z", "Escape")
-    wait(hand.page, "!crs.model.thing('cylinder0')")
+    wait(hand.page, "!crs.model.item('cylinder0')")
     hand.page.select_option("[aria-label=unit]", "")
 
 
@@ -451,7 +451,7 @@ def the_line_below_and_the_list_of_keys_say_what_to_do(hand: Hand) -> None:
     hand.press("r")
     said.get_by_text("Robot: click its initial position").wait_for()
     hand.click(1.0, 1.0)  # it selects the one that is there
-    wait(hand.page, "crs.model.selection.has('robot0') && !crs.model.thing('robot1')")
+    wait(hand.page, "crs.model.selection.has('robot0') && !crs.model.item('robot1')")
     hand.to(2.0, 1.0)
     hand.page.get_by_text("2m, 1m").wait_for()
     wait(hand.page, "document.querySelector('[aria-label=program]')?.list.options.length > 0")
@@ -465,7 +465,7 @@ def the_line_below_and_the_list_of_keys_say_what_to_do(hand: Hand) -> None:
     hand.page.locator("dialog[open]").get_by_text("group the selection into an object").wait_for()
     hand.press("Delete", "?")  # it does nothing while the list is open
     hand.page.locator("dialog[open]").wait_for(state="detached")
-    wait(hand.page, "crs.model.thing('robot0')")
+    wait(hand.page, "crs.model.item('robot0')")
 
 
 def elements_are_locked_and_hidden(hand: Hand) -> None:
@@ -479,7 +479,7 @@ def elements_are_locked_and_hidden(hand: Hand) -> None:
     hand.press("u")
     hand.click(1.0, 1.0)
     wait(hand.page, "crs.model.selection.has('robot0')")
-    hand.page.locator(".thing", has_text="wall0").click()
+    hand.page.locator(".item", has_text="wall0").click()
     hand.page.locator("canvas").first.focus()
     hand.press("k")
     wait(hand.page, "!crs.model.locked.size")
@@ -526,10 +526,10 @@ def test_a_robot_is_changed_by_dragging_its_parts(browser: Any, tmp_path: Path) 
         hand.has("sensor[6]")
         page.locator("canvas").first.focus()
         hand.press("Control+z")
-        wait(page, "!crs.model.thing('sensor[2]')")
-        hand.page.locator(".thing", has_text="drive").click()
+        wait(page, "!crs.model.item('sensor[2]')")
+        hand.page.locator(".item", has_text="drive").click()
         hand.drag((0.0, 0.15), (0.0, 0.1))
-        wait(page, "crs.model.thing('drive').attributes['wheel-base'] === '20cm'")
+        wait(page, "crs.model.item('drive').attributes['wheel-base'] === '20cm'")
         hand.page.locator("canvas").first.focus()
         hand.press("Control+s")
         wait(page, "!crs.model.document.changed")
@@ -570,7 +570,7 @@ def test_a_first_world_is_drawn_in_a_few_steps(browser: Any, tmp_path: Path) -> 
         for name, text in (("heat", "5"), ("spread", "1m")):
             page.fill(f".property [aria-label={name}]", text)
             hand.press("Enter")
-            wait(page, f"crs.model.thing('box0').attributes.{name} === '{text}'")
+            wait(page, f"crs.model.item('box0').attributes.{name} === '{text}'")
         page.locator("canvas").first.focus()
         hand.press("m")
         hand.drag((4.0, 1.0), (6.0, 2.0))
@@ -591,7 +591,7 @@ def test_a_first_world_is_drawn_in_a_few_steps(browser: Any, tmp_path: Path) -> 
         page.locator(".problem", has_text="robot0").get_by_text("'no.c': no such file").wait_for()
         page.fill(".property [aria-label=program]", "go.c")
         hand.press("Enter")
-        wait(page, "crs.model.thing('robot2').attributes.program === 'go.c'")
+        wait(page, "crs.model.item('robot2').attributes.program === 'go.c'")
         hand.click(-0.05, 3.0)  # the edge
         page.locator(".notice", has_text="The area and the walls around it").wait_for()
         wait(page, "crs.model.selection.has('area')")
@@ -608,7 +608,7 @@ def test_a_definitions_file_names_where_to_edit_them(browser: Any, tmp_path: Pat
     path.write_text('<definitions version="1"><material name="wood" colour="red"/></definitions>')
     with building(path, None, 0) as screen, page_in(browser, screen, 1200, 750) as page:
         page.get_by_text("definitions but no floor").wait_for()
-        page.locator(".thing", has_text="material[wood]").click()
+        page.locator(".item", has_text="material[wood]").click()
         page.fill(".property [aria-label=colour]", "blue")
         page.keyboard.press("Enter")
         page.keyboard.press("Control+s")

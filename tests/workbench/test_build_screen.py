@@ -55,7 +55,7 @@ def step(operation: str, *names: str, **values: Any) -> dict[str, Any]:
 def test_a_page_receives_the_document_and_edits_it_by_operations(screen: BuildScreen) -> None:
     before = document(screen)
     assert before["area"] == {"x": 0, "y": 0, "length": 12, "width": 7, "edge": 0.1}
-    assert [each["name"] for each in before["things"]][1:5] == [
+    assert [each["name"] for each in before["items"]][1:5] == [
         "surface", "surface/ramp[0]", "surface/ramp[1]", "surface/plateau"
     ]  # fmt: skip
     assert before["shapes"]["surface/ramp[0]"][0]["points"][0] == [6, 3]

@@ -1,4 +1,4 @@
-"""How close robots came to things, worked out by hand."""
+"""How close robots came to objects, worked out by hand."""
 
 from __future__ import annotations
 

@@ -48,14 +48,14 @@ def screen() -> Iterator[Screen]:
 def an_arm_and_what_it_carries_are_where_they_are(page: Any) -> None:
     page.evaluate("crs.timeline.seek(6)")
     wait(page, "crs.model.status.t === 6 && Math.abs(crs.model.scene.time - 6) < 1e-6")
-    thing, joints = page.evaluate(
+    obj, joints = page.evaluate(
         "[crs.model.status.devices.holds[0][0], crs.model.status.devices.joints[0]]"
     )
     view = "crs.views.active.view"
     limbs = f"{view}.limbs.all.values().next().value"
     wait(page, f"Math.abs({limbs}.fore.rotation.z - {joints[1]}) < 1e-6")
     assert page.evaluate(f"{limbs}.upper.rotation.z") == pytest.approx(joints[0])
-    high = f"[...{view}.meshes].find(([shape]) => shape.id === '{thing}')[1].position.z"
+    high = f"[...{view}.meshes].find(([shape]) => shape.id === '{obj}')[1].position.z"
     assert page.evaluate(high) > 0.2
 
 

@@ -1,7 +1,7 @@
 """Floor plans in SVG: lines, polylines, rectangles, polygons, circles and straight paths.
 
 What is filled is an object, what has only a stroke is walls. Layers become materials, with the
-colour of the first thing in them. Nothing that the file refers to is read.
+colour of the first shape in them. Nothing that the file refers to is read.
 """
 
 from __future__ import annotations

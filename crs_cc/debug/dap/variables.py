@@ -66,23 +66,23 @@ def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
 
 def variables(session: EditorSession, arguments: Arguments) -> Message:
     """Return the variables of a scope, or the parts of a value."""
-    thing = session.handles.get(arguments.integer("variablesReference"))
+    handle = session.handles.get(arguments.integer("variablesReference"))
     start, count = arguments.natural("start", 0), arguments.natural("count", 0)
     wanted = arguments.text("filter", "")
-    match thing:
+    match handle:
         case ExpandableValue():
-            is_array = isinstance(thing.value.type, ArrayType)
+            is_array = isinstance(handle.value.type, ArrayType)
             if wanted and (wanted == "indexed") != is_array:
                 return {"variables": []}
-            made = list(child_messages(session, thing, start, min(count or _MAX, _MAX)))
-            left = thing.value.child_count - start - len(made)
+            made = list(child_messages(session, handle, start, min(count or _MAX, _MAX)))
+            left = handle.value.child_count - start - len(made)
             if left > 0 and not count:  # for clients that do not ask piece by piece
                 made.append({"name": "...", "value": f"{left:,} more", "variablesReference": 0})
             return {"variables": made}
         case RowsHandle():
-            made = [_row(session, row) for row in thing.rows]
+            made = [_row(session, row) for row in handle.rows]
         case ScopeHandle():
-            made = list(_SCOPES[thing.name](session, thing.at))
+            made = list(_SCOPES[handle.name](session, handle.at))
         case _:
             raise RefusalError("unknown 'variablesReference'")
     if wanted == "indexed":
@@ -96,19 +96,19 @@ def expression_of(session: EditorSession, arguments: Arguments) -> tuple[FrameHa
     Raises:
         RefusalError: there is none.
     """
-    thing = session.handles.get(arguments.integer("variablesReference"))
+    handle = session.handles.get(arguments.integer("variablesReference"))
     name = arguments.text("name")
     expression = ""
-    if isinstance(thing, ExpandableValue):
-        expression = child_expression(thing.expression, name)
-    elif isinstance(thing, ScopeHandle) and thing.name in {"Locals", "Globals"}:
+    if isinstance(handle, ExpandableValue):
+        expression = child_expression(handle.expression, name)
+    elif isinstance(handle, ScopeHandle) and handle.name in {"Locals", "Globals"}:
         expression = "" if name.endswith(_HIDDEN) else name
-    elif isinstance(thing, ScopeHandle) and thing.name == "State":
+    elif isinstance(handle, ScopeHandle) and handle.name == "State":
         found = _INDEX.fullmatch(name)
         expression = f"State[{found[1]}]" if found else ""
     if not expression:
         raise RefusalError(f"'{name}' cannot be expressed in C: it is read only")
-    return thing.at, expression
+    return handle.at, expression
 
 
 def _row(session: EditorSession, row: Row) -> Message:

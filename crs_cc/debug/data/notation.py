@@ -44,7 +44,7 @@ _SPECIAL: Final = re.compile(
     rf"{_STRING}|{_WORLD}|{_OUTER}|{_CHARACTER}|{_CALLED}|\$(?P<kept>\$?\w*)"
 )
 _BARE: Final = re.compile(
-    rf"{_STRING}|(?<![\w.$])(?<!->)(?<!::)(?:(?P<thing>{_OBJECT})(?=\s*\.\s*[A-Za-z_])"
+    rf"{_STRING}|(?<![\w.$])(?<!->)(?<!::)(?:(?P<object>{_OBJECT})(?=\s*\.\s*[A-Za-z_])"
     rf"|distance\s*\(\s*(?P<one>{_OBJECT})\s*,\s*(?P<other>{_OBJECT})\s*\))|{_CHARACTER}"
 )
 _PRIMARY: Final = re.compile(rf"(?:{_OBJECT}::)?{_IDENTIFIER}")
@@ -221,7 +221,7 @@ def with_world(text: str, is_object: Callable[[str], bool], is_in_c: Callable[[s
     """
 
     def replaced(match: re.Match[str]) -> str:
-        names = [match[each] for each in ("thing", "one", "other") if match[each] is not None]
+        names = [match[each] for each in ("object", "one", "other") if match[each] is not None]
         is_of_world = any(is_object(each.strip("'")) for each in names)
         return f"$world.{match[0]}" if is_of_world and not any(map(is_in_c, names)) else match[0]
 

@@ -196,8 +196,8 @@ def _axis(axis: AxisSlice, speed: float, *, was_told: bool, is_limp: bool) -> Ro
 
 def _touches(environment: Environment, robot: int) -> Iterator[Row]:
     """Return the contacts of the robot in the previous timestep."""
-    robots, things = np.divmod(environment.state.contacts_before, len(environment.names))
-    touched = [environment.names[thing] for thing in things[robots == robot].tolist()]
+    robots, objects = np.divmod(environment.state.contacts_before, len(environment.names))
+    touched = [environment.names[obj] for obj in objects[robots == robot].tolist()]
     yield Row("touches", ", ".join(touched) or "nothing")
 
 

@@ -73,8 +73,8 @@ def sensor_texts(environment: Environment, robot: int, field: StateField) -> Ite
     """Return additional facts about a reading that a robot has just reported."""
     device, number = _device(field), _number(field)
     if device == "bumper":
-        robots, things = np.divmod(environment.state.contacts_before, len(environment.names))
-        touched = [environment.names[thing] for thing in things[robots == robot].tolist()]
+        robots, objects = np.divmod(environment.state.contacts_before, len(environment.names))
+        touched = [environment.names[obj] for obj in objects[robots == robot].tolist()]
         yield f"the robot touched {', '.join(touched) or 'nothing'}"
     if "CONF" in field.name:
         state = environment.state

@@ -196,7 +196,7 @@ class WorldMap:
     def _things(self, outlines: Outlines) -> None:
         """Draw objects with outlines, except robots; walls are filled."""
         objects, robots = self._environment.objects, len(self._environment.world.robots)
-        is_wall = np.array([isinstance(thing, Wall) for thing in objects], np.bool_)
+        is_wall = np.array([isinstance(obj, Wall) for obj in objects], np.bool_)
         starts, ends = (self.view.dots(outlines.segments[:, 2 * n : 2 * n + 2]) for n in (0, 1))
         lines, owners = np.concatenate([starts, ends], axis=1), outlines.segment_owners
         walls, others = np.flatnonzero(is_wall[owners]), np.flatnonzero(~is_wall[owners])
@@ -255,13 +255,13 @@ class WorldMap:
         self._canvas.put(column, row, text, _SCALE, _MARKS)
 
 
-def _style(thing: Robot | Solid) -> str:
+def _style(obj: Robot | Solid) -> str:
     """Return the style of an object: that of its material, if it has a colour."""
-    if thing.material.colour != PLAIN.colour:
-        return hexadecimal(thing.material.colour)
-    if isinstance(thing, Wall):
+    if obj.material.colour != PLAIN.colour:
+        return hexadecimal(obj.material.colour)
+    if isinstance(obj, Wall):
         return _WALL
-    return _MOVABLE if not isinstance(thing, Robot) and is_pushable(thing) else _FIXED
+    return _MOVABLE if not isinstance(obj, Robot) and is_pushable(obj) else _FIXED
 
 
 def _filled(sides: FloatArray) -> tuple[FloatArray, IndexArray]:

@@ -162,8 +162,8 @@ def _place_m(environment: Environment, number: int) -> tuple[float, float]:
     if number < len(positions_m):
         x_m, y_m = positions_m[number].tolist()
         return x_m, y_m
-    thing = environment.objects[number]
-    if isinstance(thing, Wall):
-        return (thing.x1_m + thing.x2_m) / 2.0, (thing.y1_m + thing.y2_m) / 2.0
-    pose = thing.start if isinstance(thing, Robot) else thing.pose
+    obj = environment.objects[number]
+    if isinstance(obj, Wall):
+        return (obj.x1_m + obj.x2_m) / 2.0, (obj.y1_m + obj.y2_m) / 2.0
+    pose = obj.start if isinstance(obj, Robot) else obj.pose
     return pose.x_m, pose.y_m

@@ -80,11 +80,11 @@ class FoxgloveView:
             x_m, y_m, angle_rad = values[:3, len(robots) + number].tolist()
             if name in self._shapes:
                 moved = {**self._shapes[name], "x": x_m, "y": y_m, "angle": angle_rad}
-                entities.append(_thing(time_ns, moved))
+                entities.append(_obj(time_ns, moved))
         if not self._has_shown_world:
             self._has_shown_world = True
             fixed = [shape for name, shape in self._shapes.items() if name not in objects]
-            entities += [_thing(time_ns, shape) for shape in fixed]
+            entities += [_obj(time_ns, shape) for shape in fixed]
         return SCENE, as_json({"deletions": [], "entities": entities})
 
 
@@ -131,8 +131,8 @@ def _robot(robot: dict[str, Any], values: FloatArray) -> dict[str, Any]:
     return _cylinder((x_m, y_m, heading_rad), size, robot["colour"])
 
 
-def _thing(time_ns: int, shape: dict[str, Any]) -> dict[str, Any]:
-    """Return an entity for a thing; a polygon is shown by the box around it."""
+def _obj(time_ns: int, shape: dict[str, Any]) -> dict[str, Any]:
+    """Return an entity for an object; a polygon is shown by the box around it."""
     x_m, y_m, angle_rad, height_m = (shape[key] for key in ("x", "y", "angle", "height"))
     if "radius" in shape:
         size = (shape["radius"], height_m)

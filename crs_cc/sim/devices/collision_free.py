@@ -13,21 +13,21 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.bodies import Bodies
 
 
-def is_space_free(constants: RobotConstants, bodies: Bodies, thing: int) -> bool:
+def is_space_free(constants: RobotConstants, bodies: Bodies, obj: int) -> bool:
     """Return whether a lifted object can be put down where it is without a collision.
 
     Args:
         constants: the constants of all objects.
         bodies: their poses.
-        thing: the object's number among the pushable ones.
+        obj: the object's number among the pushable ones.
     """
     from crs_cc.sim.physics.shapes import overlap  # loads pymunk
 
-    things, scene = constants.shapes, constants.scene
-    poses, own = things.poses(bodies), scene.robots + thing
+    objects, scene = constants.shapes, constants.scene
+    poses, own = objects.poses(bodies), scene.robots + obj
     lifted = bodies.holds.in_hands()[1] + scene.robots
     away_m = exact.hypot(poses[:, 0] - poses[own, 0], poses[:, 1] - poses[own, 1])
-    near = away_m <= things.reach_m + things.reach_m[own]
+    near = away_m <= objects.reach_m + objects.reach_m[own]
     near[lifted] = False
     near[: scene.robots] &= scene.present
     return not any(overlap(scene, bodies, own, other) for other in np.flatnonzero(near).tolist())

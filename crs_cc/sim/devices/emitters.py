@@ -115,9 +115,9 @@ def sense(
     offset_m, distance_m = offset_m[keep], distance_m[keep]
     direction_rad = exact.arctan2(offset_m[:, 1], offset_m[:, 0])
     poses = np.column_stack([mounts[robot, :2], direction_rad])
-    hit_m, thing = rays.seen(state, fan, poses, rows[robot])
+    hit_m, obj = rays.seen(state, fan, poses, rows[robot])
     in_sight = hit_m[:, 0] >= distance_m - _SLACK_M
-    in_sight |= (sources.owner[source] >= 0) & (thing[:, 0] == sources.owner[source])
+    in_sight |= (sources.owner[source] >= 0) & (obj[:, 0] == sources.owner[source])
     return Sensed(
         robot,
         source,

@@ -18,10 +18,10 @@ COMMANDS: Final = "#define CRS_OPEN 0\n#define CRS_CLOSE 1"
 """The commands in C; a definition may be repeated (C17 6.10.3p2)."""
 
 
-def can_be_taken(scene: Scene, things: IndexArray, most_kg: FloatArray) -> BoolArray:
+def can_be_taken(scene: Scene, objects: IndexArray, most_kg: FloatArray) -> BoolArray:
     """Return which pushable objects are not part of another one and not too heavy."""
-    near = [scene.pushables[thing] for thing in things.tolist()]
-    mass_kg = np.array([math.inf if thing.part_of else thing.mass_kg for thing in near])
+    near = [scene.pushables[obj] for obj in objects.tolist()]
+    mass_kg = np.array([math.inf if obj.part_of else obj.mass_kg for obj in near])
     return np.asarray(mass_kg <= most_kg)
 
 

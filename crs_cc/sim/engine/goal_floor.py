@@ -84,8 +84,8 @@ class Floor:
             left = free[row, column]  # walls around cross the same cells
             column, row = column[left], row[left]
             at_x_m, at_y_m = self._centres_m(cell_m, column, row)
-            things = np.full(len(column), number)
-            inside = shapes.distance_m(poses, things, at_x_m, at_y_m) <= 0.0
+            objects = np.full(len(column), number)
+            inside = shapes.distance_m(poses, objects, at_x_m, at_y_m) <= 0.0
             free[row[inside], column[inside]] = False
         return free.ravel()
 

@@ -208,12 +208,12 @@ class GoalJudge:
         if isinstance(condition, Reach):
             return _outside_m(condition.place, state.x_m, state.y_m)
         assert isinstance(condition, Approach)
-        thing = self._numbers.get(condition.object)
-        if thing is None:  # a program has removed it
+        obj = self._numbers.get(condition.object)
+        if obj is None:  # a program has removed it
             return np.full(len(state.connected), np.inf)
-        shapes, things = self._constants.shapes, np.full(len(state.connected), thing)
+        shapes, objects = self._constants.shapes, np.full(len(state.connected), obj)
         poses = shapes.poses(state.bodies)
-        distance_m = shapes.distance_m(poses, things, state.x_m, state.y_m)
+        distance_m = shapes.distance_m(poses, objects, state.x_m, state.y_m)
         return np.asarray(distance_m - condition.distance_m)
 
     def _visits(self, number: int, condition: Visit, state: EnvState) -> bool:
@@ -225,7 +225,7 @@ class GoalJudge:
         return bool(visited.all())
 
     def _cools(self, condition: Cool, state: EnvState) -> bool:
-        numbers = [self._numbers.get(thing) for thing in condition.things]
+        numbers = [self._numbers.get(obj) for obj in condition.objects]
         return all(n is not None and state.heat.left[n] <= condition.heat for n in numbers)
 
     def _covers(self, number: int, condition: Cover, state: EnvState) -> bool:
@@ -249,7 +249,7 @@ class GoalJudge:
         return bool(stayed_s >= condition.stay_s - ROUNDING_S)
 
     def _all_present(self, condition: Bring, state: EnvState) -> bool:
-        numbers = [self._numbers.get(thing) for thing in condition.things]
+        numbers = [self._numbers.get(obj) for obj in condition.objects]
         if any(number is None for number in numbers):
             return False
         place_m = state.bodies.position_m[np.array(numbers, np.intp)]
@@ -408,10 +408,10 @@ class GoalJudge:
             case Follow():
                 right, counted = int(goals.right[number]), int(goals.counted[number])
                 return f"{100 * right // max(1, counted)}% of the time"
-            case Cool(things, heat):
-                numbers = [self._numbers.get(thing) for thing in things]
+            case Cool(objects, heat):
+                numbers = [self._numbers.get(obj) for obj in objects]
                 cool = sum(n is not None and state.heat.left[n] <= heat for n in numbers)
-                return f"{cool} of {len(things)} cool" if len(things) > 1 else ""
+                return f"{cool} of {len(objects)} cool" if len(objects) > 1 else ""
         if len(goal.robots) > 1 and isinstance(goal.condition, Reach | Approach):
             done = goals.done[self._chosen[number], number]
             return f"{int(done.sum())} of {len(done)} robots"

@@ -21,7 +21,7 @@ from crs_cc.sim.physics.carrying import release
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
-    from crs_cc.sim.model.world import Solid, Thing
+    from crs_cc.sim.model.world import Solid, WorldObject
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -97,7 +97,7 @@ def _part(state: EnvState, constants: RobotConstants, body: int) -> None:
     state.contacts_before = state.contacts_before[(robot != body) & (obj != body)]
 
 
-def _obstacle(state: EnvState, constants: RobotConstants, body: int, wanted: Thing) -> str:
+def _obstacle(state: EnvState, constants: RobotConstants, body: int, wanted: WorldObject) -> str:
     """Return the name of what an object would overlap; empty for nothing."""
     objects, area, scene = constants.shapes, constants.world.area, constants.scene
     low, high = _extent_m(wanted)
@@ -128,7 +128,7 @@ def _standing(obj: Robot | Solid, pose: FloatArray) -> Solid:
     return replace(obj, pose=place)
 
 
-def _extent_m(obj: Thing) -> FloatArray:
+def _extent_m(obj: WorldObject) -> FloatArray:
     """Return the lower left and the upper right corner of an object's bounding box, (2, 2)."""
     if isinstance(obj, Cylinder):
         middle = np.array([obj.pose.x_m, obj.pose.y_m])

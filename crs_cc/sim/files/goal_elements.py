@@ -107,9 +107,9 @@ class _GoalReader:
 
     def approach(self, element: Element) -> Condition:
         """Return the condition `<approach>`."""
-        things = self._names(element, "object", "object", self._objects())
+        objects = self._names(element, "object", "object", self._objects())
         distance_m = self.reader.positive(element, "distance", LENGTH)
-        return Approach(things[0] if things else "", distance_m, self._stay(element))
+        return Approach(objects[0] if objects else "", distance_m, self._stay(element))
 
     def visit(self, element: Element) -> Condition:
         """Return the condition `<visit>`."""
@@ -148,8 +148,8 @@ class _GoalReader:
     def bring(self, element: Element) -> Condition:
         """Return the condition `<bring>`."""
         movable = [solid.id for solid in self.world.solids() if is_pushable(solid)]
-        things = self._names(element, "objects", "movable object", movable)
-        return Bring(things, self.place(element), self._stay(element))
+        objects = self._names(element, "objects", "movable object", movable)
+        return Bring(objects, self.place(element), self._stay(element))
 
     def follow(self, element: Element) -> Condition:
         """Return the condition `<follow>`."""

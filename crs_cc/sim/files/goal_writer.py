@@ -43,13 +43,13 @@ def _condition(condition: goals.Condition) -> Element:
             )
         case goals.Cool():
             heat = HEAT.exact(condition.heat)
-            return _element("cool", objects=_names(condition.things), heat=heat)
+            return _element("cool", objects=_names(condition.objects), heat=heat)
         case goals.Cover():
             cell = LENGTH.exact(condition.cell_m)
             return _element("cover", share=f"{float(condition.share)!r}", cell=cell)
         case goals.Bring():
-            place, things = _place(condition.place), _names(condition.things)
-            return _element("bring", objects=things, **place, stay=_stay(condition.stay_s))
+            place, names = _place(condition.place), _names(condition.objects)
+            return _element("bring", objects=names, **place, stay=_stay(condition.stay_s))
         case goals.Follow():
             return _element(
                 "follow",

@@ -8,7 +8,7 @@ from typing import Final
 
 from crs_cc.sim.files.document import Element, Reader
 
-THINGS: Final = frozenset(
+TAGS_WITH_ID: Final = frozenset(
     {"wall", "box", "cylinder", "polygon", "object", "map", "robot", "degradation"}
     | {"light", "sound", "goal", "scatter", "source", "nest"}
 )
@@ -36,7 +36,7 @@ def name_objects(elements: Sequence[Element], reader: Reader) -> None:
     used: dict[str, Element] = {}
     counts: dict[str, int] = {}
     for element in elements:
-        if element.tag not in THINGS:
+        if element.tag not in TAGS_WITH_ID:
             continue
         number = counts.get(element.tag, 0)
         counts[element.tag] = number + 1

@@ -26,9 +26,9 @@ from crs_cc.sim.model.world import (
     Pose,
     Robot,
     Solid,
-    Thing,
     Wall,
     WorldModel,
+    WorldObject,
 )
 
 _TRIES: Final = 64
@@ -43,7 +43,7 @@ def solid_elements(world: WorldModel) -> list[Element]:
     kinds: tuple[Sequence[Solid], ...] = (
         world.walls, world.boxes, world.cylinders, world.polygons
     )  # fmt: skip
-    groups: dict[str, list[Thing]] = {}
+    groups: dict[str, list[WorldObject]] = {}
     before: dict[str, list[str]] = {}
     alone: dict[str, Solid] = {}
     for solids in kinds:
@@ -93,7 +93,7 @@ def _whole(solid: Solid) -> str:
     return solid.id if isinstance(solid, Wall) else solid.part_of or solid.id
 
 
-def _composite(name: str, parts: Sequence[Thing]) -> Iterator[Element]:
+def _composite(name: str, parts: Sequence[WorldObject]) -> Iterator[Element]:
     """Yield the definition of a composite object, and the object."""
     children = [solid_element(part) for part in parts]
     for child in children:
@@ -104,7 +104,7 @@ def _composite(name: str, parts: Sequence[Thing]) -> Iterator[Element]:
     yield Element("object", 0, {"id": name, "ref": name, **place, "mass": _whole_mass(parts)})
 
 
-def _whole_mass(parts: Sequence[Thing]) -> str:
+def _whole_mass(parts: Sequence[WorldObject]) -> str:
     """Return the mass of which the parts have the shares that the reader gives them."""
     areas_m2 = [floor_m2(part) for part in parts]
     whole_m2, mass_kg = sum(areas_m2), sum(part.mass_kg for part in parts)
@@ -178,11 +178,11 @@ def _common(solid: Solid) -> dict[str, str]:
     return {**hot(solid), **surface(solid.material), **height}
 
 
-def hot(thing: Solid | Robot) -> dict[str, str]:
+def hot(obj: Solid | Robot) -> dict[str, str]:
     """Return the attributes of an object's heat."""
-    found = {} if thing.heat == 0.0 else {"heat": HEAT.exact(thing.heat)}
-    if thing.spread_m != EVERYWHERE_M:
-        found["spread"] = LENGTH.exact(thing.spread_m)
+    found = {} if obj.heat == 0.0 else {"heat": HEAT.exact(obj.heat)}
+    if obj.spread_m != EVERYWHERE_M:
+        found["spread"] = LENGTH.exact(obj.spread_m)
     return found
 
 

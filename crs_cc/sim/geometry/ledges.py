@@ -35,7 +35,7 @@ from crs_cc.core.arrays import ComplexArray, FloatArray
 from crs_cc.sim.geometry.scene import Scene, own_corners_m
 from crs_cc.sim.geometry.terrain import Terrain, corners_m
 from crs_cc.sim.kernels import exact
-from crs_cc.sim.model.world import Cylinder, Thing
+from crs_cc.sim.model.world import Cylinder, WorldObject
 
 STEP_M: Final = 0.02
 """The highest step over which objects can be pushed."""
@@ -123,7 +123,7 @@ def _round_feet(radius_m: float) -> ComplexArray:
     return np.append(circle * max(radius_m - RIM_M, 0.0), 0.0)
 
 
-def _feet(obj: Thing) -> ComplexArray:
+def _feet(obj: WorldObject) -> ComplexArray:
     """Return the centre and the corners of an object, moved inwards by the rim."""
     if isinstance(obj, Cylinder):
         return _round_feet(obj.radius_m)

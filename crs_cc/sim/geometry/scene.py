@@ -29,9 +29,9 @@ from crs_cc.sim.model.world import (
     Cylinder,
     Polygon,
     Solid,
-    Thing,
     Wall,
     WorldModel,
+    WorldObject,
     is_pushable,
 )
 
@@ -86,7 +86,7 @@ class Scene:
         self.world = world
         self.robots = len(world.robots)
         self.present = np.ones(self.robots, dtype=np.bool_) if present is None else present
-        self.pushables: tuple[Thing, ...] = tuple(
+        self.pushables: tuple[WorldObject, ...] = tuple(
             solid for solid in solids if not isinstance(solid, Wall) and is_pushable(solid)
         )
         self.fixed_solids = tuple(solid for solid in solids if not is_pushable(solid))
@@ -127,7 +127,7 @@ class _Sides:
         bodies: the body of each side.
     """
 
-    def __init__(self, bodies: Iterable[tuple[int, Thing]]) -> None:
+    def __init__(self, bodies: Iterable[tuple[int, WorldObject]]) -> None:
         pairs = [(body, obj) for body, obj in bodies if not isinstance(obj, Cylinder)]
         corners = [own_corners_m(obj) for _, obj in pairs]
         counts = np.array([len(rows) for rows in corners], dtype=np.intp)

@@ -71,7 +71,7 @@ class NoCollision:
 class Cool:
     """Objects, of which there must be at least one, have at most some heat."""
 
-    things: tuple[str, ...]
+    objects: tuple[str, ...]
     heat: float = 0.0
 
 
@@ -91,7 +91,7 @@ class Cover:
 class Bring:
     """The centres of movable objects are in a place at the same time, and stay there."""
 
-    things: tuple[str, ...]
+    objects: tuple[str, ...]
     place: Place
     stay_s: float = 0.0
 

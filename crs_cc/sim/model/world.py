@@ -213,10 +213,10 @@ class Polygon:
         return cls(name, Pose(x_m, y_m), own, mass_kg)
 
 
-Thing: TypeAlias = Box | Cylinder | Polygon
+WorldObject: TypeAlias = Box | Cylinder | Polygon
 """A movable object, if it has a mass."""
 
-Solid: TypeAlias = Wall | Thing
+Solid: TypeAlias = Wall | WorldObject
 """An object that a robot can collide with, except other robots."""
 
 

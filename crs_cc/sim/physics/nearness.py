@@ -23,7 +23,7 @@ from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.scene import Scene, own_corners_m
 from crs_cc.sim.kernels import exact
 from crs_cc.sim.kernels.room_field import RoomField
-from crs_cc.sim.model.world import Cylinder, Thing
+from crs_cc.sim.model.world import Cylinder, WorldObject
 
 LOOK: Final = 8
 """Cycles for which room is measured."""
@@ -90,7 +90,7 @@ class Nearness:
         return np.unique(self._owners[near])
 
 
-def _reach_m(obj: Thing) -> float:
+def _reach_m(obj: WorldObject) -> float:
     """Return the reach of an object from the origin of its frame."""
     if isinstance(obj, Cylinder):
         return obj.radius_m

@@ -20,7 +20,7 @@ from crs_cc.sim.geometry.frames import compose, relative
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.mass_properties import friction_n, friction_nm, moment_kgm2
-from crs_cc.sim.model.world import Thing
+from crs_cc.sim.model.world import WorldObject
 from crs_cc.sim.state.bodies import Bodies
 
 
@@ -35,14 +35,14 @@ class CompositeBody:
         friction_nm: the friction torque, below which it does not turn.
     """
 
-    parts: tuple[tuple[Thing, FloatArray], ...]
+    parts: tuple[tuple[WorldObject, FloatArray], ...]
     mass_kg: float
     moment_kgm2: float
     friction_n: float
     friction_nm: float
 
     @classmethod
-    def of(cls, parts: list[tuple[Thing, FloatArray]]) -> Self:
+    def of(cls, parts: list[tuple[WorldObject, FloatArray]]) -> Self:
         """Combine parts, given with their poses in the frame of the centre of mass."""
         off_m = [exact.hypot(place[0], place[1]) for _, place in parts]
         pairs = [(obj, away_m) for (obj, _), away_m in zip(parts, off_m, strict=True)]

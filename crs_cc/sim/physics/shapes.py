@@ -11,7 +11,7 @@ from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.frames import compose
 from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene, convex_parts_of, corners_m, own_corners_m
-from crs_cc.sim.model.world import Box, Cylinder, Polygon, Solid, Thing, Wall
+from crs_cc.sim.model.world import Box, Cylinder, Polygon, Solid, Wall, WorldObject
 from crs_cc.sim.physics.rigid import CompositeBody
 from crs_cc.sim.state.bodies import Bodies
 
@@ -47,7 +47,7 @@ def shapes_of(body: pymunk.Body, whole: CompositeBody) -> list[pymunk.Shape]:
 
 
 def object_shapes(
-    body: pymunk.Body, obj: Thing, pose: FloatArray = _AS_IT_IS
+    body: pymunk.Body, obj: WorldObject, pose: FloatArray = _AS_IT_IS
 ) -> list[pymunk.Shape]:
     """Return the shapes of a movable object, at a pose in the frame of a body."""
     if isinstance(obj, Cylinder):

@@ -18,7 +18,7 @@ import pymunk
 from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.model.world import Thing, WorldModel
+from crs_cc.sim.model.world import WorldModel, WorldObject
 from crs_cc.sim.physics.carrying import Load
 from crs_cc.sim.physics.contacts import SLOP_M
 from crs_cc.sim.physics.rigid import Rigid
@@ -194,7 +194,7 @@ class SpaceBuilder:
         inner: pymunk.Space,
         position_m: FloatArray,
         mass_kg: FloatArray,
-        parts: dict[int, tuple[Thing, FloatArray]],
+        parts: dict[int, tuple[WorldObject, FloatArray]],
     ) -> list[pymunk.Body]:
         """Add the robots with their loads."""
         bodies = []
@@ -228,7 +228,7 @@ class SpaceBuilder:
 
     def _parts(
         self, load: Load | None
-    ) -> tuple[dict[int, tuple[Thing, FloatArray]], set[int], set[int]]:
+    ) -> tuple[dict[int, tuple[WorldObject, FloatArray]], set[int], set[int]]:
         """Return how objects are attached to robots.
 
         Returns:

@@ -32,10 +32,10 @@ def grown(state: EnvState, world: WorldModel) -> EnvState:
     larger: EnvState = _grown(state, EnvState.at_start(empty), EnvState.at_start(alone))
     larger.presence = state.presence.with_another()
     larger.bodies = state.bodies.with_robot(robot.start)
-    things = len(state.heat.left)
+    objects = len(state.heat.left)
     larger.heat.left = np.insert(state.heat.left, robots, 0.0)
-    toucher, touched = np.divmod(state.contacts_before, things)
-    larger.contacts_before = toucher * (things + 1) + touched + (touched >= robots)
+    toucher, touched = np.divmod(state.contacts_before, objects)
+    larger.contacts_before = toucher * (objects + 1) + touched + (touched >= robots)
     return larger
 
 

@@ -208,9 +208,9 @@ class EnvState(_InRows):
         if self._rows is not None:
             self.bodies.slipping = slipping  # in the rows of robots
             self._rows.replace_bodies(self)
-        robot, thing = np.divmod(self.contacts_before, len(before))
-        robot, thing = robot[left[thing]], place[thing[left[thing]]]
-        self.contacts_before = np.sort(robot * len(now) + thing)
+        robot, obj = np.divmod(self.contacts_before, len(before))
+        robot, obj = robot[left[obj]], place[obj[left[obj]]]
+        self.contacts_before = np.sort(robot * len(now) + obj)
 
     def sha256(self) -> str:
         """Return a digest of the whole state."""

@@ -27,6 +27,6 @@ class HeatState:
     def at_start(cls, world: WorldModel, scene: Scene) -> Self:
         """Return the heat of each object in the world file; robots that join later have none."""
         left = np.zeros(len(scene.names))
-        left[: len(scene.objects)] = [thing.heat for thing in scene.objects]
+        left[: len(scene.objects)] = [obj.heat for obj in scene.objects]
         left[: scene.robots] *= [robot.join_s <= 0.0 for robot in world.robots]
         return cls(left)

@@ -65,9 +65,9 @@ class Holds:
         """Return whether any object is held."""
         return any_of(self.object >= 0)
 
-    def take(self, rows: IndexArray, kind: int, things: IndexArray, grasp: FloatArray) -> None:
+    def take(self, rows: IndexArray, kind: int, objects: IndexArray, grasp: FloatArray) -> None:
         """Put objects into the grippers or hands of robots."""
-        self.object[rows, kind] = things
+        self.object[rows, kind] = objects
         self.grasp[rows, kind] = grasp
 
     def drop(self, rows: IndexArray, kind: int) -> None:
@@ -87,7 +87,7 @@ class Holds:
         """Return the holds after some objects were removed.
 
         Args:
-            kept: which of the movable objects are left, (things,).
+            kept: which of the movable objects are left, (objects,).
         """
         numbers = np.append(np.where(kept, np.cumsum(kept) - 1, -1), -1)
         return type(self)(numbers[self.object], self.grasp.copy(), self.grip.copy())

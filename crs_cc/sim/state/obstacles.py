@@ -36,7 +36,7 @@ class ObstacleState:
         owners: the robot whose program added it, (added,).
         made: number of polygons ever added.
         standing: whether each object of the world file is still present: walls, boxes, cylinders,
-            polygons, (things,).
+            polygons, (objects,).
     """
 
     corners: Corners
@@ -50,8 +50,8 @@ class ObstacleState:
     def at_start(cls, world: WorldModel) -> Self:
         """Return the obstacles of a world that no program has changed."""
         none = np.zeros(0, dtype=np.int64)
-        things = np.ones(len(world_objects(world)), dtype=np.bool_)
-        return cls(np.zeros((0, MAX_VERTICES, 2), np.int32), none, none, none, 0, things)
+        objects = np.ones(len(world_objects(world)), dtype=np.bool_)
+        return cls(np.zeros((0, MAX_VERTICES, 2), np.int32), none, none, none, 0, objects)
 
     def of(self, added: int) -> Corners:
         """Return the corners of an added polygon, shape (corners, 2)."""
@@ -98,10 +98,10 @@ def without(obstacles: ObstacleState, world: WorldModel, name: str) -> ObstacleS
     added = [f"{_ADDED}{number}" for number in obstacles.numbers.tolist()]
     if name in added:
         return obstacles.take(np.delete(np.arange(len(added)), added.index(name)))
-    names = [thing.id for thing in world_objects(world)]
+    names = [obj.id for obj in world_objects(world)]
     there = list(compress(names, obstacles.standing.tolist()))
     if name not in there:
-        raise ValueError(unknown("thing", name, (*there, *added)))
+        raise ValueError(unknown("object", name, (*there, *added)))
     standing = obstacles.standing & (np.arange(len(names)) != names.index(name))
     return replace(obstacles, standing=standing)
 

@@ -31,17 +31,17 @@ export class Scene {
     this.heats = {};
   }
 
-  /** The current heat of an object or a robot. @param {{id: string, heat?: number}} thing */
-  heat(thing) {
-    return this.heats[thing.id] ?? thing.heat ?? this.robots.get(thing.id)?.heat ?? 0;
+  /** The current heat of an object or a robot. @param {{id: string, heat?: number}} item */
+  heat(item) {
+    return this.heats[item.id] ?? item.heat ?? this.robots.get(item.id)?.heat ?? 0;
   }
 
   /** Note what robots hold. @param {Record<number, string[]>} holds by robot */
   hold(holds) {
     this.carried.clear();
-    for (const [row, things] of Object.entries(holds ?? {})) {
+    for (const [row, items] of Object.entries(holds ?? {})) {
       const kind = this.body(Number(row))?.kind;
-      for (const id of things) this.carried.set(id, kind?.arm ? kind.height : 0.03);
+      for (const id of items) this.carried.set(id, kind?.arm ? kind.height : 0.03);
     }
   }
 

@@ -120,7 +120,7 @@ def test_charge_heat_and_links_are_changed() -> None:
         ("heal a", "no degradation of a"),
         ("heal a sonar.3", "no degradation of a sonar.3"),
         ("heal degradation7", "unknown robot 'degradation7' (known: a, b)"),
-        ("remove edge-north", "unknown thing 'edge-north' (known: screen, crate)"),
+        ("remove edge-north", "unknown object 'edge-north' (known: screen, crate)"),
         ("charge a 120", "'120' is not a state of charge (expected 0 to 100 percent)"),
         ("heat crate -1", "heat must not be negative"),
         ("heat moon 1", "unknown object 'moon' (known: a, b, crate"),

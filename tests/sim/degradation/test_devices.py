@@ -66,8 +66,8 @@ def test_sonars_that_stick_or_lag_tell_of_where_the_robot_was():
 
 
 def test_the_sonar_noise_is_that_of_each_robot_alone():
-    def told(things: str) -> list[list[int]]:
-        driver = Driver.of(open_world(things))
+    def told(elements: str) -> list[list[int]]:
+        driver = Driver.of(open_world(elements))
         rows = []
         for _ in range(40):
             driver.run(2)
@@ -104,8 +104,8 @@ def test_a_bumper_can_stick_though_nothing_touches_it(attributes, told):
      ('element="0" gain="0.4"', 0), ('element="0" gain="0.6"', 1)],
 )  # fmt: skip
 def test_a_bumper_that_is_pressed(attributes, told):
-    things = SCOUT.replace('x="0"', f'x="{WALL_M - SCOUT_RADIUS_M - 0.01}"') + WALL
-    driver = Driver.of(open_world(things + fault("bumper", attributes)))
+    elements = SCOUT.replace('x="0"', f'x="{WALL_M - SCOUT_RADIUS_M - 0.01}"') + WALL
+    driver = Driver.of(open_world(elements + fault("bumper", attributes)))
     driver.ask("VM", 100, 100)
     driver.run(20)
     assert driver.ask("GET_BP")[BUMPER] == told
@@ -183,8 +183,8 @@ def test_the_laser(tmp_path):
 
 def gps(tmp_path, attributes: str) -> Driver:
     change = ("<computer-battery", '<gps rate="10Hz"/><computer-battery')
-    things = '<robot x="30in" y="-4in"/>' + fault("gps", attributes)
-    return Driver.of(own_world(tmp_path, change, things=things))
+    elements = '<robot x="30in" y="-4in"/>' + fault("gps", attributes)
+    return Driver.of(own_world(tmp_path, change, elements=elements))
 
 
 @pytest.mark.parametrize(
@@ -239,8 +239,8 @@ def test_the_batteries():
 
 
 def test_predictions_know_nothing_of_it():
-    things = SCOUT + WALL + fault("sonar", 'bias="10in"')
-    driver = Driver.of(open_world(things))
+    elements = SCOUT + WALL + fault("sonar", 'bias="10in"')
+    driver = Driver.of(open_world(elements))
     message, _ = driver.post("PREDICT", 0, 0, 0, 0)
     assert CODES["PREDICT"]
     assert message["data"][:180].view("<i4")[SONAR_0] == 80

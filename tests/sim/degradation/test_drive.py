@@ -216,10 +216,10 @@ def test_steering_and_turret_of_a_synchro_drive():
 
 
 def test_other_robots_run_as_before():
-    things = '<robot x="0" y="0"/><robot x="0" y="3"/>'
+    elements = '<robot x="0" y="0"/><robot x="0" y="3"/>'
     fault = '<degradation robot="robot0" device="drive" noise="3in/s" delay="1s"/>'
     places = []
-    for world in (open_world(things), open_world(things + fault)):
+    for world in (open_world(elements), open_world(elements + fault)):
         driver = Driver.of(world)
         for robot in (0, 1):
             driver.ask("VM", 100, 77, robot=robot, at_s=0.013)

@@ -16,8 +16,8 @@ CAN = '<define name="can"><cylinder x="10cm" y="0" radius="5cm"/></define>'
 SCREEN = '<wall id="screen" x1="3m" y1="0" x2="3m" y2="3m"/><robot id="r" x="1m" y="1m"/>'
 
 
-def world(things: str, seed: int | None = None, more: str = "") -> WorldModel:
-    text = f'<world version="1" {more}><area length="6m" width="4m"/>{CAN}{things}</world>'
+def world(elements: str, seed: int | None = None, more: str = "") -> WorldModel:
+    text = f'<world version="1" {more}><area length="6m" width="4m"/>{CAN}{elements}</world>'
     return parse_world(text.encode(), "test", seed=seed)
 
 
@@ -40,8 +40,8 @@ def test_what_is_scattered_overlaps_nothing() -> None:
 
 def test_places_depend_on_the_seed_and_not_on_the_count() -> None:
     def scattered(count: int, **seeds) -> np.ndarray:
-        things = f'{SCREEN}<scatter id="ant" robot="scout" count="{count}" in="0,0 6m,4m"/>'
-        return places_m(world(things, **seeds), "ant")
+        elements = f'{SCREEN}<scatter id="ant" robot="scout" count="{count}" in="0,0 6m,4m"/>'
+        return places_m(world(elements, **seeds), "ant")
 
     ten = scattered(10)
     assert (scattered(20)[:10] == ten).all()
@@ -62,8 +62,8 @@ def test_distributions_are_those_asked_for() -> None:
     can = '<define name="dot"><cylinder x="0" y="0" radius="1mm"/></define>'
 
     def centred(how: str) -> np.ndarray:
-        things = f'<robot x="30cm" y="30cm"/>{can}<scatter object="dot" count="2000" {how}/>'
-        found = [(each.pose.x_m, each.pose.y_m) for each in world(things).cylinders]
+        elements = f'<robot x="30cm" y="30cm"/>{can}<scatter object="dot" count="2000" {how}/>'
+        found = [(each.pose.x_m, each.pose.y_m) for each in world(elements).cylinders]
         return np.array(found) - (3.0, 2.0)
 
     even = centred('in="1m,1m 5m,3m" heading="90deg"')
@@ -132,8 +132,8 @@ def test_id_of_what_is_scattered_is_taken() -> None:
 
 
 def test_builder_shows_what_is_scattered_as_the_element() -> None:
-    things = f'{CAN}<scatter id="ant" robot="scout" count="3"/><scatter object="can" count="2"/>'
-    text = f'<world version="1"><area length="6m" width="4m"/>{things}</world>'
+    elements = f'{CAN}<scatter id="ant" robot="scout" count="3"/><scatter object="can" count="2"/>'
+    text = f'<world version="1"><area length="6m" width="4m"/>{elements}</world>'
     builder = WorldBuilder(text=text)
     builder.set("ant", count="4")
     found = shapes(builder.document, builder.world())

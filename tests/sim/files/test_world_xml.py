@@ -28,7 +28,7 @@ SIM = Path(__file__).parents[3] / "crs_cc" / "sim"
 AREA = '<area length="6m" width="5m"/>'
 ROBOT = '<robot x="3m" y="2m"/>'
 SCHEMA = etree.parse(SIM / "files" / "world.xsd")
-THINGS = SCHEMA.xpath(
+ELEMENTS = SCHEMA.xpath(
     "//x:element[@name='world']//x:choice/x:element/@name",
     namespaces={"x": "http://www.w3.org/2001/XMLSchema"},
 )
@@ -152,7 +152,7 @@ def test_every_built_in_definition_can_be_loaded():
 
 # -- what is refused ---------------------------------------------------------------------------
 
-EXPECTED = "expected " + " or ".join(f"<{name}>" for name in ["surface", *THINGS])
+EXPECTED = "expected " + " or ".join(f"<{name}>" for name in ["surface", *ELEMENTS])
 CRATE = 'id="crate" y="2" length="50cm" width="50cm" mass="2kg"'
 BROKEN = {
     "wrong element": (

@@ -26,9 +26,9 @@ def nearest(
     hit = np.full(found.shape, NO_THING, dtype=np.intp)
 
     def take(viewers: IndexArray, distance_m: FloatArray, objects: IndexArray) -> None:
-        for viewer, row_m, thing in zip(viewers, distance_m, objects, strict=True):
+        for viewer, row_m, obj in zip(viewers, distance_m, objects, strict=True):
             nearer = row_m <= np.minimum(found[viewer], beams[:, 6])
-            found[viewer, nearer], hit[viewer, nearer] = row_m[nearer], thing
+            found[viewer, nearer], hit[viewer, nearer] = row_m[nearer], obj
 
     viewers, a, b, length_m = obstacles.segments_near(place)
     a, b = a - place.take(viewers), b - place.take(viewers)

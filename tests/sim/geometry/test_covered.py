@@ -17,9 +17,9 @@ from crs_cc.sim.model.registry import device
 from crs_cc.sim.model.world import Area, Box, Polygon, Pose, Wall, WorldModel
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, open_world, world_of
 
-HAIR_M = 0.0004  # less than what physics lets things overlap
+HAIR_M = 0.0004  # less than what physics lets objects overlap
 
-THINGS = {  # all have their near side at x = 2 m
+ELEMENTS = {  # all have their near side at x = 2 m
     "box": '<box x="2.15m" y="1.5m" length="30cm" width="60cm"/>',
     "turned box": '<box x="2.15m" y="1.5m" heading="90" length="60cm" width="30cm"/>',
     "thin box": '<box x="2.01m" y="1.5m" length="2cm" width="60cm"/>',
@@ -39,12 +39,12 @@ THINGS = {  # all have their near side at x = 2 m
 }
 
 
-def sonars_at(deep_m: float, things: str, heading: int = 0, y_m: float = 1.5) -> list[int]:
+def sonars_at(deep_m: float, elements: str, heading: int = 0, y_m: float = 1.5) -> list[int]:
     """Return the readings of a Scout whose shell reaches x = 2 m and `deep_m` more.
 
     The first reading is that of the sonar that points along x.
     """
-    world = open_world(f'<robot x="0" y="0"/>{things}')
+    world = open_world(f'<robot x="0" y="0"/>{elements}')
     state = Environment(world, 1).state
     state.x_m[0], state.y_m[0] = 2 + deep_m - SCOUT_RADIUS_M, y_m
     state.heading_rad[0] = math.radians(heading)
@@ -57,24 +57,24 @@ def sonars_at(deep_m: float, things: str, heading: int = 0, y_m: float = 1.5) ->
 
 @pytest.mark.parametrize("deep_m", [0.0, 1e-12, HAIR_M, 0.005])
 @pytest.mark.parametrize("heading", [0, 90])
-@pytest.mark.parametrize("name", THINGS)
+@pytest.mark.parametrize("name", ELEMENTS)
 def test_transducer_slightly_inside_does_not_read_the_far_side(name, heading, deep_m):
-    assert sonars_at(deep_m, THINGS[name], heading)[0] == 0
+    assert sonars_at(deep_m, ELEMENTS[name], heading)[0] == 0
 
 
-@pytest.mark.parametrize("name", THINGS)
+@pytest.mark.parametrize("name", ELEMENTS)
 def test_transducer_just_outside_is_not_masked(name):
-    assert sonars_at(-0.0254, THINGS[name])[0] == 1
+    assert sonars_at(-0.0254, ELEMENTS[name])[0] == 1
 
 
 def test_only_transducers_inside_read_0():
-    readings = sonars_at(HAIR_M, THINGS["wall"])
+    readings = sonars_at(HAIR_M, ELEMENTS["wall"])
     # Sonar 1 sits 0.61 in behind the front of the shell; its cone begins at 12.5 degrees.
     gap_in = 8 * (1 - math.cos(math.radians(22.5))) - HAIR_M / 0.0254
     assert readings[1] == readings[15] == round(gap_in / math.cos(math.radians(12.5)))
     assert readings[5:12] == [255] * 7
     # A wall that went on beyond its end at y = 0 would cover the foremost sonar here.
-    assert sonars_at(HAIR_M, THINGS["wall"], y_m=-0.5)[0] > 0
+    assert sonars_at(HAIR_M, ELEMENTS["wall"], y_m=-0.5)[0] > 0
 
 
 ROOM = 'length="5m" width="3m"'
@@ -89,9 +89,9 @@ OBSTACLES = {
 }
 
 
-def drive_into(things: str, time_s: float, heading: int = 0) -> list[tuple[int, int]]:
+def drive_into(elements: str, time_s: float, heading: int = 0) -> list[tuple[int, int]]:
     """Return the front sonar and the bumpers in each cycle of a drive straight ahead."""
-    driver = Driver.of(world_of(f'{things}<robot x="1m" y="1.5m" heading="{heading}"/>', ROOM))
+    driver = Driver.of(world_of(f'{elements}<robot x="1m" y="1.5m" heading="{heading}"/>', ROOM))
     driver.ask("CONF_SN", 0, data=bytes([0]))
     driver.ask("VM", 100, 100)
     told = []
@@ -191,8 +191,8 @@ def test_block_size_changes_no_bit(pairs, monkeypatch):
     world, poses = crowd()
     fan = Fan.of([(0.2 * math.cos(a), 0.2 * math.sin(a), a, 0.1, 6.0) for a in (4.0, 0.5, 2.0)])
     pieces = Pieces(Scene(world), fan.start_m)
-    things = [np.full((len(poses), len(fan)), -1) for _ in range(2)]
-    whole = pieces.cover(fan, poses, things[0])
+    elements = [np.full((len(poses), len(fan)), -1) for _ in range(2)]
+    whole = pieces.cover(fan, poses, elements[0])
     monkeypatch.setattr("crs_cc.sim.geometry.cell_list.PAIRS_IN_BLOCK", pairs)
-    assert np.array_equal(whole, pieces.cover(fan, poses, things[1]))
-    assert np.array_equal(*things)
+    assert np.array_equal(whole, pieces.cover(fan, poses, elements[1]))
+    assert np.array_equal(*elements)

@@ -23,24 +23,24 @@ CRITICAL = math.radians(30)
 LOBE = math.radians(7.5)
 
 
-def obstacles_of(*things) -> Obstacles:
+def obstacles_of(*elements) -> Obstacles:
     world = WorldModel(
         "w",
         Area(-50, -50, 100, 100, 0),
-        walls=tuple(thing for thing in things if isinstance(thing, Wall)),
-        boxes=tuple(thing for thing in things if isinstance(thing, Box)),
-        cylinders=tuple(thing for thing in things if isinstance(thing, Cylinder)),
-        robots=tuple(thing for thing in things if isinstance(thing, Robot)),
+        walls=tuple(obj for obj in elements if isinstance(obj, Wall)),
+        boxes=tuple(obj for obj in elements if isinstance(obj, Box)),
+        cylinders=tuple(obj for obj in elements if isinstance(obj, Cylinder)),
+        robots=tuple(obj for obj in elements if isinstance(obj, Robot)),
     )
     scene = Scene(world)
     start = scene.start.reshape(-1, 3)
     return Obstacles(scene.fixed, scene.moving(start[:, :2], start[:, 2]), RANGE_M, 0.5)
 
 
-def hear(*things, half=TEN_DEG, lobe=0.0, critical=ANY_ANGLE, toward=0.0, voices=None) -> float:
+def hear(*elements, half=TEN_DEG, lobe=0.0, critical=ANY_ANGLE, toward=0.0, voices=None) -> float:
     """Return the distance that a transducer at the origin measures."""
     ping = Pings.of([(0j, 0j, toward)], half, RANGE_M, lobe, critical)
-    return float(first_echo(ping, obstacles_of(*things), voices)[0])
+    return float(first_echo(ping, obstacles_of(*elements), voices)[0])
 
 
 def wall_at(distance, turned_deg, length=60.0):
@@ -207,7 +207,7 @@ def test_further_target_is_heard_if_it_is_first_and_visible():
     assert hear(wall_at(2, 0), voices=voice(3 + 0.1j, 1.0)) == pytest.approx(2)
 
 
-# -- inside of things --------------------------------------------------------------------------
+# -- inside of objects --------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("deep", [0.0, 1e-12, 0.004, 0.05])

@@ -63,7 +63,7 @@ def test_grid_finds_every_shape_within_reach(ends, places, reach_m):
 
 
 @pytest.mark.parametrize(
-    ("things", "room_m"),
+    ("elements", "room_m"),
     [
         ("", 5.0),
         ('<robot x="5m" y="6m"/>', 1 - SCOUT_RADIUS_M),
@@ -74,7 +74,7 @@ def test_grid_finds_every_shape_within_reach(ends, places, reach_m):
         ('<wall x1="2m" y1="2m" x2="4m" y2="5m" thickness="20cm"/>', 0.9),
     ],
 )
-def test_clearance_is_the_distance_to_the_nearest_object(things, room_m):
-    scene = Scene(world_of(f'<robot x="5m" y="5m"/>{things}'))
+def test_clearance_is_the_distance_to_the_nearest_object(elements, room_m):
+    scene = Scene(world_of(f'<robot x="5m" y="5m"/>{elements}'))
     found_m = clearance_m(scene, scene.start[:, :2], scene.start[:, 2])
     assert found_m == pytest.approx(room_m - SCOUT_RADIUS_M)

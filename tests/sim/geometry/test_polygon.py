@@ -89,11 +89,11 @@ def test_initial_overlaps_are_found_for_all_sizes():
     models = [RobotModel(f"m{size}", size, Drive(0.3)) for size in (0.05, 0.4, 3.0)]
     robots = tuple(Robot(f"r{n}", models[n % 3], Pose(*rng.uniform(5, 95, 2))) for n in range(300))
     world = WorldModel("w", Area(0, 0, 100, 100), cylinders=cylinders, robots=robots)
-    things = [(c.pose, c.radius_m, f"cylinder {c.id!r}") for c in cylinders]
+    elements = [(c.pose, c.radius_m, f"cylinder {c.id!r}") for c in cylinders]
     expected = set()
     for number, robot in enumerate(robots):
         before = [(r.start, r.model.radius_m, f"robot {r.id!r}") for r in robots[:number]]
-        for pose, radius_m, name in [*things, *before]:
+        for pose, radius_m, name in [*elements, *before]:
             away_m = math.dist((pose.x_m, pose.y_m), (robot.start.x_m, robot.start.y_m))
             if away_m < radius_m + robot.model.radius_m - 1e-6:
                 expected.add((number, f"robot {robot.id!r} overlaps {name}"))

@@ -16,16 +16,16 @@ from crs_cc.sim.model.world import Area, Box, Cylinder, Polygon, Pose, Robot, Wa
 TEN_DEG = math.radians(10)
 
 
-def measure(*things, beams=((0.0, 0.0, 0.0, TEN_DEG, 8.0),), pose=(0.0, 0.0, 0.0)):
+def measure(*elements, beams=((0.0, 0.0, 0.0, TEN_DEG, 8.0),), pose=(0.0, 0.0, 0.0)):
     """Return the distances that beams measure from a pose."""
     world = WorldModel(
         "w",
         Area(-50, -50, 100, 100, 0),
-        walls=tuple(thing for thing in things if isinstance(thing, Wall)),
-        boxes=tuple(thing for thing in things if isinstance(thing, Box)),
-        cylinders=tuple(thing for thing in things if isinstance(thing, Cylinder)),
-        polygons=tuple(thing for thing in things if isinstance(thing, Polygon)),
-        robots=tuple(thing for thing in things if isinstance(thing, Robot)),
+        walls=tuple(obj for obj in elements if isinstance(obj, Wall)),
+        boxes=tuple(obj for obj in elements if isinstance(obj, Box)),
+        cylinders=tuple(obj for obj in elements if isinstance(obj, Cylinder)),
+        polygons=tuple(obj for obj in elements if isinstance(obj, Polygon)),
+        robots=tuple(obj for obj in elements if isinstance(obj, Robot)),
     )
     scene, fan = Scene(world), Fan.of(beams)
     start = scene.start.reshape(-1, 3)
@@ -91,8 +91,8 @@ BY_HAND = {
 
 @pytest.mark.parametrize("name", BY_HAND)
 def test_beam_measures_the_computed_distance(name):
-    thing, expected_m = BY_HAND[name]
-    assert measure(thing)[0] == pytest.approx(expected_m, abs=1e-9)
+    obj, expected_m = BY_HAND[name]
+    assert measure(obj)[0] == pytest.approx(expected_m, abs=1e-9)
 
 
 @pytest.mark.parametrize("heading_deg", [0, 17, 90, 135, 250])
@@ -156,12 +156,12 @@ def crowd(robots: int, seed: int) -> WorldModel:
     return WorldModel("w", world.area, walls, boxes, cylinders, robots=tuple(kept))
 
 
-def look_around(world: WorldModel, fan: Fan, things: np.ndarray | None = None):
+def look_around(world: WorldModel, fan: Fan, elements: np.ndarray | None = None):
     scene = Scene(world)
     moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
     obstacles = Obstacles(scene.fixed, moving, fan.reach_m, fan.start_m)
     count = len(world.robots)
-    return nearest(fan, scene.start[:count], obstacles, own=np.arange(count), objects=things)
+    return nearest(fan, scene.start[:count], obstacles, own=np.arange(count), objects=elements)
 
 
 @pytest.mark.parametrize("pairs", [1, 500])

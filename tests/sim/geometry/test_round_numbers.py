@@ -105,8 +105,8 @@ class Watcher:
         self.state = EnvState.at_start(world)
         self.ahead = Fan.of([(0.0, 0.0, 0.0, 0.0, 2.0 * SIDE)])
         self.around = RayCaster(scene, [*FANS.values(), self.ahead])
-        self.sight, self.things = Sight(scene), ShapeTable.of(scene)
-        self.poses = self.things.poses(self.state.bodies)
+        self.sight, self.shapes = Sight(scene), ShapeTable.of(scene)
+        self.poses = self.shapes.poses(self.state.bodies)
         grid = np.stack(np.meshgrid(np.arange(0.5, SIDE), np.arange(0.5, SIDE)), axis=-1)
         self.lights = np.array(
             [at for at in grid.reshape(-1, 2) if self.room_m(*at)[1:].min() > 0.01]
@@ -116,7 +116,7 @@ class Watcher:
         """Return the distances of all objects from a point, as for the heat sensor."""
         count = len(self.poses)
         places = np.full(count, x_m), np.full(count, y_m)
-        return self.things.distance_m(self.poses, np.arange(count), *places)
+        return self.shapes.distance_m(self.poses, np.arange(count), *places)
 
     def read(self, x_m: float, y_m: float, heading_rad: float) -> dict[str, np.ndarray]:
         """Return the readings of all kinds."""

@@ -13,8 +13,8 @@ ROBOT = '<robot x="1m" y="9m"/>'
 NOBODY = np.zeros((1, 2)), np.zeros(1)
 
 
-def between(things: str, *lines: tuple[complex, complex]) -> list[int]:
-    scene = Scene(world_of(f"{ROBOT}{things}"))
+def between(elements: str, *lines: tuple[complex, complex]) -> list[int]:
+    scene = Scene(world_of(f"{ROBOT}{elements}"))
     start, end = (np.array(places) for places in zip(*lines, strict=True))
     return Sight(scene).between(scene.start[:, :2], scene.start[:, 2], start, end).tolist()
 
@@ -55,20 +55,20 @@ def test_long_line_counts_each_object_once():
 def test_vectorised_lines_match_single_lines():
     """Random lines among random fixed and movable objects, compared with sampled points."""
     rng = np.random.default_rng(2)
-    things = []
+    elements = []
     for n in range(40):
         (row, column), turn = divmod(n, 8), rng.uniform(0, 180)
         x, y = 1.1 * column + rng.uniform(0.5, 0.9), 1.1 * row + rng.uniform(0.5, 0.9)
         mass = ' mass="1kg"' if n % 4 == 0 else ""
         kind = n % 3
         if kind == 0:
-            things.append(f'<wall x1="{x}" y1="{y}" x2="{x + 0.5}" y2="{y + 0.3}"/>')
+            elements.append(f'<wall x1="{x}" y1="{y}" x2="{x + 0.5}" y2="{y + 0.3}"/>')
         elif kind == 1:
-            things.append(f'<cylinder x="{x}" y="{y}" radius="0.2"{mass}/>')
+            elements.append(f'<cylinder x="{x}" y="{y}" radius="0.2"{mass}/>')
         else:
             size = f'length="0.5" width="0.3" heading="{turn}"'
-            things.append(f'<box x="{x}" y="{y}" {size}{mass}/>')
-    world = world_of(ROBOT + "".join(things), 'length="10m" width="10m" edge="0"')
+            elements.append(f'<box x="{x}" y="{y}" {size}{mass}/>')
+    world = world_of(ROBOT + "".join(elements), 'length="10m" width="10m" edge="0"')
     scene = Scene(world)
     start, end = rng.uniform(0.5, 8.0, (2, 300, 2)).view(np.complex128)[..., 0]
     found = Sight(scene).between(scene.start[:, :2], scene.start[:, 2], start, end)
@@ -101,10 +101,10 @@ def _inside(solid, points):
 
 def test_absent_robot_does_not_affect_line_of_sight():
     """A robot leaves; two others still see each other, past a box that can be pushed."""
-    things = """<robot id="gone" x="5m" y="5m"/><robot id="a" x="0" y="0"/>
+    elements = """<robot id="gone" x="5m" y="5m"/><robot id="a" x="0" y="0"/>
         <robot id="b" x="2m" y="0"/><robot id="c" x="0" y="2m"/>
         <box x="1m" y="0" length="20cm" width="20cm" mass="1kg"/>"""
-    talk = talking(things, 'walls="0"')
+    talk = talking(elements, 'walls="0"')
     talk.environment.remove_robot(0)
     talk.run()
     talk.send(1, kind=5)

@@ -20,11 +20,11 @@ def looked(world, fan):
     scene, state = Scene(world), EnvState.at_start(world)
     count = len(world.robots)
     rays = RayCaster(scene, [fan])
-    distance_m, thing = rays.seen(state, fan, scene.start[:count], np.arange(count))
+    distance_m, obj = rays.seen(state, fan, scene.start[:count], np.arange(count))
     assert np.array_equal(
         distance_m, rays.distances_m(state, fan, scene.start[:count], np.arange(count))
     )
-    return distance_m, thing, scene
+    return distance_m, obj, scene
 
 
 def test_beams_name_the_nearest_object():
@@ -44,10 +44,10 @@ def test_beams_name_the_nearest_object():
     )
     beams = [(0.0, 0.0, turn * math.pi / 2, 0.0, 5.0) for turn in range(4)]
     past_pole = (0.0, 0.0, math.atan2(0.5, 4), 0.0, 5.0)
-    distance_m, thing, scene = looked(world, Fan.of([*beams, past_pole]))
-    names = [scene.names[number] if number >= 0 else "" for number in thing[0]]
+    distance_m, obj, scene = looked(world, Fan.of([*beams, past_pole]))
+    names = [scene.names[number] if number >= 0 else "" for number in obj[0]]
     assert names == ["pole", "crate", "other", "", "wall"]
-    assert thing[0, 3] == NO_THING
+    assert obj[0, 3] == NO_THING
     assert distance_m[0, :3] == pytest.approx([1.9, 1.75, 3 - 8 * 0.0254])
 
 
@@ -57,8 +57,8 @@ def test_beam_that_starts_inside_an_object_hits_it():
         '<robot x="0" y="0"/><cylinder x="-1m" y="0" radius="0.1m"/>'
         '<box id="box" x="0.705m" y="0" length="1m" width="1m"/>'
     )
-    distance_m, thing, scene = looked(world, Fan.of([(0.21, 0.0, 0.0, 0.0, 5.0)]))
-    assert (distance_m[0, 0], scene.names[thing[0, 0]]) == (0.0, "box")
+    distance_m, obj, scene = looked(world, Fan.of([(0.21, 0.0, 0.0, 0.0, 5.0)]))
+    assert (distance_m[0, 0], scene.names[obj[0, 0]]) == (0.0, "box")
 
 
 @pytest.mark.parametrize("robots", [3, 150])
@@ -66,20 +66,20 @@ def test_hit_point_is_on_the_named_object(robots):
     """A few robots, for which all shapes are tested; and many, for which they are filtered."""
     world = crowd(robots, seed=robots)
     beams = [(0.1, 0.0, math.tau / 40 * number, 0.0, 4.0) for number in range(40)]
-    distance_m, thing, scene = looked(world, Fan.of(beams))
-    assert np.array_equal(np.isfinite(distance_m), thing != NO_THING)
+    distance_m, obj, scene = looked(world, Fan.of(beams))
+    assert np.array_equal(np.isfinite(distance_m), obj != NO_THING)
     x_m, y_m, heading = scene.start[: len(world.robots)].T[:, :, None]
     way = heading + np.array([beam[2] for beam in beams])
     x_m = x_m + 0.1 * np.cos(heading) + distance_m * np.cos(way)
     y_m = y_m + 0.1 * np.sin(heading) + distance_m * np.sin(way)
     solids = (*world.robots, *scene.pushables, *scene.fixed_solids)
     is_wall = np.array([isinstance(solid, Wall) for solid in solids])
-    seen = (thing != NO_THING) & (distance_m > 0.0)
-    seen &= ~is_wall[np.where(seen, thing, 0)]
+    seen = (obj != NO_THING) & (distance_m > 0.0)
+    seen &= ~is_wall[np.where(seen, obj, 0)]
     assert seen.sum() > 20 * len(world.robots) / 3
-    things = ShapeTable.of(scene)
-    poses = np.concatenate([scene.start, things.fixed])
-    off_m = things.distance_m(poses, thing[seen], x_m[seen], y_m[seen])
+    elements = ShapeTable.of(scene)
+    poses = np.concatenate([scene.start, elements.fixed])
+    off_m = elements.distance_m(poses, obj[seen], x_m[seen], y_m[seen])
     assert np.abs(off_m).max() < 1e-7
 
 

@@ -18,8 +18,8 @@ TWO = ROBOT + '<robot x="1m" y="3m"/>'
 class Course:
     """An environment in which robots and objects are put where they are wanted."""
 
-    def __init__(self, things: str) -> None:
-        self.environment = Environment(world_of(things), seed=0)
+    def __init__(self, elements: str) -> None:
+        self.environment = Environment(world_of(elements), seed=0)
         self.events: list[str] = []
 
     def step(self, count: int = 1, **places: tuple[float, float]) -> None:
@@ -112,11 +112,11 @@ def test_an_object_is_approached_by_the_distance_of_its_surface() -> None:
 
 
 def test_heat_is_gone_when_all_hot_objects_are_cool() -> None:
-    things = "".join(
+    elements = "".join(
         f'<cylinder id="{name}" x="{x}m" y="5m" radius="20cm" heat="{heat}"/>'
         for name, x, heat in (("c0", 3, 2), ("c1", 5, 2), ("c2", 7, 0))
     )
-    course = Course(ROBOT + things + "<goal><cool/></goal>")
+    course = Course(ROBOT + elements + "<goal><cool/></goal>")
     course.environment.set_heat("c0", 0.0)
     course.step()
     assert (course.status(), course.progress()) == ("open", "1 of 2 cool")
@@ -197,12 +197,12 @@ def test_a_goal_that_lasts_ends_with_another_goal_or_its_time_limit() -> None:
 
 
 def test_only_collisions_that_are_not_excepted_fail_a_goal() -> None:
-    things = (
+    elements = (
         '<box id="crate" x="2m" y="1m" length="40cm" width="40cm" mass="9kg"/>'
         '<goal><no-collision except="crate"/></goal><goal><no-collision/></goal>'
         '<goal robots="robot1"><no-collision/></goal>'
     )
-    driver = Driver.of(world_of(TWO + things))
+    driver = Driver.of(world_of(TWO + elements))
     driver.ask("PR", 400, 400)
     for _ in range(60):
         driver.environment.step()
@@ -240,11 +240,11 @@ def test_a_robot_that_is_added_can_meet_the_goals_of_any_robot() -> None:
 
 
 def test_a_snapshot_goes_on_with_the_same_goals_and_hash() -> None:
-    things = (
+    elements = (
         ROBOT + '<goal><cover share="1" cell="50cm"/></goal>'
         '<goal><reach x="5m" y="5m" radius="50cm" stay="0.2s"/></goal>'
     )
-    course = Course(things)
+    course = Course(elements)
     course.step(2, robot0=(5.0, 5.0))
     before, results = course.environment.snapshot(), course.environment.goals
     course.step(8, robot0=(5.1, 5.0))

@@ -20,9 +20,9 @@ from tests.sim.driver import INCH, Driver, open_world
 MASS_KG, FORCE_N, GRIP_N, ROLL_OUT_MPS2 = 23.0, 60.0, 90.0, 0.3  # scout.xml
 
 
-def ramp(slope: float, things: str = '<robot x="0" y="0"/>', timestep: str = "10ms") -> Driver:
+def ramp(slope: float, elements: str = '<robot x="0" y="0"/>', timestep: str = "10ms") -> Driver:
     surface = f'<ramp x="0" y="0" length="40m" width="40m" to="{40 * slope}m"/>'
-    return Driver.of(open_world(f"<surface>{surface}</surface>{things}", timestep))
+    return Driver.of(open_world(f"<surface>{surface}</surface>{elements}", timestep))
 
 
 def slide(driver: Driver, time_s: float) -> list[float]:
@@ -78,12 +78,12 @@ def test_wheels_hold_a_limp_robot_across_the_slope():
 
 
 @pytest.mark.parametrize(
-    "things", ['<box x="0" y="0" length="1m" width="1m"', '<cylinder x="0" y="0" radius="30cm"']
+    "elements", ['<box x="0" y="0" length="1m" width="1m"', '<cylinder x="0" y="0" radius="30cm"']
 )
-def test_object_slides_if_the_slope_exceeds_its_friction(things):
+def test_object_slides_if_the_slope_exceeds_its_friction(elements):
     """From tan a = mu on, by g (sin a - mu cos a)."""
     for slope in (FLOOR_FRICTION - 0.005, FLOOR_FRICTION + 0.005, 1.0):
-        driver = ramp(slope, f'{things} mass="5kg"/><robot x="-30m" y="-9m"/>')
+        driver = ramp(slope, f'{elements} mass="5kg"/><robot x="-30m" y="-9m"/>')
         went_m, a = slide(driver, 1.0)[1], math.atan(slope)
         mps2 = max(0.0, GRAVITY_MPS2 * (math.sin(a) - FLOOR_FRICTION * math.cos(a)))
         assert went_m == pytest.approx(mps2 / 2 * math.cos(a), rel=0.02, abs=1e-9)
@@ -145,8 +145,8 @@ def test_robots_far_from_slopes_move_as_in_a_flat_world():
     robots = '<robot x="0" y="0"/><robot x="60m" y="0" heading="20"/>'
     surface = '<surface><ramp x="0" y="0" length="9m" width="9m" to="2m"/></surface>'
     done = []
-    for things in (robots, surface + robots):
-        driver = Driver.of(open_world(things))
+    for elements in (robots, surface + robots):
+        driver = Driver.of(open_world(elements))
         driver.ask("VM", 200, 150)
         driver.ask("VM", 200, 150, robot=1)
         driver.run_s(3.0)

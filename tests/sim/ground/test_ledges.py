@@ -14,8 +14,8 @@ from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, own_world, world_of
 PLATEAU = '<surface><plateau x="3" y="3" length="2" width="2" height="{}"/></surface>'
 
 
-def approach(things: str, speed: int = 300, seconds: float = 6.0, robot: int = 0) -> Driver:
-    driver = Driver.of(world_of(things))
+def approach(elements: str, speed: int = 300, seconds: float = 6.0, robot: int = 0) -> Driver:
+    driver = Driver.of(world_of(elements))
     driver.ask("VM", speed, speed, robot=robot)
     driver.run_s(seconds)
     return driver
@@ -37,9 +37,9 @@ def test_wheels_climb_steps_up_to_the_limit():
 
 
 def test_step_limit_is_set_by_the_definition(tmp_path):
-    things = PLATEAU.format("5cm") + '<robot x="1" y="3"/>'
+    elements = PLATEAU.format("5cm") + '<robot x="1" y="3"/>'
     for step, gets_up in [("4cm", False), ("6cm", True)]:
-        world = own_world(tmp_path, ("<drive ", f'<drive step="{step}" '), things=things)
+        world = own_world(tmp_path, ("<drive ", f'<drive step="{step}" '), elements=elements)
         driver = Driver.of(world)
         driver.ask("VM", 300, 300)
         driver.run_s(5.0)

@@ -24,19 +24,19 @@ Z = 11 * INCH
 BIG = 'length="30m" width="10m"'
 
 
-def sees(things: str, z_m: float, x_m: float = 1.0, direction: float = 0.0) -> float:
+def sees(elements: str, z_m: float, x_m: float = 1.0, direction: float = 0.0) -> float:
     """Return the distance that a thin beam measures from y = 5 m."""
     fan = Fan.of([(0.0, 0.0, 0.0, 0.0, 25.0)], z_m)
-    world = world_of(things + '<robot x="29m" y="1m"/>', BIG)
+    world = world_of(elements + '<robot x="29m" y="1m"/>', BIG)
     rays = RayCaster(Scene(world), [fan])
     state = Environment(world, 1).state
     pose = np.array([[x_m, 5.0, math.radians(direction)]])
     return float(rays.distances_m(state, fan, pose, np.array([0]))[0, 0])
 
 
-def sonar_m(things: str, number: int = 0) -> float:
+def sonar_m(elements: str, number: int = 0) -> float:
     """Return the distance that a sonar of a world's robot measures [m], infinite for no echo."""
-    return float(Driver.of(world_of(things, BIG)).sonar.echo_m[0, number])
+    return float(Driver.of(world_of(elements, BIG)).sonar.echo_m[0, number])
 
 
 BOX = '<box x="4m" y="5m" length="1m" width="1m" {}/>'
@@ -66,15 +66,17 @@ def test_plateau_is_visible_only_from_below():
 
 
 def test_beam_from_a_plateau_passes_over_low_objects():
-    things = PLATEAU.format("40cm") + '<box x="8m" y="5m" length="40cm" width="1m" height="50cm"/>'
-    assert sees(things + WALL, 0.05, x_m=6.0) == pytest.approx(1.8)
-    assert sees(things + WALL, 0.20, x_m=6.0) == pytest.approx(2.9)
+    elements = (
+        PLATEAU.format("40cm") + '<box x="8m" y="5m" length="40cm" width="1m" height="50cm"/>'
+    )
+    assert sees(elements + WALL, 0.05, x_m=6.0) == pytest.approx(1.8)
+    assert sees(elements + WALL, 0.20, x_m=6.0) == pytest.approx(2.9)
 
 
 def test_height_of_an_object_adds_to_that_of_the_plateau():
-    things = PLATEAU.format("20cm") + '<box x="6m" y="5m" length="1m" width="1m" height="20cm"/>'
-    assert sees(things + WALL, 0.35) == pytest.approx(4.5)
-    assert sees(things + WALL, 0.45) == pytest.approx(7.9)
+    elements = PLATEAU.format("20cm") + '<box x="6m" y="5m" length="1m" width="1m" height="20cm"/>'
+    assert sees(elements + WALL, 0.35) == pytest.approx(4.5)
+    assert sees(elements + WALL, 0.45) == pytest.approx(7.9)
 
 
 def test_beam_hits_a_ramp_where_their_heights_are_equal():
@@ -105,8 +107,8 @@ def test_sonar_ignores_the_ground_under_its_robot():
 
 
 def test_sonar_hears_a_plateau_ahead():
-    things = PLATEAU.format("40cm") + '<robot x="3m" y="5m"/>'
-    assert sonar_m(things) == pytest.approx(2.0 - R, abs=1e-6)
+    elements = PLATEAU.format("40cm") + '<robot x="3m" y="5m"/>'
+    assert sonar_m(elements) == pytest.approx(2.0 - R, abs=1e-6)
 
 
 def test_robot_touching_a_ledge_reads_0():

@@ -15,9 +15,9 @@ FACING = '<robot x="-53cm" y="0"/><robot x="53cm" y="0" heading="180"/>'
 """Two robots, 3 cm from the ends of a bar that is between their fingers."""
 
 
-def holding(tmp_path, things, area=WIDE):
+def holding(tmp_path, elements, area=WIDE):
     """Return a world in which all robots have closed their grippers."""
-    driver = gripping(tmp_path, things, area)
+    driver = gripping(tmp_path, elements, area)
     for robot in range(len(driver.state.heading_rad)):
         driver.post("GRIPPER", CLOSE, robot=robot)
     driver.run_s(1.1)
@@ -175,12 +175,12 @@ def test_removed_object_is_released(tmp_path):
     assert tell(driver) == [0, 0, 0]
 
 
-@pytest.mark.parametrize("things", [
+@pytest.mark.parametrize("elements", [
     '<robot x="0" y="0"/>' + CAN + '<box x="1.2m" y="0.3m" length="4cm" width="1m"/>',
     FACING + BAR + '<box id="y" x="0" y="30cm" length="20cm" width="20cm" mass="1kg"/>',
 ])  # fmt: skip
-def test_snapshot_while_carrying_replays_to_the_same_bits(tmp_path, things):
-    driver = holding(tmp_path, things)
+def test_snapshot_while_carrying_replays_to_the_same_bits(tmp_path, elements):
+    driver = holding(tmp_path, elements)
     for robot in range(len(driver.state.heading_rad)):
         driver.post("VM", 100, 90 - 200 * robot, robot=robot)
     driver.run_s(1.5)

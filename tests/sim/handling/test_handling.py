@@ -11,7 +11,7 @@ DEVICES = (
     '<arm upper="20cm" fore="15cm" shoulder-speed="9rad/s" hand="9cm" max-mass="9kg"/>',
     '<light-sensors number="32" noise="0.1"/>', "<microphones/>", "<lamp/>", "<speaker/>",
 )  # fmt: skip
-THINGS = (
+ELEMENTS = (
     '<robot x="-53cm" y="0"/><robot x="53cm" y="0" heading="180"/><robot x="0" y="60cm"/>'
     '<box x="0" y="0" length="60cm" width="5cm" mass="2kg"/>'
     '<cylinder x="33cm" y="60cm" radius="4cm" mass="1kg"/><light x="0" y="0"/><sound x="1m" y="0"/>'
@@ -54,7 +54,7 @@ def churn(driver, seed, cycles) -> None:
 
 @pytest.mark.parametrize("seed", range(3))
 def test_random_requests_are_safe_and_replay_to_the_same_bits(tmp_path, seed):
-    driver = gripping(tmp_path, THINGS, AREA, *DEVICES)
+    driver = gripping(tmp_path, ELEMENTS, AREA, *DEVICES)
     for robot in range(3):
         driver.post("GRIPPER", 1, robot=robot)
     assert "grip" in kinds(driver.run(25))

@@ -14,7 +14,7 @@ from crs_cc.sim.kernels import beam_field, program
 from crs_cc.sim.state.env_state import EnvState
 from tests.sim.driver import world_of
 
-THINGS = (
+ELEMENTS = (
     '<wall x1="1m" y1="1m" x2="9m" y2="8m" thickness="5cm"/>'
     '<box x="3m" y="8m" heading="30" length="80cm" width="30cm"/>'
     '<cylinder x="7m" y="2m" radius="25cm"/>'
@@ -27,10 +27,10 @@ BEAMS = [(0.2 * math.cos(a), 0.2 * math.sin(a), a, 0.0, 4.0) for a in np.arange(
 CONES = [(0.1, 0.05, a, math.radians(12), 9.0) for a in np.arange(5) * 1.2]
 
 
-def crowd(things: str = THINGS):
-    """Return a state, its scene, and poses at which robots overlap things, and each other."""
+def crowd(elements: str = ELEMENTS):
+    """Return a state, its scene, and poses at which robots overlap objects, and each other."""
     robots = "".join(f'<robot x="{11 + n % 8}m" y="{1 + n // 8}m"/>' for n in range(ROBOTS))
-    world = world_of(things + robots, 'length="20m" width="10m"')
+    world = world_of(elements + robots, 'length="20m" width="10m"')
     state, rng = EnvState.at_start(world), np.random.default_rng(7)
     state.bodies.position_m[:] = rng.uniform(-1, 11, state.bodies.position_m.shape)
     poses = np.column_stack([state.bodies.position_m[:ROBOTS], rng.uniform(0, 7, ROBOTS)])
@@ -44,16 +44,16 @@ def by_pairs(rays: RayCaster, state, fan: Fan, poses):
 
 
 @pytest.mark.parametrize("beams", [BEAMS, CONES])
-@pytest.mark.parametrize("things", [THINGS, ""])
-def test_distances_are_those_of_pairs(beams, things):
-    state, scene, poses = crowd(things)
+@pytest.mark.parametrize("elements", [ELEMENTS, ""])
+def test_distances_are_those_of_pairs(beams, elements):
+    state, scene, poses = crowd(elements)
     fan, own = Fan.of(beams), np.arange(ROBOTS)
     rays = RayCaster(scene, [fan])
     for _ in range(5):
         assert rays.few_shapes(state, ROBOTS) is None
         expected = by_pairs(rays, state, fan, poses)
         assert rays.distances_m(state, fan, poses, own).tobytes() == expected.tobytes()
-        assert (expected == 0).any() or not things
+        assert (expected == 0).any() or not elements
         assert rays._is_sorted
         state.bodies.position_m[:] += 0.3
         state.cycle += 1
@@ -89,12 +89,12 @@ def test_few_robots_are_measured_in_one_thread():
 def test_beams_that_are_not_tried_hit_nothing():
     """A beam that is as wide as that makes the kernel try all beams with all shapes."""
     rng = np.random.default_rng(3)
-    things = "".join(
+    elements = "".join(
         f'<cylinder x="{x:.2f}m" y="{y:.2f}m" radius="{radius:.3f}m"/>'
         f'<box x="{y:.2f}m" y="{x:.2f}m" length="{2 * radius:.3f}m" width="5cm" heading="{x:.1f}"/>'
         for x, y, radius in rng.uniform((0, 0, 0.01), (10, 10, 0.8), (40, 3))
     )
-    state, scene, poses = crowd(things)
+    state, scene, poses = crowd(elements)
     slow, rays = (RayCaster(scene, [Fan.of(BEAMS)]) for _ in range(2))
     wide = (0.0, 0.0, 1.0, 1.0, 4.0)
     own, fans = np.arange(ROBOTS), (Fan.of(BEAMS), Fan.of([*BEAMS, wide]))

@@ -17,11 +17,16 @@ DT = 0.05
 
 
 def talking(
-    things: str = PAIR, channel: str = "", *, shuts: str = "", seed: int = 1, timestep: str = "50ms"
+    elements: str = PAIR,
+    channel: str = "",
+    *,
+    shuts: str = "",
+    seed: int = 1,
+    timestep: str = "50ms",
 ) -> Talk:
     """Return a world of robots without walls, with a channel `test` with these attributes."""
     said = f'<communication><channel name="test" {channel}/>{shuts}</communication>'
-    return Talk(Environment(open_world(f"{things}{said}", timestep), seed))
+    return Talk(Environment(open_world(f"{elements}{said}", timestep), seed))
 
 
 @dataclass

@@ -26,15 +26,15 @@ AWAY = '<wall x1="1m" y1="0.1m" x2="1m" y2="2m"/>'
 
 
 @pytest.mark.parametrize(
-    ("things", "fate"),
+    ("elements", "fate"),
     [(WALL, Fate.BLOCKED), (BOX, Fate.BLOCKED), (ROUND, Fate.BLOCKED), (AWAY, Fate.DELIVERED)],
 )
-def test_channel_that_needs_line_of_sight_is_blocked_by_one_object(things, fate):
+def test_channel_that_needs_line_of_sight_is_blocked_by_one_object(elements, fate):
     """The wall that does not block ends 5 cm from the line, as it has a thickness of 10 cm.
 
     a . | . b
     """
-    talk = talking(f'<robot x="0" y="0"/><robot x="2m" y="-5mm"/>{things}', 'walls="0"')
+    talk = talking(f'<robot x="0" y="0"/><robot x="2m" y="-5mm"/>{elements}', 'walls="0"')
     talk.send(0, 1)
     talk.run(2)
     assert len(talk.fates(fate)) == 1
@@ -43,19 +43,21 @@ def test_channel_that_needs_line_of_sight_is_blocked_by_one_object(things, fate)
 @pytest.mark.parametrize(("walls", "hears"), [(0, True), (1, True), (2, True), (3, False)])
 def test_each_object_between_reduces_the_range(walls, hears):
     """Range 10 m, factor 0.5, distance 2 m: two walls leave 2.5 m, three 1.25 m."""
-    things = "".join(
+    elements = "".join(
         f'<wall x1="{x}cm" y1="-1m" x2="{x}cm" y2="1m" thickness="2cm"/>'
         for x in range(50, 50 + 30 * walls, 30)
     )
-    talk = talking(f'<robot x="0" y="0"/><robot x="2m" y="0"/>{things}', 'range="10m" walls="0.5"')
+    talk = talking(
+        f'<robot x="0" y="0"/><robot x="2m" y="0"/>{elements}', 'range="10m" walls="0.5"'
+    )
     talk.send(0, 1)
     talk.run(2)
     assert bool(talk.kinds(1)) == hears
 
 
 def test_robots_do_not_attenuate():
-    things = '<robot x="0" y="0"/><robot x="2m" y="0"/><robot x="1m" y="0"/>'
-    talk = talking(things, 'walls="0"')
+    elements = '<robot x="0" y="0"/><robot x="2m" y="0"/><robot x="1m" y="0"/>'
+    talk = talking(elements, 'walls="0"')
     talk.send(0, 1)
     talk.run(2)
     assert talk.kinds(1) == [0]
@@ -63,10 +65,10 @@ def test_robots_do_not_attenuate():
 
 def test_box_that_was_pushed_away_no_longer_blocks():
     """A robot pushes a box sideways out of the line between two others."""
-    things = """<robot x="0" y="0"/><robot x="2m" y="0"/><robot x="1m" y="-0.5m" heading="90deg"/>
+    elements = """<robot x="0" y="0"/><robot x="2m" y="0"/><robot x="1m" y="-0.5m" heading="90deg"/>
         <box x="1m" y="0" length="40cm" width="40cm" mass="2kg"/>
         <communication><channel name="radio" walls="0"/></communication>"""
-    driver = Driver.of(open_world(things))
+    driver = Driver.of(open_world(elements))
     driver.ask("PR", 300, 300, robot=2)
     fates = []
     for _ in range(2):
@@ -133,8 +135,8 @@ def test_wheels_keep_turning_during_a_receive():
 
 def test_jitter_is_uniform_and_independent_per_receiver():
     """1,000 messages to two robots: mean 0.2 + 0.05, deviation 0.1 / sqrt(12)."""
-    things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
-    talk = talking(things, 'delay="200ms" jitter="100ms"')
+    elements = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
+    talk = talking(elements, 'delay="200ms" jitter="100ms"')
     talk.state.receptions["status"] = 2
     took_s = []
     for _ in range(20):
@@ -173,8 +175,8 @@ def test_messages_of_one_sender_are_transmitted_in_sequence():
 
 
 def test_bandwidth_is_per_sender_and_channel():
-    things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
-    talk = talking(things, 'bandwidth="1kB/s"')
+    elements = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
+    talk = talking(elements, 'bandwidth="1kB/s"')
     for sender in (0, 2):
         talk.send(sender, 1, size=88)
     talk.channel = 2
@@ -254,8 +256,8 @@ def test_broadcast_to_full_inboxes_is_recorded_once():
 
 def test_full_inboxes_do_not_hide_a_receiver_out_of_range():
     """Robot 3 is 1 km away from the others, whose inboxes are full."""
-    things = "".join(f'<robot x="{x}m" y="0"/>' for x in (0, 2, 4, 900))
-    talk = talking(things, 'delay="10s" range="10m"')
+    elements = "".join(f'<robot x="{x}m" y="0"/>' for x in (0, 2, 4, 900))
+    talk = talking(elements, 'delay="10s" range="10m"')
     for _ in range(6):
         for sender in range(3):
             for _ in range(50):
@@ -273,8 +275,8 @@ def test_full_inboxes_do_not_hide_a_receiver_out_of_range():
 
 
 def test_messages_are_ordered_by_arrival_then_sending_then_sender():
-    things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
-    talk = talking(things)
+    elements = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
+    talk = talking(elements)
     talk.send(2, 1, kind=0, at_s=0.02)
     talk.send(0, 1, kind=1, at_s=0.02)
     talk.send(0, 1, kind=2, at_s=0.03)

@@ -87,8 +87,8 @@ def test_corruption_rate_matches_the_channel():
 
 
 def test_corruption_is_independent_per_receiver():
-    things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
-    talk = talking(things, 'corruption="0.01"')
+    elements = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
+    talk = talking(elements, 'corruption="0.01"')
     for _ in range(100):
         talk.send(0, size=50)
         talk.run()
@@ -102,10 +102,10 @@ def test_corruption_is_independent_per_receiver():
 
 def test_fate_of_a_message_depends_on_no_other_message():
     """Robot b receives the same from a whether c sends or not, for several seeds."""
-    things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
+    elements = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
 
     def heard(others: bool, seed: int) -> list[int]:
-        talk = talking(things, 'loss="0.3" jitter="40ms"', seed=seed)
+        talk = talking(elements, 'loss="0.3" jitter="40ms"', seed=seed)
         for _ in range(20):
             if others:
                 talk.send(2, 1, kind=99)

@@ -50,9 +50,9 @@ def test_program_on_the_page_prints_the_documented_output(
 
 
 def test_world_file_on_the_page_is_valid() -> None:
-    things = f'{PAIR}<robot x="2m" y="0"/>{block("xml")}'
+    elements = f'{PAIR}<robot x="2m" y="0"/>{block("xml")}'
     communication = parse_world(
-        f'<world version="1">{AREA}{things}</world>'.encode(), "page"
+        f'<world version="1">{AREA}{elements}</world>'.encode(), "page"
     ).communication
     assert [channel.name for channel in communication.channels][3:] == ["acoustic"]
     assert communication.channels[0].walls == PREDEFINED[0].walls

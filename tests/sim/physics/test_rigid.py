@@ -43,7 +43,7 @@ def test_mass_is_distributed_to_parts_by_area():
     bar, left, right = world.boxes[0], *world.cylinders
     assert bar.mass_kg == pytest.approx(6 * bar_m2 / whole_m2)
     assert left.mass_kg == right.mass_kg == pytest.approx(6 * drum_m2 / whole_m2)
-    assert {thing.part_of for thing in (bar, left, right)} == {"b"}
+    assert {obj.part_of for obj in (bar, left, right)} == {"b"}
 
 
 def test_composite_has_the_moment_and_friction_of_its_parts():
@@ -107,8 +107,8 @@ def test_heavy_composite_does_not_move():
 
 def test_untouched_composite_keeps_its_exact_pose():
     """The robot pushes the box, which is the first object, and the bell is far away."""
-    things = '<robot x="1m" y="1m"/><box x="3m" y="1m" length="40cm" width="40cm" mass="2kg"/>'
-    driver = Driver.of(world_of(things + bell(7.0, y_m=7.0, heading=33)))
+    elements = '<robot x="1m" y="1m"/><box x="3m" y="1m" length="40cm" width="40cm" mass="2kg"/>'
+    driver = Driver.of(world_of(elements + bell(7.0, y_m=7.0, heading=33)))
     before = driver.state.bodies.position_m[2:].copy()
     driver.ask("VM", 100, 100)
     driver.run_s(9)

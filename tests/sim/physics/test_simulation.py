@@ -307,12 +307,12 @@ def test_taking_snapshots_changes_nothing():
 
 def test_distant_robot_changes_no_bit_of_a_collision():
     """A robot must not affect a distant one, not even by rounding."""
-    things = (
+    elements = (
         '<box x="3m" y="5m" length="40cm" width="40cm" mass="2kg"/>'
         '<box x="4m" y="5.1m" length="40cm" width="40cm" mass="2kg"/><robot x="2m" y="5m"/>'
         '<robot x="8m" y="8m"/>'
     )
-    alone, beside = Bench(world_of(things)), Bench(world_of(things))
+    alone, beside = Bench(world_of(elements)), Bench(world_of(elements))
     rng = np.random.default_rng(4)
     for number in range(300):
         angle = 0.02 * number

@@ -7,12 +7,12 @@ import pytest
 
 from tests.sim.driver import INCH, Driver, open_world
 
-THINGS = (
+ELEMENTS = (
     '<robot x="0" y="0"/><box x="100in" y="0" length="40in" width="80in"/>'
     '<cylinder x="0" y="100in" radius="12in"/><robot x="-100in" y="0"/>'
     '<wall x1="-50in" y1="-100in" x2="50in" y2="-100in" thickness="10in"/>'
 )
-"""A robot of 8 in radius with a thing at every side."""
+"""A robot of 8 in radius with an object at every side."""
 
 
 def check(driver: Driver, kind: int, *numbers: float) -> tuple[float, float, float] | None:
@@ -68,12 +68,12 @@ BY_HAND = {
 @pytest.mark.parametrize("name", BY_HAND)
 def test_straight_paths_by_hand(name):
     path, expected = BY_HAND[name]
-    found = straight(Driver.of(open_world(THINGS)), *path)
+    found = straight(Driver.of(open_world(ELEMENTS)), *path)
     assert found == (None if expected is None else pytest.approx(expected, abs=1e-6))
 
 
 def test_arcs_by_hand():
-    driver = Driver.of(open_world(THINGS))
+    driver = Driver.of(open_world(ELEMENTS))
     # A half circle from the origin around 0, 40: its right-most point is 40 away from the axis.
     assert arc(driver, (-90, 90), 32, (0, 32)) is None
     # Around 0, 46 the robot comes up to the cylinder from below: their middles are 20 apart where
@@ -142,7 +142,7 @@ def room_in(driver: Driver, places: np.ndarray) -> np.ndarray:
 
 
 def test_a_robot_is_stopped_where_the_check_says():
-    driver = Driver.of(open_world(THINGS.replace('y="0"/>', 'y="0" heading="14"/>', 1)))
+    driver = Driver.of(open_world(ELEMENTS.replace('y="0"/>', 'y="0" heading="14"/>', 1)))
     way = 200 * math.cos(math.radians(14)), 200 * math.sin(math.radians(14))
     x, y, normal = straight(driver, 0, 0, *way)
     driver.ask("VM", 200, 200)
@@ -168,7 +168,7 @@ NONSENSE = [
 
 @pytest.mark.parametrize(("kind", "numbers"), NONSENSE)
 def test_what_is_no_path_meets_nothing(kind, numbers):
-    assert check(Driver.of(open_world(THINGS)), kind, *numbers) is None
+    assert check(Driver.of(open_world(ELEMENTS)), kind, *numbers) is None
 
 
 def test_obstacles_that_programs_add_are_met():

@@ -7,7 +7,7 @@ from crs_cc.sim.devices.vendor_state import BUMPER, IR_0, SONAR_0
 from crs_cc.sim.engine.environment import Environment
 from tests.sim.driver import Driver, told, world_of
 
-THINGS = (
+ELEMENTS = (
     '<wall x1="200in" y1="0" x2="200in" y2="240in"/><cylinder x="60in" y="150in" radius="9in"/>'
     '<box x="150in" y="60in" heading="20" length="40in" width="20in"/>'
     '<polygon points="90in,200in 130in,180in 120in,230in 100in,210in"/>'
@@ -20,7 +20,7 @@ PLACES = [(40, 40, 0), (100, 120, 37), (160, 150, 200), (30, 225, 295), (128, 84
 def robot(definition: str, x: float, y: float, heading: float) -> Driver:
     """Return a robot that stands somewhere in the room, as the first one."""
     there = f'<robot x="{x}in" y="{y}in" heading="{heading}" definition="{definition}"/>'
-    return Driver.of(world_of(there + THINGS, ROOM))
+    return Driver.of(world_of(there + ELEMENTS, ROOM))
 
 
 def predicted(driver: Driver, x: float, y: float, heading: float):
@@ -73,8 +73,8 @@ def test_the_laser_is_predicted_as_it_is_set(mode):
 
 
 def test_noise_and_order_mean_nothing_to_a_prediction():
-    things = '<robot x="20in" y="120in" setup="noisy"/>' + THINGS
-    driver = Driver(Environment(world_of(things, ROOM), 1))
+    elements = '<robot x="20in" y="120in" setup="noisy"/>' + ELEMENTS
+    driver = Driver(Environment(world_of(elements, ROOM), 1))
     driver.ask("CONNECT")
     state = told(predicted(driver, *PLACES[0]))
     driver.ask("CONF_SN", 15, data=bytes([255]))

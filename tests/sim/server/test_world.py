@@ -125,7 +125,7 @@ def test_there_is_an_end_to_the_obstacles_of_a_robot_and_of_all(monkeypatch):
     assert obstacle(driver, "ADD_OBSTACLE", places[0], robot=1)["result"] == 1
 
 
-THINGS = (
+ELEMENTS = (
     '<wall x1="3m" y1="-2m" x2="3m" y2="2m"/><box x="1.2m" y="0" length="60cm" width="60cm"/>'
     '<cylinder x="2m" y="0" radius="20cm" mass="2kg"/><polygon points="-3,0 -2,0 -2,1" id="p"/>'
     '<robot x="0" y="0"/><robot x="0" y="-1m"/>'
@@ -134,7 +134,7 @@ THINGS = (
 
 def test_new_world_takes_everything_away_but_the_edge_and_the_robots():
     area = 'length="10m" width="10m" origin="centre"'
-    driver = Driver.of(world_of(THINGS, area))
+    driver = Driver.of(world_of(ELEMENTS, area))
     obstacle(driver, "ADD_OBSTACLE", [(100, 400), (200, 400), (200, 500)])
     assert ahead(driver) == pytest.approx((0.9 - SCOUT_RADIUS_M) / INCH, abs=0.1)
     message, _ = driver.post("NEW_WORLD")
@@ -146,7 +146,7 @@ def test_new_world_takes_everything_away_but_the_edge_and_the_robots():
 
 
 def test_boxes_and_polygons_of_the_world_file_can_be_moved_and_taken_away():
-    driver = Driver.of(open_world(THINGS))
+    driver = Driver.of(open_world(ELEMENTS))
     box = [(354, -118), (591, -118), (591, 118), (354, 118)]
     moved = obstacle(driver, "MOVE_OBSTACLE", box, 0, 1000)
     assert moved["result"] == 1
@@ -162,11 +162,11 @@ def test_boxes_and_polygons_of_the_world_file_can_be_moved_and_taken_away():
 
 
 def test_what_is_pushed_stays_where_it_is_when_obstacles_come_and_go():
-    things = (
+    elements = (
         '<box x="60cm" y="0" length="30cm" width="30cm" mass="2kg" heat="7"/>'
         '<cylinder x="0" y="3m" radius="10cm" heat="5"/><robot x="0" y="0"/>'
     )
-    driver = Driver.of(open_world(things))
+    driver = Driver.of(open_world(elements))
     driver.ask("VM", 100, 100)
     driver.run_s(3)
     collisions = driver.state.collisions.copy()
@@ -197,7 +197,7 @@ CHANGES = (
 
 
 def change(driver: Driver, first: int, last: int) -> None:
-    """Lets things come and go in a world of robots in motion."""
+    """Adds and removes objects in a world of robots in motion."""
     for number, (name, corners, *by) in enumerate(CHANGES[first:last], first):
         assert obstacle(driver, name, corners, *by, robot=number % 4)["result"] == 1
         driver.run(15)

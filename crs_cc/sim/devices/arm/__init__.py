@@ -93,7 +93,7 @@ class Arms:
         tip = np.rint(m_to_tenths_inch(self._hands(which, angles_rad)[:, :2]))
         pushables = context.constants.scene.pushables
         held = context.state.bodies.holds.object[self._rows[which], HAND].tolist()
-        mass_kg = [pushables[thing].mass_kg if thing >= 0 else 0.0 for thing in held]
+        mass_kg = [pushables[obj].mass_kg if obj >= 0 else 0.0 for obj in held]
         weight_g = np.array(mass_kg) * _GRAMS
         columns = (*angles.T, *tip.T, np.minimum(np.rint(weight_g), LARGEST))
         for name, column in zip(("shoulder", "elbow", "x", "y", "weight"), columns, strict=True):
@@ -163,36 +163,36 @@ class Arms:
         scene, robots = constants.scene, len(state.heading_rad)
         if not len(closing) or not scene.pushables:
             return False
-        bodies, things = state.bodies, constants.shapes
+        bodies, objects = state.bodies, constants.shapes
         hands = self._in_world(state, end_s)[closing]
         pushables = np.arange(robots, robots + len(scene.pushables))
-        poses = things.poses(bodies)
-        reach_m = float(self._hand_m[closing].max() + things.reach_m[pushables].max())
+        poses = objects.poses(bodies)
+        reach_m = float(self._hand_m[closing].max() + objects.reach_m[pushables].max())
         cells = CellList(poses[pushables, 0], poses[pushables, 1], reach_m)
         hand, found = cells.near(hands[:, 0], hands[:, 1])
-        away_m = things.distance_m(poses, pushables[found], hands[hand, 0], hands[hand, 1])
+        away_m = objects.distance_m(poses, pushables[found], hands[hand, 0], hands[hand, 1])
         good = can_be_taken(scene, found, self._most_kg[closing[hand]])
         good &= away_m <= self._hand_m[closing[hand]]
         good &= ~np.isin(found, bodies.holds.object)
         taken: list[int] = []
         for pair in nearest(hand, away_m, good).tolist():
-            thing, robot = int(found[pair]), int(self._rows[closing[hand[pair]]])
-            if thing not in taken:
-                taken.append(thing)
-                grasp = relative(hands[[hand[pair]]], poses[[robots + thing]])
-                bodies.holds.take(np.array([robot]), HAND, np.array([thing]), grasp)
-                self._log.say(end_s, "grip", f"took {scene.pushables[thing].id}", robot)
+            obj, robot = int(found[pair]), int(self._rows[closing[hand[pair]]])
+            if obj not in taken:
+                taken.append(obj)
+                grasp = relative(hands[[hand[pair]]], poses[[robots + obj]])
+                bodies.holds.take(np.array([robot]), HAND, np.array([obj]), grasp)
+                self._log.say(end_s, "grip", f"took {scene.pushables[obj].id}", robot)
         return bool(taken)
 
     def _open(self, state: EnvState, constants: RobotConstants, which: int, end_s: float) -> bool:
         """Release a hand's object if the space below is free; return whether it did."""
         row, scene = self._rows[which], constants.scene
-        thing = int(state.bodies.holds.object[row, HAND])
-        if not is_space_free(constants, state.bodies, thing):
+        obj = int(state.bodies.holds.object[row, HAND])
+        if not is_space_free(constants, state.bodies, obj):
             return False
         state.bodies.holds.drop(self._rows[[which]], HAND)
         arm_of(state).acts[which] = False
-        self._log.say(end_s, "release", f"released {scene.pushables[thing].id}", int(row))
+        self._log.say(end_s, "release", f"released {scene.pushables[obj].id}", int(row))
         return True
 
     def _in_world(self, state: EnvState, at_s: float) -> FloatArray:

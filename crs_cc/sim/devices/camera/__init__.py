@@ -226,9 +226,9 @@ class _Cameras:
         value[:, :MAX_COLUMNS], value[:, MAX_COLUMNS:] = np.inf, 0.0
         for kind, some in range_scan.alike(self._kind[numbers]):
             fan = self._fans[kind]
-            seen_m, thing = now.rays.seen(now.state, fan, poses[some], own=now.rows[some])
+            seen_m, obj = now.rays.seen(now.state, fan, poses[some], own=now.rows[some])
             value[some, : len(fan)] = seen_m
-            colour = now.rays.surfaces.colour[thing]
+            colour = now.rays.surfaces.colour[obj]
             value[some, MAX_COLUMNS : MAX_COLUMNS + len(fan)] = colour
         return value
 

@@ -164,22 +164,22 @@ class Grippers:
         rows = self._rows[closing]
         mounts = np.column_stack([bodies.position_m[rows], state.mount_rad[rows]])
         found = between(moving, robots, mounts, self._strip_m[closing])
-        which, thing = closing[found.gripper], found.object - robots
+        which, obj = closing[found.gripper], found.object - robots
         half_m = self._opening_m[which] / 2 + _SAME_M
         fits = (found.right_m >= -half_m) & (found.left_m <= half_m)
         fits &= found.width_m >= apart_m[which] - _SAME_M
         fits &= found.width_m <= fingers.before_m[which] + _SAME_M
-        fits &= can_be_taken(scene, thing, self._most_kg[which])
-        fits &= ~np.isin(thing, bodies.holds.in_hands()[1])
+        fits &= can_be_taken(scene, obj, self._most_kg[which])
+        fits &= ~np.isin(obj, bodies.holds.in_hands()[1])
         first = nearest(which, found.near_m, fits)
         if not len(first):
             return False
-        takers, things = which[first], thing[first]
+        takers, objects = which[first], obj[first]
         fingers.width_m[takers] = np.maximum(found.width_m[first], _SAME_M)
-        bodies.holds.take(self._rows[takers], GRIPPER, things, np.zeros((len(first), 3)))
+        bodies.holds.take(self._rows[takers], GRIPPER, objects, np.zeros((len(first), 3)))
         bodies.holds.grip[self._rows[takers]] = self._grip[takers]
-        recompute_grasps(state, things)
-        for gripper, number in zip(takers.tolist(), things.tolist(), strict=True):
+        recompute_grasps(state, objects)
+        for gripper, number in zip(takers.tolist(), objects.tolist(), strict=True):
             name = scene.pushables[number].id
             self._log.say(end_s, "grip", f"took {name}", int(self._rows[gripper]))
         return True
@@ -194,13 +194,13 @@ class Grippers:
     ) -> None:
         """Release objects from grippers; they rest where they are."""
         rows, bodies, gripper = self._rows[gone], state.bodies, gripper_of(state)
-        things = bodies.holds.object[rows, GRIPPER].astype(np.intp)
+        objects = bodies.holds.object[rows, GRIPPER].astype(np.intp)
         bodies.holds.drop(rows, GRIPPER)
-        still = things[~np.isin(things, bodies.holds.in_grippers()[1])] + len(state.heading_rad)
+        still = objects[~np.isin(objects, bodies.holds.in_grippers()[1])] + len(state.heading_rad)
         bodies.velocity_mps[still] = bodies.spin_radps[still] = 0.0
-        recompute_grasps(state, things)
-        for robot, thing, lost in zip(rows.tolist(), things.tolist(), torn.tolist(), strict=True):
-            name = constants.scene.pushables[thing].id
+        recompute_grasps(state, objects)
+        for robot, obj, lost in zip(rows.tolist(), objects.tolist(), torn.tolist(), strict=True):
+            name = constants.scene.pushables[obj].id
             kind, text = ("lost", f"lost {name}") if lost else ("release", f"released {name}")
             self._log.say(end_s, kind, text, robot)
         lost = gone[torn]
@@ -212,7 +212,7 @@ def _weight_kg(state: EnvState, constants: RobotConstants, rows: IndexArray) -> 
     holds, pushables = state.bodies.holds, constants.scene.pushables
     held = holds.object[rows, GRIPPER]
     together = np.bincount(holds.in_grippers()[1], minlength=len(pushables) + 1)[held]
-    mass_kg = [pushables[thing].mass_kg if thing >= 0 else 0.0 for thing in held.tolist()]
+    mass_kg = [pushables[obj].mass_kg if obj >= 0 else 0.0 for obj in held.tolist()]
     return np.asarray(np.array(mass_kg) / np.maximum(together, 1))
 
 

@@ -54,14 +54,14 @@ def between(moving: Outlines, robots: int, mounts: FloatArray, strip_m: FloatArr
         strip_m: x of palm and tips, from the mount's centre, (k, 2).
     """
     rows = [_sides(moving, mounts, strip_m), _circles(moving, robots, mounts, strip_m)]
-    gripper, thing, right_m, left_m, near_m = map(np.concatenate, zip(*rows, strict=True))
-    things = int(thing.max(initial=0)) + 1
-    keys, place = np.unique(gripper * things + thing, return_inverse=True)
+    gripper, obj, right_m, left_m, near_m = map(np.concatenate, zip(*rows, strict=True))
+    objects = int(obj.max(initial=0)) + 1
+    keys, place = np.unique(gripper * objects + obj, return_inverse=True)
     low, high, near = (np.full(len(keys), end) for end in (np.inf, -np.inf, np.inf))
     np.minimum.at(low, place, right_m)
     np.maximum.at(high, place, left_m)
     np.minimum.at(near, place, near_m)
-    return Between(keys // things, keys % things, low, high, near)
+    return Between(keys // objects, keys % objects, low, high, near)
 
 
 def _sides(moving: Outlines, mounts: FloatArray, strip_m: FloatArray) -> _Parts:
@@ -83,8 +83,8 @@ def _sides(moving: Outlines, mounts: FloatArray, strip_m: FloatArray) -> _Parts:
     first = start[keep] + low[keep, None] * (end - start)[keep]
     last = start[keep] + high[keep, None] * (end - start)[keep]
     y_m, x_m = np.stack([first[:, 1], last[:, 1]]), np.stack([first[:, 0], last[:, 0]])
-    thing = moving.segment_owners[side[keep]]
-    return gripper[keep], thing, y_m.min(axis=0), y_m.max(axis=0), x_m.min(axis=0)
+    obj = moving.segment_owners[side[keep]]
+    return gripper[keep], obj, y_m.min(axis=0), y_m.max(axis=0), x_m.min(axis=0)
 
 
 def _circles(moving: Outlines, robots: int, mounts: FloatArray, strip_m: FloatArray) -> _Parts:
@@ -100,8 +100,8 @@ def _circles(moving: Outlines, robots: int, mounts: FloatArray, strip_m: FloatAr
     keep = np.flatnonzero(half2 >= 0.0)
     half_m, y_m = np.sqrt(half2[keep]), middle[keep, 1]
     x_m = np.maximum(middle[keep, 0] - radius_m[keep], near_m[keep])
-    thing = moving.owners[round_ones[which[keep]]]
-    return gripper[keep], thing, y_m - half_m, y_m + half_m, x_m
+    obj = moving.owners[round_ones[which[keep]]]
+    return gripper[keep], obj, y_m - half_m, y_m + half_m, x_m
 
 
 def _pairs(

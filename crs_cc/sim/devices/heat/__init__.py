@@ -71,9 +71,9 @@ def read(root: Element, reader: Reader) -> Heat | None:
 def measure(now: Measurement) -> FloatArray:
     """Return the heat around robots, (k, 1)."""
     range_m = now.settings["range_m"]
-    robot, thing, distance_m = hot_objects(now.state, now.constants, now.rows, range_m)
-    share = np.clip(1.0 - distance_m / now.constants.shapes.spread_m[thing], 0.0, 1.0)
-    heat = np.bincount(robot, share * now.state.heat.left[thing], minlength=len(now.rows))
+    robot, obj, distance_m = hot_objects(now.state, now.constants, now.rows, range_m)
+    share = np.clip(1.0 - distance_m / now.constants.shapes.spread_m[obj], 0.0, 1.0)
+    heat = np.bincount(robot, share * now.state.heat.left[obj], minlength=len(now.rows))
     return heat.astype(np.float64)[:, None]
 
 
@@ -89,15 +89,15 @@ def hot_objects(
     hot = np.flatnonzero(state.heat.left > 0.0)
     if not len(hot):
         return hot, hot, np.zeros(0)
-    things = constants.shapes
-    poses = things.poses(state.bodies)
-    reach_m = float(range_m.max(initial=0.0) + things.reach_m[hot].max())
+    objects = constants.shapes
+    poses = objects.poses(state.bodies)
+    reach_m = float(range_m.max(initial=0.0) + objects.reach_m[hot].max())
     x_m, y_m = state.x_m[rows], state.y_m[rows]
     robot, found = CellList(poses[hot, 0], poses[hot, 1], reach_m).near(x_m, y_m)
-    thing = hot[found]
-    distance_m = things.distance_m(poses, thing, x_m[robot], y_m[robot])
-    near = (distance_m <= range_m[robot]) & (thing != rows[robot])
-    return robot[near], thing[near], distance_m[near]
+    obj = hot[found]
+    distance_m = objects.distance_m(poses, obj, x_m[robot], y_m[robot])
+    near = (distance_m <= range_m[robot]) & (obj != rows[robot])
+    return robot[near], obj[near], distance_m[near]
 
 
 def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:

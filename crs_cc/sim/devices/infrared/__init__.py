@@ -332,8 +332,8 @@ class InfraredRing:
             if own is None:
                 distance_m[some] = rays.distances_m(state, fan, poses[some], own=rows[some])
             else:
-                distance_m[some], thing = rays.seen(state, fan, poses[some], own=rows[some])
-                shine[some] = np.where(np.isnan(own[thing]), shine[some], own[thing])
+                distance_m[some], obj = rays.seen(state, fan, poses[some], own=rows[some])
+                shine[some] = np.where(np.isnan(own[obj]), shine[some], own[obj])
         return distance_m, self._step_m[mine] * np.sqrt(shine)
 
 
@@ -347,8 +347,8 @@ def _steps(distance_m: FloatArray, step_m: FloatArray) -> FloatArray:
 
 def _brightest(world: WorldModel) -> float:
     """Return the largest reflectance of any surface of a world."""
-    things = (*world.solids(), *world.robots)
-    return max((thing.material.infrared or 0.0 for thing in things), default=0.0)
+    objects = (*world.solids(), *world.robots)
+    return max((obj.material.infrared or 0.0 for obj in objects), default=0.0)
 
 
 def _fan(ring: Infrared, radius_m: float, brightest: float) -> Fan:

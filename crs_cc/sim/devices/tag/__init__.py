@@ -79,10 +79,10 @@ def install(row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Insta
             state, row.name, rows, range_m[:, None], state.drive.clock_s[rows]
         )[:, 0]
         reach_m = np.where(np.isnan(reach_m), _NOTHING_M, reach_m)
-        robot, thing, _ = heat.hot_objects(state, constants, rows, reach_m)
-        state.heat.left[thing] = 0.0
+        robot, obj, _ = heat.hot_objects(state, constants, rows, reach_m)
+        state.heat.left[obj] = 0.0
         context.clear_data()
-        context.put("things", np.bincount(robot, minlength=len(rows)), has)
+        context.put("objects", np.bincount(robot, minlength=len(rows)), has)
         return has
 
     return Installed(handlers={"TAG": tag, "TAKE_HEAT": tag})
@@ -100,7 +100,7 @@ DEVICE = Device(
     requests=(
         device_request(
             "TAKE_HEAT", 229, "int crs_tag(void)", "removes the heat of all objects in range",
-            results=fields(("things", "i[0]", "1", "how many things lost heat")),
+            results=fields(("objects", "i[0]", "1", "number of objects that lost heat")),
         ),
     ),
     functions=(

@@ -31,22 +31,22 @@ export function handles(model, view) {
   const found = [{ kind: "turn", place: [middle[0], around.high + KNOB / view.scale], middle }];
   if (model.selection.size !== 1) return found;
   const [name] = model.selection;
-  const thing = model.thing(name);
+  const item = model.item(name);
   const [shape] = model.shapes(name);
   if (!shape || shape.kind === "heights") return [];
   const { unit } = model;
-  if (thing?.tag === "body") return [rim(name, shape, unit)];
-  if (thing?.tag === "drive") return model.shapes(name).map((each) => wheel(name, each, unit));
+  if (item?.tag === "body") return [rim(name, shape, unit)];
+  if (item?.tag === "drive") return model.shapes(name).map((each) => wheel(name, each, unit));
   const own = model.shapes(name).find((each) => each.kind === "sensor");
-  if (own) return thing?.tag === "laser" || thing?.tag === "arm" ? [] : [aim(own, view)];
+  if (own) return item?.tag === "laser" || item?.tag === "arm" ? [] : [aim(own, view)];
   if (shape.kind === "range" || shape.kind === "goal") return model.shapes(name).map((each) => ring(name, each));
-  if (thing?.tag === "wall") {
+  if (item?.tag === "wall") {
     found.push({ kind: "end", place: shape.points[0], set: ([x, y]) => ({ x1: x, y1: y }) });
     found.push({ kind: "end", place: shape.points[1], set: ([x, y]) => ({ x2: x, y2: y }) });
-  } else if (["cylinder", "source", "nest"].includes(thing?.tag ?? "")) {
+  } else if (["cylinder", "source", "nest"].includes(item?.tag ?? "")) {
     const place = [shape.x + shape.radius, shape.y];
     found.push({ kind: "size", place, set: (to) => ({ radius: Math.max(0.01, radiusTo([shape.x, shape.y], to)) }) });
-  } else if (["box", "ramp", "plateau"].includes(thing?.tag ?? "")) {
+  } else if (["box", "ramp", "plateau"].includes(item?.tag ?? "")) {
     shape.points.forEach((place, index) => found.push({ kind: "size", place, set: (to) => resized(shape, index, to) }));
   }
   return found;

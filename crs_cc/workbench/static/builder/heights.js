@@ -21,9 +21,9 @@ export class Brush {
 
   /** The map of the world: its name and shape, nothing if there is none. */
   get map() {
-    const thing = this.model.things.find((each) => each.tag === "heightmap");
-    const [shape] = thing ? this.model.shapes(thing.name) : [];
-    return thing && shape ? { name: thing.name, shape } : null;
+    const item = this.model.items.find((each) => each.tag === "heightmap");
+    const [shape] = item ? this.model.shapes(item.name) : [];
+    return item && shape ? { name: item.name, shape } : null;
   }
 
   begin(point, lowers) {

@@ -13,7 +13,7 @@ const TURN = "15deg";
 function table(model, view, { store, run, duplicate, group, clipboard, solid }) {
   const move = (x, y) => () => model.apply("move", { values: { x: x * view.step(), y: y * view.step() } });
   const turn = (angle) => () => model.apply("turn", { values: { angle } });
-  const all = () => model.things.map((thing) => thing.name).filter((name) => model.isFree(name) && model.shapes(name).length);
+  const all = () => model.items.map((item) => item.name).filter((name) => model.isFree(name) && model.shapes(name).length);
   return [
     { keys: ["Ctrl+Z"], text: "undo", does: () => model.request("undo") },
     { keys: ["Ctrl+Y", "Ctrl+Shift+Z"], text: "redo", does: () => model.request("redo") },

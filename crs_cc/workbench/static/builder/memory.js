@@ -25,7 +25,7 @@ export function recall(model, view) {
   model.path = path;
   model.updateIndex();
   [view.centre, view.scale, view.isPlaced] = [centre, scale, true];
-  model.select(selection.filter((name) => model.thing(name)));
+  model.select(selection.filter((name) => model.item(name)));
   view.renew();
   return true;
 }

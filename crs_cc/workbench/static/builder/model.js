@@ -8,8 +8,8 @@ import { byPart, compose } from "./frames.js";
  * @typedef {{kind: string, points?: number[][], x?: number, y?: number, radius?: number,
  *   thickness?: number, heading?: number, colour?: string, from?: number, to?: number,
  *   part?: string, element?: string, heat?: number, spread?: number | null, rows?: number[][], pixel?: number}} Shape
- * @typedef {{name: string, tag: string, attributes: Record<string, string>, pose?: [number, number, number]}} Thing
- * @typedef {{root: string, pose: [number, number, number], things: Thing[], shapes: Record<string, Shape[]>}} Inside
+ * @typedef {{name: string, tag: string, attributes: Record<string, string>, pose?: [number, number, number]}} Item
+ * @typedef {{root: string, pose: [number, number, number], items: Item[], shapes: Record<string, Shape[]>}} Inside
  */
 
 const MAX_SONARS = 16;
@@ -32,7 +32,7 @@ export class Model extends EventTarget {
     this.path = [];
     /** The definition that is edited; null for the world. @type {Inside | null} */
     this.inside = null;
-    /** @type {Map<string, Thing>} */
+    /** @type {Map<string, Item>} */
     this.index = new Map();
     this.chosenUnit = "";
     this.isConnected = false;
@@ -73,13 +73,13 @@ export class Model extends EventTarget {
     this.emit("note");
   }
 
-  /** The elements that are edited: those of the world, or of a definition. @returns {Thing[]} */
-  get things() {
-    return this.inside?.things ?? this.document?.things ?? [];
+  /** The elements that are edited: those of the world, or of a definition. @returns {Item[]} */
+  get items() {
+    return this.inside?.items ?? this.document?.items ?? [];
   }
 
-  /** @returns {Thing | undefined} */
-  thing(name) {
+  /** @returns {Item | undefined} */
+  item(name) {
     return this.index.get(name);
   }
 
@@ -104,31 +104,31 @@ export class Model extends EventTarget {
 
   /** Find again the definition that is edited, as far as it is still there. */
   updateIndex() {
-    const { parts, things, shapes } = this.document;
+    const { parts, items, shapes } = this.document;
     this.inside = null;
-    this.index = new Map(things.map((thing) => [thing.name, thing]));
+    this.index = new Map(items.map((item) => [item.name, item]));
     for (const [depth, name] of this.path.entries()) {
-      const thing = this.index.get(name);
-      const known = thing?.pose && Object.hasOwn(parts, thing.attributes.ref) && parts[thing.attributes.ref];
-      if (!thing?.pose || !known) {
+      const item = this.index.get(name);
+      const known = item?.pose && Object.hasOwn(parts, item.attributes.ref) && parts[item.attributes.ref];
+      if (!item?.pose || !known) {
         this.path = this.path.slice(0, depth);
         break;
       }
-      const root = `define[${thing.attributes.ref}]`;
+      const root = `define[${item.attributes.ref}]`;
       const own = (this.inside?.shapes ?? shapes)?.[name] ?? [];
-      const pose = this.inside ? compose(this.inside.pose, thing.pose) : thing.pose;
-      this.inside = { root, pose, things: known, shapes: byPart(own, thing.pose, known, root) };
+      const pose = this.inside ? compose(this.inside.pose, item.pose) : item.pose;
+      this.inside = { root, pose, items: known, shapes: byPart(own, item.pose, known, root) };
       this.index = new Map(known.map((part) => [part.name, part]));
     }
   }
 
   /** Edit the definition of an object: all its copies follow. */
   enter(name) {
-    const thing = this.thing(name);
-    if (thing?.tag !== "object") return;
+    const item = this.item(name);
+    if (item?.tag !== "object") return;
     this.path = [...this.path, name];
     this.updateIndex();
-    if (this.path.at(-1) !== name) this.notify(`${thing.attributes.ref} is defined in an included file: edit that file`, true);
+    if (this.path.at(-1) !== name) this.notify(`${item.attributes.ref} is defined in an included file: edit that file`, true);
     this.select([]);
     this.emit("change");
   }
@@ -173,7 +173,7 @@ export class Model extends EventTarget {
 
   /** Answers may arrive before documents of earlier changes, which do not know the new elements yet. */
   chooseAwaited() {
-    if (this.awaited?.every((name) => this.thing(name))) this.select(this.awaited);
+    if (this.awaited?.every((name) => this.item(name))) this.select(this.awaited);
   }
 
   // -- what is asked -----------------------------------------------------------------------------
@@ -204,7 +204,7 @@ export class Model extends EventTarget {
 
   /** Put a sonar on a robot, that looks away from its centre; its other numbers are those of the last one. */
   async mount([x, y]) {
-    const sonars = this.things.filter((each) => each.tag === "sensor");
+    const sonars = this.items.filter((each) => each.tag === "sensor");
     const found = sonars.length ? await this.request("properties", { name: sonars.at(-1)?.name }) : null;
     const known = Object.fromEntries((found?.children ?? []).map((each) => [each.tag, each.text]));
     const all = await Promise.all(sonars.map((each) => this.request("properties", { name: each.name })));
@@ -233,7 +233,7 @@ export class Model extends EventTarget {
 
   /** The step that lets a new sonar fire, if the robot has an order of its sonars. */
   inOrder(id) {
-    const order = this.thing("sonars")?.attributes.order;
+    const order = this.item("sonars")?.attributes.order;
     return order === undefined ? [] : [{ operation: "set", names: ["sonars"], attributes: { order: `${order} ${id}` } }];
   }
 

@@ -6,16 +6,16 @@ import { drawProperties, makeAddForm } from "./properties.js";
 
 /** @param {import("./model.js").Model} model @param {import("./view.js").View} view */
 export function makePanels(model, view) {
-  const things = el("div.things", { role: "listbox", "aria-label": "Elements", "aria-multiselectable": "true" });
+  const items = el("div.items", { role: "listbox", "aria-label": "Elements", "aria-multiselectable": "true" });
   const problems = el("div.problems", { role: "list", "aria-label": "Problems" });
   const table = el("div.properties");
   const operations = el("div.operations");
   fill(
     part("sides"),
-    el("aside.left", {}, section("Elements", things), section("Problems", problems)),
+    el("aside.left", {}, section("Elements", items), section("Problems", problems)),
     el("aside.right", {}, section("Properties", table), folded("Operation", operations), folded("Add", makeAddForm(model), false), folded("Library", makeLibrary(model, view), false)),
   );
-  const list = new ThingList(model, things);
+  const list = new ItemList(model, items);
   let shown = "";
   const operation = operations.closest("details");
   const showOperation = () => (operation.hidden = !model.selection.size);
@@ -38,7 +38,7 @@ export const section = (title, body) => el("section", {}, el("h2", {}, title), b
 export const folded = (title, body, open = true) => el("details.section", { open }, el("summary", {}, title), body);
 
 /** The list of elements; rows stay as they are while names and kinds do. */
-class ThingList {
+class ItemList {
   constructor(model, root) {
     this.model = model;
     this.root = root;
@@ -52,7 +52,7 @@ class ThingList {
     const { model } = this;
     const before = this.rows;
     this.rows = new Map();
-    for (const { name, tag } of model.things) {
+    for (const { name, tag } of model.items) {
       const key = `${tag} ${name}`;
       this.rows.set(key, before.get(key) ?? this.row(name, tag));
     }
@@ -65,7 +65,7 @@ class ThingList {
   row(name, tag) {
     const { model } = this;
     const choose = (event) => model.select(event.shiftKey ? [...model.selection, name] : [name]);
-    const made = el("button.thing", { type: "button", role: "option", "aria-selected": "false", onclick: choose, ondblclick: () => model.enter(name) }, el("b", {}, name.slice(name.indexOf("/", model.inside?.root.length ?? Infinity) + 1)), el("span.state"), el("span", {}, tag === name ? "" : tag));
+    const made = el("button.item", { type: "button", role: "option", "aria-selected": "false", onclick: choose, ondblclick: () => model.enter(name) }, el("b", {}, name.slice(name.indexOf("/", model.inside?.root.length ?? Infinity) + 1)), el("span.state"), el("span", {}, tag === name ? "" : tag));
     made.dataset.name = name;
     return made;
   }

@@ -21,10 +21,10 @@ export async function drawProperties(model, root) {
 
 /** The attributes that all selected elements may have; values that differ are not shown. */
 function sharedRows(model, names, rows) {
-  const things = names.map((name) => model.thing(name));
-  const isSame = things.every((thing) => thing?.tag === things[0]?.tag);
+  const items = names.map((name) => model.item(name));
+  const isSame = items.every((item) => item?.tag === items[0]?.tag);
   const common = rows.filter((row) => row.name !== "id" && (isSame || ["colour", "material", "height", "heat", "spread", "sonar", "infrared"].includes(row.name)));
-  return common.map((row) => ({ ...row, value: things.every((thing) => thing?.attributes[row.name] === row.value) ? row.value : null }));
+  return common.map((row) => ({ ...row, value: items.every((item) => item?.attributes[row.name] === row.value) ? row.value : null }));
 }
 
 /** An element's name with its attributes, or its text. */

@@ -157,7 +157,7 @@ export class Solid {
   /** The element that a shape belongs to, if the mouse may take it. */
   nameOf(id) {
     const { model } = this;
-    const found = model.things.find(({ name }) => id === name || id.startsWith(`${name}.`));
+    const found = model.items.find(({ name }) => id === name || id.startsWith(`${name}.`));
     return found && model.isFree(found.name) ? found.name : "";
   }
 

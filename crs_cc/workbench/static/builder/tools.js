@@ -68,7 +68,7 @@ export class Tools {
   /** The end of a wall near a point. */
   endNear(point) {
     const near = NEAR / this.view.scale;
-    for (const { name, tag } of this.model.things) {
+    for (const { name, tag } of this.model.items) {
       if (tag !== "wall") continue;
       const end = this.model.shapes(name)[0]?.points?.find((each) => distance(each, point) < near);
       if (end) return [...end];
@@ -178,7 +178,7 @@ export class Tools {
   /** Put something down; one of its kind that is there is selected instead. */
   put(tool, event) {
     const name = this.view.at(this.view.toWorld([event.offsetX, event.offsetY]));
-    if (this.model.thing(name)?.tag === tool) this.model.select([name]);
+    if (this.model.item(name)?.tag === tool) this.model.select([name]);
     else addClicked(this.model, tool, this.snapped(event));
   }
 

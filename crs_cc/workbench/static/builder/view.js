@@ -95,7 +95,7 @@ export class View {
   at(point) {
     const { model } = this;
     const near = NEAR / 2 / this.scale;
-    const found = model.things.findLast(({ name }) => model.isFree(name) && model.shapes(name).some((shape) => isOn(shape, point, near)));
+    const found = model.items.findLast(({ name }) => model.isFree(name) && model.shapes(name).some((shape) => isOn(shape, point, near)));
     return found?.name ?? "";
   }
 
@@ -103,7 +103,7 @@ export class View {
   isOnEdge([x, y]) {
     const { model } = this;
     const area = model.document?.area;
-    if (!(area?.edge > 0) || model.inside || !model.thing("area")) return false;
+    if (!(area?.edge > 0) || model.inside || !model.item("area")) return false;
     const isWithin = (margin) => x >= area.x - margin && x <= area.x + area.length + margin && y >= area.y - margin && y <= area.y + area.width + margin;
     return isWithin(area.edge) && !isWithin(0);
   }
@@ -114,7 +114,7 @@ export class View {
     const [left, right] = [Math.min(x1, x2), Math.max(x1, x2)];
     const [low, high] = [Math.min(y1, y2), Math.max(y1, y2)];
     const isIn = ([x, y]) => x >= left && x <= right && y >= low && y <= high;
-    const names = model.things.map((thing) => thing.name).filter((name) => model.isFree(name));
+    const names = model.items.map((item) => item.name).filter((name) => model.isFree(name));
     return names.filter((name) => {
       const shapes = model.shapes(name);
       return shapes.length > 0 && shapes.every((shape) => shape.kind !== "range" && corners(shape).every(isIn));
@@ -147,7 +147,7 @@ export class View {
     const isBusy = this.isMoving && backdrop.took > FAST;
     backdrop.renew(this, `${this.version}`, isBusy, (pen) => this.paintAll(pen, width, height));
     chosen.renew(this, `${this.version},${this.choice}`, isBusy, (pen) => {
-      for (const name of this.model.selection) this.paintThing(pen, name, true);
+      for (const name of this.model.selection) this.paintItem(pen, name, true);
     });
     const pen = penOf(canvas, ratio);
     pen.fillStyle = this.colours.sky;
@@ -178,10 +178,10 @@ export class View {
     this.paintFloor(pen, colours, width, height);
     if (model.inside) this.paintAround(pen, into(model.inside.pose));
     this.wrong = new Set(model.document.problems.map((each) => each.name));
-    for (const { name } of model.things) this.paintThing(pen, name, false);
+    for (const { name } of model.items) this.paintItem(pen, name, false);
   }
 
-  paintThing(pen, name, isChosen) {
+  paintItem(pen, name, isChosen) {
     const { model, colours } = this;
     if (model.hidden.has(name)) return;
     const outline = isChosen ? colours.accent : this.wrong?.has(name) ? colours.danger : "";
@@ -194,7 +194,7 @@ export class View {
   /** The world around a definition that is edited, seen from the object that was opened. */
   paintAround(pen, motion) {
     const { document: known, path } = this.model;
-    for (const { name } of known.things) {
+    for (const { name } of known.items) {
       if (name === path[0] && path.length === 1) continue;
       for (const shape of known.shapes[name] ?? []) {
         if (shape.kind !== "range" && shape.kind !== "heights") paintShape(pen, this, moved(shape, motion), { alpha: DIM });
