@@ -13,8 +13,11 @@ from collections.abc import Callable, Iterator
 from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
+from typing import TypeAlias
 
 import pytest
+
+Imports: TypeAlias = list[tuple[int, str]]
 
 PACKAGE = Path(__file__).parents[1] / "crs_cc"
 MAX_LINES = 500
@@ -88,11 +91,6 @@ def modules() -> list[Path]:
     return sorted(PACKAGE.rglob("*.py"))
 
 
-@cache
-def parsed(path: Path) -> ast.Module:
-    return ast.parse(path.read_text())
-
-
 def name_of(path: Path) -> str:
     parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
@@ -106,11 +104,10 @@ def statements(tree: ast.AST) -> Iterator[ast.AST]:
             yield from statements(each)
 
 
-@cache
-def imports(tree: ast.AST) -> list[tuple[int, str]]:
+def imports_in(text: str) -> Imports:
     """Return line and full name of everything imported, of `from a import b` both a and a.b."""
     found = []
-    for node in statements(tree):
+    for node in statements(ast.parse(text)):
         if isinstance(node, ast.Import):
             found += [(node.lineno, alias.name) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
@@ -119,6 +116,12 @@ def imports(tree: ast.AST) -> list[tuple[int, str]]:
             found.append((node.lineno, node.module))
             found += [(node.lineno, f"{node.module}.{alias.name}") for alias in node.names]
     return found
+
+
+@cache
+def imports_of(path: Path) -> Imports:
+    """Return the imports of a file; its tree, which is a thousand times as large, is not kept."""
+    return imports_in(path.read_text())
 
 
 def part_of(name: str) -> str:
@@ -145,19 +148,19 @@ def wrong_inside(order: list[str], importer: list[str], imported: list[str]) -> 
     return mine not in order or theirs not in order or order.index(theirs) > order.index(mine)
 
 
-def layer_faults(path: Path, tree: ast.AST) -> Iterator[str]:
+def layer_faults(path: Path, imports: Imports) -> Iterator[str]:
     name = name_of(path)
     if part_of(name) and part_of(name) not in RANK:
         yield f"{path}: {name} is in no row of the import order"
         return
-    for line, imported in imports(tree):
+    for line, imported in imports:
         if imported.split(".")[0] == "crs_cc" and wrong_layer(name, imported):
             yield f"{path}:{line}: {name} imports {imported}"
 
 
-def third_party_faults(path: Path, tree: ast.AST) -> Iterator[str]:
+def third_party_faults(path: Path, imports: Imports) -> Iterator[str]:
     inside = path.relative_to(PACKAGE).as_posix()
-    for line, imported in imports(tree):
+    for line, imported in imports:
         package = imported.split(".")[0]
         if package in {"crs_cc", *sys.stdlib_module_names, *ANYWHERE}:
             continue
@@ -167,9 +170,9 @@ def third_party_faults(path: Path, tree: ast.AST) -> Iterator[str]:
             yield f"{path}:{line}: {package} does not belong here"
 
 
-def faults(find: Callable[[Path, ast.AST], Iterator[str]]) -> str:
+def faults(find: Callable[[Path, Imports], Iterator[str]]) -> str:
     """Return what is wrong with all modules, one line for each fault."""
-    return "\n".join(fault for path in modules() for fault in find(path, parsed(path)))
+    return "\n".join(fault for path in modules() for fault in find(path, imports_of(path)))
 
 
 def test_modules_import_only_earlier_layers() -> None:
@@ -183,7 +186,7 @@ def test_third_party_packages_stay_where_they_belong() -> None:
 def test_there_are_no_import_cycles() -> None:
     paths = {name_of(path): path for path in modules() if path.name != "__init__.py"}
     graph = {
-        name: {imported for _, imported in imports(parsed(path)) if imported in paths} - {name}
+        name: {imported for _, imported in imports_of(path) if imported in paths} - {name}
         for name, path in paths.items()
     }
     try:
@@ -199,8 +202,8 @@ def test_files_are_short_enough_to_be_read() -> None:
 
 
 def test_the_rules_can_fail() -> None:
-    tree = ast.parse("def f():\n    from crs_cc.runtime import link\nimport wasmtime\n")
-    found = {name for _, name in imports(tree)}
+    source = "def f():\n    from crs_cc.runtime import link\nimport wasmtime\n"
+    found = {name for _, name in imports_in(source)}
     assert found == {"crs_cc.runtime", "crs_cc.runtime.link", "wasmtime"}
     assert wrong_layer("crs_cc.frontend.parse", "crs_cc.runtime.link")
     assert wrong_layer("crs_cc.ir.text", "crs_cc.cli.main")
@@ -210,7 +213,7 @@ def test_the_rules_can_fail() -> None:
     assert wrong_layer("crs_cc.sim.state.drive", "crs_cc.runtime.fleet")
     assert not wrong_layer("crs_cc.sim.kernels.program", "crs_cc.toolchain.kernels")
     assert not wrong_layer("crs_cc.sim.devices.drive", "crs_cc.sim.state.drive")
-    misplaced = ast.parse("import lxml\nimport requests\nfrom crs_cc.cli import main\n")
+    misplaced = imports_in("import lxml\nimport requests\nfrom crs_cc.cli import main\n")
     path = PACKAGE / "ir" / "text.py"
     assert list(third_party_faults(path, misplaced)) == [
         f"{path}:1: lxml does not belong here", f"{path}:2: requests is no dependency"

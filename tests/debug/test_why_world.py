@@ -86,7 +86,7 @@ def test_a_robot_is_where_its_command_and_what_that_was_computed_from_brought_it
 
 
 def test_what_a_robot_touches_is_a_cause(debugger: Debugger) -> None:
-    debugger.goto_time(60.0)
+    debugger.goto_time(15.0)  # it has stood at the crate, which a post stops, for some seconds
     found = texts(debugger, "near.x")
     assert any(each.startswith("it touches crate") for each in found), found
     assert any(each.startswith("near touched crate at") for each in found), found
