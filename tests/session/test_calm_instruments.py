@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crs_cc.runtime.executable import Executable
 from crs_cc.session.session import Session
 from crs_cc.sim import files
 from crs_cc.sim.devices.compass import compasses
@@ -112,10 +113,18 @@ def world_of(name: str, folder: Path) -> WorldModel:
     return load_world(file)
 
 
+@pytest.fixture(scope="module")
+def looking(tmp_path_factory: pytest.TempPathFactory) -> Executable:
+    """Return the program that looks, for all worlds."""
+    return build(tmp_path_factory.mktemp("looks"), LOOKS)
+
+
 @pytest.mark.parametrize("world", WORLDS)
-def test_rings_and_compasses_measure_the_same(world: str, tmp_path: Path) -> None:
+def test_rings_and_compasses_measure_the_same(
+    world: str, looking: Executable, tmp_path: Path
+) -> None:
     model = world_of(world, tmp_path)
-    passed = compare(model, [build(tmp_path, LOOKS)] * 3, 160)
+    passed = compare(model, [looking] * 3, 160)
     assert passed >= CALM.get(world, 80)
 
 
@@ -125,8 +134,8 @@ def test_errors_are_drawn_as_often_as_they_are_needed(tmp_path: Path) -> None:
     assert compare(model, [build(tmp_path, program)] * 3, 90) > 80
 
 
-def test_the_programs_see_something(tmp_path: Path) -> None:
-    session = Session(world_of("mixed", tmp_path), [build(tmp_path, LOOKS)] * 3, 5)
+def test_the_programs_see_something(looking: Executable, tmp_path: Path) -> None:
+    session = Session(world_of("mixed", tmp_path), [looking] * 3, 5)
     while session.timesteps < 100:
         session.step()
     state = session.environment.state

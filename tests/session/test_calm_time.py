@@ -5,11 +5,14 @@ Each test runs the same programs in the same world with and without it.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import pytest
 
 from crs_cc.core.source import Diagnostics
+from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.turns import RECORD
 from crs_cc.session import calm_programs
 from crs_cc.session.build import build_executable
@@ -19,7 +22,14 @@ from crs_cc.sim.kernels.calm import RECORD_SIZE
 from crs_cc.sim.kernels.program import executable
 from crs_cc.sim.model.degradation import Degradation
 from crs_cc.sim.model.world import Pose, WorldModel
-from tests.session.both_ways import CalmObserver, Observer, compare, frame_of, start
+from tests.session.both_ways import (
+    CalmObserver,
+    Observer,
+    compare,
+    compare_results,
+    frame_of,
+    start,
+)
 from tests.session.programs import build
 
 ROOT = Path(__file__).parents[2]
@@ -186,30 +196,38 @@ def world_of(name: str, folder: Path) -> WorldModel:
     return load_world(file)
 
 
+@pytest.fixture(scope="module")
+def program(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Executable]:
+    """Return a function that builds one of `PROGRAMS`, once for all worlds."""
+    folder = tmp_path_factory.mktemp("programs")
+    return cache(lambda name: build(folder, PROGRAMS[name], f"{name}.c"))
+
+
 @pytest.mark.parametrize("world", WORLDS)
-def test_states_and_answers_are_the_same_in_every_world(world: str, tmp_path: Path) -> None:
+def test_states_and_answers_are_the_same_in_every_world(
+    world: str, program: Callable[[str], Executable], tmp_path: Path
+) -> None:
     model = world_of(world, tmp_path)
-    program = build(tmp_path, PROGRAMS["anything"])
-    passed = compare(model, [program] * len(model.robots), 100)
+    passed = compare(model, [program("anything")] * len(model.robots), 100)
     assert passed > 5 or world in ("comings and goings", "sonars fail", "cover", "follow")
 
 
 @pytest.mark.parametrize(("world", "calm"), [("goals", 100), ("bring", 200), ("cover", 0)])
-def test_goals_are_met_and_fail_in_the_same_timestep(world: str, calm: int, tmp_path: Path) -> None:
+def test_goals_are_met_and_fail_in_the_same_timestep(
+    world: str, calm: int, program: Callable[[str], Executable], tmp_path: Path
+) -> None:
     model = world_of(world, tmp_path)
-    programs = [build(tmp_path, PROGRAMS["drives"])] * 3
-    assert compare(model, programs, 300) >= calm
-    session, _ = start(model, programs, Observer())
-    while session.timesteps < 300:
-        session.step()
-    statuses = [goal.status for goal in session.result().goals]
-    assert statuses == STATUSES[world]
+    passed, result = compare_results(model, [program("drives")] * 3, 300)
+    assert passed >= calm
+    assert [goal.status for goal in result.goals] == STATUSES[world]
 
 
 @pytest.mark.parametrize("name", ["reads", "ends", "waits", "tells"])
-def test_states_and_answers_are_the_same_for_every_program(name: str, tmp_path: Path) -> None:
+def test_states_and_answers_are_the_same_for_every_program(
+    name: str, program: Callable[[str], Executable], tmp_path: Path
+) -> None:
     model = world_of("three robots", tmp_path)
-    assert compare(model, [build(tmp_path, PROGRAMS[name])] * 3, STEPS.get(name, 60)) > 20
+    assert compare(model, [program(name)] * 3, STEPS.get(name, 60)) > 20
 
 
 def test_a_robot_that_runs_into_a_wall_does_the_same(tmp_path: Path) -> None:
@@ -222,18 +240,21 @@ def test_most_of_wander_is_calm() -> None:
     assert compare(load_world(ROOT / "worlds" / "room.xml"), [program], 250) > 200
 
 
-def test_checked_kernels_do_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_checked_kernels_do_the_same(
+    program: Callable[[str], Executable], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     checked = executable(checked=True)
     monkeypatch.setattr(calm_programs, "executable", lambda **_: checked)
-    program = build(tmp_path, PROGRAMS["anything"])
-    assert compare(world_of("errors", tmp_path), [program] * 3, 60) > 0
+    assert compare(world_of("errors", tmp_path), [program("anything")] * 3, 60) > 0
 
 
 @pytest.mark.parametrize("world", ["one robot", "places"])
-def test_a_change_from_outside_is_noticed(world: str, tmp_path: Path) -> None:
-    program, hashes = build(tmp_path, PROGRAMS["reads"]), []
+def test_a_change_from_outside_is_noticed(
+    world: str, program: Callable[[str], Executable], tmp_path: Path
+) -> None:
+    hashes = []
     for is_allowed in (True, False):
-        session, _ = start(world_of(world, tmp_path), [program], Observer())
+        session, _ = start(world_of(world, tmp_path), [program("reads")], Observer())
         session.calm.is_allowed = is_allowed
         for name, place in (("a", Pose(2.0, 1.0)), ("a", Pose(6.0, 4.0)), ("box", Pose(1.0, 4.0))):
             for end in (session.timesteps + 20, session.timesteps + 40):
@@ -245,11 +266,13 @@ def test_a_change_from_outside_is_noticed(world: str, tmp_path: Path) -> None:
     assert hashes[0] == hashes[1]
 
 
-@pytest.mark.parametrize("program", ["reads", "sleeps"])
-def test_a_degradation_by_a_control_that_was_kept_is_noticed(program: str, tmp_path: Path) -> None:
-    built, hashes = build(tmp_path, PROGRAMS[program]), []
+@pytest.mark.parametrize("name", ["reads", "sleeps"])
+def test_a_degradation_by_a_control_that_was_kept_is_noticed(
+    name: str, program: Callable[[str], Executable], tmp_path: Path
+) -> None:
+    hashes = []
     for is_calm in (True, False):
-        session, _ = start(world_of("one robot", tmp_path), [built], Observer())
+        session, _ = start(world_of("one robot", tmp_path), [program(name)], Observer())
         session.calm.is_allowed = session.environment.skips_quiet_time = is_calm
         control = session.environment.degradations
         for end in (20, 40):
