@@ -69,12 +69,12 @@ class OdometryPrediction:
         rows = np.minimum(robots, self._robots - 1)
         # Columns: numpy takes much longer for many short rows.
         begin = self._odometry.take(before * self._robots + rows, axis=1)
-        way = self._odometry.take(after * self._robots + rows, axis=1) - begin
-        way[2] = wrapped_angle(way[2])
+        change = self._odometry.take(after * self._robots + rows, axis=1) - begin
+        change[2] = wrapped_angle(change[2])
         begin_us = times[before]
         lasts = np.maximum(times[after] - begin_us, 1)
         gone = (times_us - begin_us).clip(-lasts, lasts)
-        found = begin + floor_quotient(2 * way * gone + lasts, 2 * lasts)
+        found = begin + floor_quotient(2 * change * gone + lasts, 2 * lasts)
         found[:2] = floor_quotient(20 * found[:2] + _INCH, 2 * _INCH)
         per, unit = _DEGREES
         found[2] = floor_quotient(found[2] * per + unit // 2, unit)

@@ -1,6 +1,6 @@
 """The files of a run as attachments, and back on a disk.
 
-Attachments are named by the way from the deepest folder that holds all files, so nothing of the
+Attachments are named by the path from the deepest folder that holds all files, so nothing of the
 recording machine is in them besides that. Names in a recording are not trusted: a file is only ever
 written below the folder that is given.
 
@@ -35,7 +35,7 @@ class SourceTree:
 
     Attributes:
         roots: the folders on the recording machine, with their names in the tree.
-        contents: their contents, by the way from there.
+        contents: their contents, by the path from there.
     """
 
     roots: Mapping[Path, str]

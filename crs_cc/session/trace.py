@@ -101,7 +101,7 @@ def line(slice_: RobotSlice) -> str:
     'VM 1/-  turret 90.00 deg'
     """
     parts = [f"{slice_.command or '-'}{_count(slice_)}"]
-    parts += [f"{axis.name} {_distance(axis, axis.way)} {_unit(axis)}" for axis in slice_.axes]
+    parts += [f"{axis.name} {_distance(axis, axis.motion)} {_unit(axis)}" for axis in slice_.axes]
     if slice_.command and all(axis.total is not None for axis in slice_.axes):
         done = ",".join(_distance(axis, axis.travelled) for axis in slice_.axes)
         total = ",".join(_distance(axis, axis.total or 0.0) for axis in slice_.axes)

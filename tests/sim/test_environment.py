@@ -110,7 +110,7 @@ def test_mv_commands_each_wheel_in_its_own_mode():
     driver.ask("MV", 1, 100, 2, 30, 0, 0)  # MV_VM right, MV_PR left
     steps = driver.run_s(3)
     assert driver.state.drive.axes.speed[0] == pytest.approx([10 * INCH, 0, 0])
-    assert sum(step.slices.way[0, 1] for step in steps) == pytest.approx(3 * INCH)
+    assert sum(step.slices.motion[0, 1] for step in steps) == pytest.approx(3 * INCH)
     driver.ask("MV", 3, 0, 0, 0, 0, 0)  # MV_LP right
     driver.run_s(2)
     assert driver.ask("GS")[MOTOR_STATUS] == 0
@@ -373,9 +373,9 @@ def test_slices_are_numbered_and_add_up_to_command():
     assert [part.number for part in runs] == list(range(1, 32))  # 1.5 s from 0.02 s: 31 cycles
     assert {part.count for part in runs} == {31}
     for axis, way_m in enumerate((10 * INCH, -5 * INCH)):
-        assert sum(part.axes[axis].way for part in runs) == pytest.approx(way_m, abs=1e-12)
+        assert sum(part.axes[axis].motion for part in runs) == pytest.approx(way_m, abs=1e-12)
         assert runs[-1].axes[axis].travelled == runs[-1].axes[axis].total == pytest.approx(way_m)
-        assert all(part.axes[axis].way == 0 for part in parts[31:])
+        assert all(part.axes[axis].motion == 0 for part in parts[31:])
 
 
 def test_endless_command_has_slices_without_count():

@@ -103,7 +103,7 @@ class Fields:
         self._put(state, cells, deposit.astype(np.int64))
 
     def lay(self, state: EnvState, trails: Trails) -> None:
-        """Deposit what robots lay in a timestep, evenly along their ways.
+        """Deposit what robots lay in a timestep, evenly along their paths.
 
         Args:
             state: changed in place.

@@ -81,7 +81,7 @@ class Slices:
         command: code of the command, 0 when the axes were at rest, (robots,).
         number: which slice of the command it was, from 1, (robots,).
         count: number of all its slices, 0 for a command without an end, (robots,).
-        way: motion of each axis in this cycle [m or rad], (robots, 3).
+        motion: motion of each axis in this cycle [m or rad], (robots, 3).
         travelled: its motion since the command, (robots, 3).
         total: the commanded motion; NaN for a command without an end, (robots, 3).
         waiting: whether the robot waits (`ws`, `crs_receive`), (robots,).
@@ -92,7 +92,7 @@ class Slices:
     command: Int64Array
     number: Int64Array
     count: Int64Array
-    way: FloatArray
+    motion: FloatArray
     travelled: FloatArray
     total: FloatArray
     waiting: BoolArray
@@ -106,7 +106,7 @@ NO_SLICES: Final = Slices(
     command=_NOBODY,
     number=_NOBODY,
     count=_NOBODY,
-    way=_NOTHING,
+    motion=_NOTHING,
     travelled=_NOTHING,
     total=_NOTHING,
     waiting=_NOBODY != 0,
@@ -194,13 +194,13 @@ class AxisSlice:
 
     Attributes:
         name: name of the axis: `right`, `left`, `translation`, `steering`, `turret`.
-        way: its motion in this cycle.
+        motion: its motion in this cycle.
         travelled: its motion since the command.
         total: the commanded motion; None when it has no end.
     """
 
     name: str
-    way: float
+    motion: float
     travelled: float
     total: float | None
 
@@ -240,7 +240,7 @@ def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: fl
         command=np.where(runs, state.drive.command, 0),
         number=number,
         count=np.where(endless, 0, count),
-        way=state.drive.slice.copy(),
+        motion=state.drive.slice.copy(),
         travelled=state.drive.axes.travelled.copy(),
         total=state.drive.axes.total.copy(),
         waiting=state.waits.code != 0,
@@ -256,15 +256,15 @@ def describe_slice(step: Step, robot: int) -> RobotSlice:
 def slice_of(slices: Slices, robot: int, answers: tuple[Answer, ...] = ()) -> RobotSlice:
     """Return the motion of one robot's axes as plain values, with the answered requests."""
     code, count = int(slices.command[robot]), int(slices.count[robot])
-    rows = (slices.way[robot], slices.travelled[robot], slices.total[robot])
-    ways = zip(*(row.tolist() for row in rows), strict=True)
+    rows = (slices.motion[robot], slices.travelled[robot], slices.total[robot])
+    motions = zip(*(row.tolist() for row in rows), strict=True)
     return RobotSlice(
         command=REQUESTS[code].name if code else "",
         number=int(slices.number[robot]),
         count=count or None,
         axes=tuple(
-            AxisSlice(name, way, travelled, None if math.isnan(total) else total)
-            for name, (way, travelled, total) in zip(slices.axes[robot], ways, strict=False)
+            AxisSlice(name, motion, travelled, None if math.isnan(total) else total)
+            for name, (motion, travelled, total) in zip(slices.axes[robot], motions, strict=False)
         ),
         waiting=bool(slices.waiting[robot]),
         answers=answers,

@@ -103,7 +103,7 @@ def plan_move(
     axes: Axes,
     rows: Rows,
     now_s: FloatArray,
-    way: FloatArray,
+    distance: FloatArray,
     *,
     limit: FloatArray | float,
     ramp: FloatArray | float,
@@ -118,7 +118,7 @@ def plan_move(
         axes: their profiles; must have been advanced to `now_s`.
         rows: the robots, k of them.
         now_s: time of the command, shape (k,).
-        way: distance relative to the current position, shape (k, 3).
+        distance: distance relative to the current position, shape (k, 3).
         limit: maximum speed, greater than 0.
         ramp: acceleration, greater than 0.
         begun: distance since the command before this profile.
@@ -127,9 +127,9 @@ def plan_move(
     # In the direction `side`, braking at once ends at the target or before it; so the axis has
     # time to reach a peak: from v to p to 0 takes the distance (p^2 - v^2) / 2a + p^2 / 2a.
     first = take(axes.speed, rows)
-    spare = way - first * np.abs(first) / (2 * ramp)
+    spare = distance - first * np.abs(first) / (2 * ramp)
     side = np.where(np.abs(spare) > _NO_WAY, np.sign(spare), np.sign(first))
-    speed, ahead = side * first, side * way
+    speed, ahead = side * first, side * distance
     peak = np.sqrt(np.maximum(ramp * ahead + speed * speed / 2, 0.0))
     peak = np.where(np.abs(spare) > _NO_WAY, np.minimum(peak, limit), speed)
     ramp_s = np.abs(peak - speed) / ramp
@@ -148,7 +148,7 @@ def plan_move(
         cruise_s=np.divide(cruise, peak, out=np.zeros_like(peak), where=cruises),
         brake_s=brake_s,
         begun=begun,
-        total=begun + way,
+        total=begun + distance,
         limit=limit,
         rate=ramp,
     )
@@ -165,14 +165,14 @@ def advance(axes: Axes, rows: Rows, to_s: FloatArray) -> FloatArray:
     Returns:
         the distance of each axis, shape (k, 3): the slice.
     """
-    way = np.empty((len(to_s), AXES))
+    distance = np.empty((len(to_s), AXES))
     for some, part in parts(rows, len(to_s), ROBOTS_AT_ONCE):
         k = part.stop - part.start
         found = kernels().columns(PROFILES, k, [*axes.profiles(some), to_s[part]])
         end = 10 * AXES * k
         axes.travelled[some] = found[end - AXES * k : end].reshape(-1, AXES)
-        way[part], axes.speed[some] = found[end + k : end + 7 * k].reshape(2, k, AXES)
-    return way
+        distance[part], axes.speed[some] = found[end + k : end + 7 * k].reshape(2, k, AXES)
+    return distance
 
 
 def fall_short(axes: Axes, rows: Rows, now_s: FloatArray, short: FloatArray) -> None:

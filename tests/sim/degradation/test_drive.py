@@ -168,7 +168,7 @@ def test_dropouts_of_a_motor_stop_it_for_a_timestep_each():
     before = truth(driver)[0]
     driver.run(160)
     went = math.hypot(truth(driver)[0] - before, truth(driver)[1])
-    steps = np.array([step.slices.way[0, :2] for step in driver.steps[20:]]) / INCH
+    steps = np.array([step.slices.motion[0, :2] for step in driver.steps[20:]]) / INCH
     assert set(np.round(steps.ravel(), 6)) == {0.0, 0.5}
     assert steps.sum(axis=0) == pytest.approx([60, 60], abs=8)
     assert went > 0
@@ -180,7 +180,7 @@ def test_the_noise_of_a_motor_adds_up_as_a_random_walk():
     fault = '<degradation robot="robot{}" device="drive" noise="2in/s"/>'
     driver = Driver.of(open_world(robots + "".join(fault.format(n) for n in range(40))))
     driver.run(60)
-    ends = sum(step.slices.way[:, :2] for step in driver.steps) / INCH
+    ends = sum(step.slices.motion[:, :2] for step in driver.steps) / INCH
     assert ends.std() == pytest.approx(0.1 * math.sqrt(60), rel=0.25)
     assert abs(np.corrcoef(ends.T)[0, 1]) < 0.45
 

@@ -76,7 +76,7 @@ def test_nothing_breaks(seed, kind):
             name = str(rng.choice([each.id for each in control.all()]))
             control.change(name, gain=0.5, delay_s=float(rng.choice([0.0, 0.2])))
         step = environment.step()
-        assert np.isfinite(step.slices.way).all()
+        assert np.isfinite(step.slices.motion).all()
     state = environment.state
     for array in (state.bodies.position_m, state.heading_rad, state.odometry.x_m,
                   state.odometry.heading_rad, state.drive.axes.travelled):  # fmt: skip

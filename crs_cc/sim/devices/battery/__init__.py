@@ -1,7 +1,7 @@
 """The batteries: discharge, reported voltages, and the effect of an empty battery.
 
     energy used = power * time + work / efficiency + stall power * time held back
-    work        = sum over the axes of  friction * |way| + m / 2 * max(0, v1^2 - v0^2)
+    work        = sum over the axes of  friction * |motion| + m / 2 * max(0, v1^2 - v0^2)
 
 in joules: friction along the whole distance, and for each cycle in which an axis accelerates from
 v0 to v1 the kinetic energy of the mass m that it moves: the robot's, or half of it for each of two

@@ -129,8 +129,8 @@ def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> Flo
             begin = rings.begin
             if begin.any():
                 rings.keep(np.zeros_like(speeds[some]), since_s, begin)
-            ways = speeds[some] * (to_s - since_s)
-            rings.memory[rings.sum_at[rings.touched]] += ways[rings.touched]
+            motions = speeds[some] * (to_s - since_s)
+            rings.memory[rings.sum_at[rings.touched]] += motions[rings.touched]
             rings.keep(rings.memory[rings.sum_at], to_s, rings.touched)
         for_s = np.maximum(to_s - since_s, _MIN_AVERAGING_S)
         ago_s = to_s - passing.of("delay_s")[some]

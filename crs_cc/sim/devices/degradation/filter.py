@@ -156,7 +156,7 @@ class Degradations:
         state: EnvState,
         device: str,
         rows: IndexArray | slice,
-        ways: FloatArray,
+        motions: FloatArray,
         *,
         from_s: FloatArray,
         to_s: FloatArray,
@@ -168,27 +168,27 @@ class Degradations:
             state: changed in place: the memory of past values.
             device: one of `MOTIONS`.
             rows: the robots, each at most once, k of them.
-            ways: the motion of each axis, shape (k, 3).
+            motions: the motion of each axis, shape (k, 3).
             from_s: the start of each robot's interval, (k,).
             to_s: its end, (k,).
             limit: maximum speed of the axes of each robot, (robots, 3); None for no limit.
 
         Returns:
-            the motions, shape (k, 3); `ways` itself without degradations.
+            the motions, shape (k, 3); `motions` itself without degradations.
         """
         if not state.degradation.present[number_of(device)]:
-            return ways
+            return motions
         robots = np.arange(len(state.degradation.made))[rows]
         for_s = (to_s - from_s)[:, None]
         runs = np.flatnonzero(for_s[:, 0] > 0.0)
-        commanded = ways[runs] / for_s[runs]
+        commanded = motions[runs] / for_s[runs]
         instants = (from_s[runs], to_s[runs])
         speeds = self._speeds(state, device, robots[runs], commanded.copy(), instants, writes=True)
         if limit is not None:
             speeds = np.clip(speeds, -limit[robots[runs]], limit[robots[runs]])
-        other = ways.copy()
+        other = motions.copy()
         # Elements without a degradation stay the same to the last bit.
-        other[runs] = np.where(speeds == commanded, ways[runs], speeds * for_s[runs])
+        other[runs] = np.where(speeds == commanded, motions[runs], speeds * for_s[runs])
         return other
 
     def speeds(

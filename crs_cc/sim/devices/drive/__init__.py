@@ -145,22 +145,22 @@ def _advance_axes(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
     """Advance the axes of robots, some of which are degraded, or on slopes."""
-    way = motion_profile.advance(state.drive.axes, rows, to_s)
+    motion = motion_profile.advance(state.drive.axes, rows, to_s)
     from_s = state.drive.clock_s[rows].copy()
     move, limit = constants.degradations.move, constants.drives.speed_limit
-    way = move(state, "drive", rows, way, from_s=from_s, to_s=to_s, limit=limit)
-    turned = traction.turned(state, constants, rows, way, to_s - from_s)
+    motion = move(state, "drive", rows, motion, from_s=from_s, to_s=to_s, limit=limit)
+    turned = traction.turned(state, constants, rows, motion, to_s - from_s)
     state.drive.clock_s[rows] = to_s
     counted = move(state, "odometry", rows, turned, from_s=from_s, to_s=to_s)
     if turned.any() or counted.any():
         state.drive.slice[rows] += turned
         odometry.count_turns(state, constants, rows, counted)
-    way = move(state, "wheels", rows, way, from_s=from_s, to_s=to_s, limit=limit)
-    if not way.any():
+    motion = move(state, "wheels", rows, motion, from_s=from_s, to_s=to_s, limit=limit)
+    if not motion.any():
         return
     facing_rad = state.drive.facing_rad[rows]
-    turn_rad = weighted(way, take(constants.drives.true_turn, rows))
-    arc_m = weighted(way, take(constants.drives.true_forward, rows))
+    turn_rad = weighted(motion, take(constants.drives.true_turn, rows))
+    arc_m = weighted(motion, take(constants.drives.true_forward, rows))
     x_m, y_m = odometry.arc(facing_rad, arc_m, turn_rad)
     if constants.inclines is not None:
         place_m = state.bodies.position_m[: len(state.heading_rad)][rows]
@@ -169,7 +169,7 @@ def _advance_axes(
     state.drive.moved_m[rows, 1] += y_m
     state.drive.facing_rad[rows] = facing_rad + turn_rad
     if constants.drives.turrets:
-        state.drive.turret_rad[rows] += way[:, 2]
+        state.drive.turret_rad[rows] += motion[:, 2]
 
 
 # -- commands --------------------------------------------------------------------------------------
@@ -401,9 +401,9 @@ def turn_turret(
     """
     turret = np.arange(AXES) == AXES - 1
     now_s, ramp = state.drive.clock_s[rows], state.drive.ramp[rows]
-    way, limit = np.full_like(ramp, turn_rad), np.broadcast_to(speed_radps[:, None], ramp.shape)
+    motion, limit = np.full_like(ramp, turn_rad), np.broadcast_to(speed_radps[:, None], ramp.shape)
     motion_profile.plan_move(
-        state.drive.axes, rows, now_s, way, limit=limit, ramp=ramp, which=turret
+        state.drive.axes, rows, now_s, motion, limit=limit, ramp=ramp, which=turret
     )
 
 

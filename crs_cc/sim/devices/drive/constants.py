@@ -1,7 +1,7 @@
 """The drives of all robots of a world, as arrays.
 
-A drive is linear: the way that the robot goes, and the angle by which it turns, are sums of the
-ways of its axes, each with a weight. So differential and synchro drives share all formulas.
+A drive is linear: the distance that the robot moves, and the angle by which it turns, are sums of
+the motions of its axes, each with a weight. So differential and synchro drives share all formulas.
 
     differential:  forward = (right + left) / 2   turn = (right - left) / wheel base
     synchro:       forward = translation          turn = steering
@@ -135,18 +135,18 @@ class Drives:
         )
 
 
-def weighted(ways: FloatArray, weights: FloatArray) -> FloatArray:
+def weighted(motions: FloatArray, weights: FloatArray) -> FloatArray:
     """Return the weighted sum of each row; both arguments of shape (k, n)."""
     # Column by column: fast, and bitwise equal for one robot and a thousand.
-    total = ways[:, 0] * weights[:, 0]
-    for column in range(1, ways.shape[1]):
-        total += ways[:, column] * weights[:, column]
+    total = motions[:, 0] * weights[:, 0]
+    for column in range(1, motions.shape[1]):
+        total += motions[:, column] * weights[:, column]
     return np.asarray(total)
 
 
 def _units(drive: Drive) -> list[float]:
-    way, angle = tenths_inch_to_m(1.0), tenths_deg_to_rad(1.0)
-    units = [way, way, 0.0] if drive.steering is None else [way, angle, angle]
+    length, angle = tenths_inch_to_m(1.0), tenths_deg_to_rad(1.0)
+    units = [length, length, 0.0] if drive.steering is None else [length, angle, angle]
     return [unit if axis else 0.0 for unit, axis in zip(units, drive.axes, strict=True)]
 
 
@@ -171,8 +171,8 @@ def _wheels(wrong: Odometry) -> tuple[float, float]:
 
 
 def _counts(drive: Drive, wrong: Odometry) -> list[float]:
-    way, angle = wrong.resolution_m or _FINEST, wrong.resolution_rad or _FINEST
-    return [way, way, way] if drive.steering is None else [way, angle, angle]
+    length, angle = wrong.resolution_m or _FINEST, wrong.resolution_rad or _FINEST
+    return [length, length, length] if drive.steering is None else [length, angle, angle]
 
 
 def _rows(values: list[list[float]]) -> FloatArray:

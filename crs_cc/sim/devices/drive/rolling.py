@@ -1,7 +1,7 @@
 """Rolling: differences between the true motion of wheels and that assumed by odometry.
 
-    true way  = sum of the axes' ways, each with its true weight (`drives`), + random way
-    true turn = the same with the weights of turning                        + random turn
+    true distance = sum of the axes' motions, each with its true weight (`drives`), + random part
+    true turn     = the same with the weights of turning                            + random part
 
 Systematic: the wheels of a differential drive differ (right over left diameter, the mean being what
 it should be), their distance is not the nominal one, all wheels are larger or smaller than they
@@ -9,9 +9,9 @@ should be, a synchro drive turns a little with each metre. The first two are Ed 
 J. Borenstein, L. Feng, "UMBmark: a method for measuring, comparing, and correcting dead-reckoning
 errors in mobile robots", 1995.
 
-Random: after the way s and the turn t the way is off by a normal deviate with the standard
+Random: after the distance s and the turn t, the distance is off by a normal deviate of standard
 deviation way_noise * sqrt(s), the direction by sqrt(turn_noise^2 * s + spin_noise^2 * t); s in
-metres, t in full turns. Each timestep adds its own share, so both walk at random.
+metres, t in full turns. Each timestep adds its own part, so both are random walks.
 """
 
 from __future__ import annotations
@@ -58,8 +58,8 @@ class RollingNoise:
         slice_ = state.drive.slice[robots]
         arc_m = np.abs(weighted(slice_, constants.drives.forward[robots]))
         turn_rad = np.abs(weighted(slice_, constants.drives.turn[robots]))
-        way, turn = self._noise.rows(robots, np.full(len(robots), state.cycle)).T
-        off_m = way * self._distance_noise_m * np.sqrt(arc_m)
+        along, turn = self._noise.rows(robots, np.full(len(robots), state.cycle)).T
+        off_m = along * self._distance_noise_m * np.sqrt(arc_m)
         spin_rad = self._spin_rad * np.sqrt(turn_rad / _TURN)
         facing_rad = state.drive.facing_rad[robots]
         state.drive.moved_m[robots, 0] += off_m * exact.cos(facing_rad)

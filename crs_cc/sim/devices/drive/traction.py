@@ -69,7 +69,7 @@ def turned(
     state: EnvState,
     constants: RobotConstants,
     rows: IndexArray | slice,
-    way: FloatArray,
+    motion: FloatArray,
     for_s: FloatArray,
 ) -> FloatArray:
     """Return the motion that encoders count while the motors turn the axes.
@@ -78,19 +78,19 @@ def turned(
         state: changed in place.
         constants: the robots' constants.
         rows: which robots, k of them.
-        way: motion of each axis by the motors, shape (k, 3).
+        motion: motion of each axis by the motors, shape (k, 3).
         for_s: duration of it, shape (k,).
 
     Returns:
         the counted motion, shape (k, 3).
     """
     if not state.drive.hindered.any():
-        return way
-    driven_m = weighted(way, constants.drives.forward[rows])
+        return motion
+    driven_m = weighted(motion, constants.drives.forward[rows])
     ahead_m = driven_m - state.drive.forward_mps[rows] * for_s
     ahead_m = np.where(state.drive.hindered[rows], ahead_m, 0.0)
     state.drive.ahead_m[rows] += ahead_m
-    return np.asarray(way - ahead_m[:, None] * constants.drives.rolls[rows])
+    return np.asarray(motion - ahead_m[:, None] * constants.drives.rolls[rows])
 
 
 def speed(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:

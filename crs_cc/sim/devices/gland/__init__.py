@@ -1,7 +1,7 @@
 """The gland, which deposits pheromone on the floor: at once, or as a trail.
 
 `crs_deposit` deposits an amount in the cell under the robot's centre. `crs_lay_trail` makes the
-robot deposit an amount per metre driven, evenly along the way of each timestep; a robot that stands
+robot deposit an amount per metre driven, evenly along the path of each timestep; a robot at rest
 deposits nothing, and one that is carried elsewhere leaves no trail between. A robot lays one trail
 at a time. `devices.fields` describes the fields.
 
@@ -138,8 +138,8 @@ class Glands:
         laying = ALL if all_of(lays) else lays
         rows, per_m = rows[laying], glands.per_m[laying]
         per_m = self._altered(state, constants, rows, per_m, np.full(len(rows), at_s))
-        ways = position_m[laying], from_m[laying], moved_m[laying]
-        self._fields.lay(state, Trails(*ways, per_m, glands.field[laying]))
+        trails = position_m[laying], from_m[laying], moved_m[laying]
+        self._fields.lay(state, Trails(*trails, per_m, glands.field[laying]))
 
     def _asked(self, context: RequestContext) -> tuple[BoolArray, IndexArray]:
         """Return which requests are good, (k,), and the numbers of their glands."""

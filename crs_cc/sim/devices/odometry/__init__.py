@@ -2,14 +2,14 @@
 
 A differential drive, with the motion of its right and left wheel:
 
-    turn = (right - left) / wheel base
-    way  = (right + left) / 2
+    turn     = (right - left) / wheel base
+    distance = (right + left) / 2
 
-A synchro drive measures way and turn by its axes 1 and 2. While the speeds of the axes are
-constant, the robot drives along an arc; its chord is way * sinc(turn / 2), at half the turn from
-the old heading (exact: J. Borenstein, H. R. Everett, L. Feng, "Where am I?", 1996, section 1.2, has
-the same with the arc in place of the chord). `drive.traction` specifies what is counted when a
-robot is held up.
+A synchro drive measures distance and turn by its axes 1 and 2. While the speeds of the axes are
+constant, the robot drives along an arc; its chord is distance * sinc(turn / 2), at half the turn
+from the old heading (exact: J. Borenstein, H. R. Everett, L. Feng, "Where am I?", 1996, section
+1.2, has the same with the arc in place of the chord). `drive.traction` specifies what is counted
+when a robot is held up.
 
 Encoders count in steps: the motion of an axis is reported as a whole number of them. Units on the
 interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). Odometry assumes nominal wheels;
@@ -64,13 +64,13 @@ def arc(
 
 
 def count_turns(
-    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, way: FloatArray
+    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, motion: FloatArray
 ) -> None:
     """Add the axes' motion since the last call to the odometry, in encoder counts."""
-    for some, part in parts(rows, len(way), ROBOTS_AT_ONCE):
+    for some, part in parts(rows, len(motion), ROBOTS_AT_ONCE):
         k = part.stop - part.start
         table = take(constants.drives.table, some)
-        found = kernels().columns(COUNTS, k, [table, *columns(state.odometry, some), way[part]])
+        found = kernels().columns(COUNTS, k, [table, *columns(state.odometry, some), motion[part]])
         note(state.odometry, some, found[DRIVE_SIZE * k :].reshape(-1), k)
 
 

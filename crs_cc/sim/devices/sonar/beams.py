@@ -4,9 +4,9 @@ The ping of another robot's sonar reaches a listening sonar directly. The sonar 
 it from an echo, and reports half of the distance that sound travels in the time since its own
 firing:
 
-    distance = (sent + way / (speed of sound) - fired) * (speed of sound) / 2
+    distance = (sent + apart / (speed of sound) - fired) * (speed of sound) / 2
 
-where `sent` is the time of the other robot's firing and `way` the distance between the two sonars.
+where `sent` is the time of the other robot's firing and `apart` the distance between the sonars.
 Each must be in the other's beam and range, with nothing in between, and the sound must arrive
 before the true echo. Sound that is reflected by walls is ignored. Other robots are at their
 positions at the start of the cycle, and fire in the order that they have then.

@@ -225,9 +225,9 @@ def _path(kind: int, numbers: FloatArray) -> Path | None:
     lengths_m = tenths_inch_to_m(numbers)
     start = complex(*lengths_m[0:2])
     if kind == _SEGMENT:
-        way = complex(*lengths_m[2:4]) - start
-        length_m = exact.magnitude(way)
-        return Straight(start, way / length_m, length_m) if way else None
+        delta = complex(*lengths_m[2:4]) - start
+        length_m = exact.magnitude(delta)
+        return Straight(start, delta / length_m, length_m) if delta else None
     radius_m, centre = float(lengths_m[4]), complex(*lengths_m[5:7])
     first_rad, second_rad = numbers[2:4].tolist()
     sweep_rad = min(max(second_rad - first_rad, -_TURN), _TURN)

@@ -75,7 +75,7 @@ def move_obstacle(context: RequestContext) -> BoolArray:
     """
     state, constants = context.state, context.constants
     good = np.zeros(len(context), dtype=np.bool_)
-    ways = context.columns("dx", "dy").astype(np.int64)
+    offsets = context.columns("dx", "dy").astype(np.int64)
     for row, corners in enumerate(_polygons(context)):
         before = state.obstacles
         place = _find(before, constants, corners)
@@ -83,7 +83,7 @@ def move_obstacle(context: RequestContext) -> BoolArray:
             continue
         owner = int(before.owners[place]) if place >= 0 else int(context.rows[row])
         state.obstacles = _without(before, place)
-        moved = corners + ways[row]
+        moved = corners + offsets[row]
         good[row] = _add(state, constants, owner, moved)
         if good[row]:
             content = moved.astype("<i4").reshape(-1).view(np.uint8)
