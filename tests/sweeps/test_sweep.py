@@ -231,7 +231,7 @@ def test_limits_end_a_run_and_are_its_status(folder: Path) -> None:
         "{\n    connect_robot(1);\n    for (;;)\n        ENDLESS;\n}\n"
     )
     with path.open("a") as file:
-        file.write("[parameters]\ndefine.ENDLESS = ['puts(argv[0])', ';', 'gs()']\n")
+        file.write("[parameters]\ndefine.ENDLESS = ['printf(\"%99d\", 0), gs()', ';', 'gs()']\n")
     rows = rows_of(swept(path, folder / "out"))
     assert [row["status"] for row in rows] == ["limit", "limit", "ended"]
     assert rows[0]["error"] == "printed more than 1,000 bytes"
