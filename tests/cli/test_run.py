@@ -314,7 +314,7 @@ def test_a_misbehaving_program_does_not_affect_the_other_robots(
     for program in ("hello.c", other):
         world = PAIR.replace('heading="180deg"', f'heading="180deg" program="{program}"')
         Path("pair.xml").write_text(world)
-        main(["run", "drive.c", "pair.xml", "--json", "--max-time", "1.5", "-q"])
+        main(["run", "drive.c", "pair.xml", "--json", "--max-time", "1.2", "-q"])
         left[program] = json.loads(capfd.readouterr().out)["robots"][0]
     assert left["hello.c"]["outcome"] == "exited"
     assert left[other] == left["hello.c"]
