@@ -107,12 +107,26 @@ def inaccessible() -> Code:
     """`inaccessible(address, size, bits)`: the address of the first byte that lacks the bit.
 
     If there is none, it is `FINE`, or `SOME_CONSTANT` if some may not be written. `bits` has the
-    bit in each byte. It advances by eight bytes where possible.
+    bit in each byte. It advances by 32 bytes where possible, then by eight. Addresses from 2 GiB on
+    belong to no object: 32 bytes there might go beyond the shadow.
     """
     address, left, bits, word, all_states = 0, 1, 2, 3, 4
     join = [("local.get", all_states), ("i64.and",), ("local.set", all_states)]
+    four = [("local.get", address), load(8, 0)]
+    for offset in (8, 16, 24):
+        four += [("local.get", address), load(8, offset), ("i64.and",)]
     body = [
         ("i64.const", -1), ("local.set", all_states),
+        ("block",),
+        ("local.get", address), ("i32.const", 0), ("i32.lt_s",), ("br_if", 0),
+        ("loop",),
+        ("local.get", left), ("i32.const", 32), ("i32.lt_u",), ("br_if", 1),
+        *four, ("local.tee", word),
+        ("local.get", bits), ("i64.and",), ("local.get", bits), ("i64.ne",), ("br_if", 1),
+        ("local.get", word), *join,
+        ("local.get", address), ("i32.const", 32), ("i32.add",), ("local.set", address),
+        ("local.get", left), ("i32.const", 32), ("i32.sub",), ("local.set", left),
+        ("br", 0), ("end",), ("end",),
         ("block",), ("loop",),
         ("local.get", left), ("i32.const", 8), ("i32.lt_u",), ("br_if", 1),
         ("local.get", address), load(8, 0), ("local.tee", word),

@@ -1,4 +1,4 @@
-"""Short ranges are copied and filled inline, with the same result and the same checks."""
+"""Short ranges are copied and filled inline, with the same results and checks as long ones."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ import pytest
 from crs_cc.core.source import Diagnostics
 from crs_cc.runtime.codegen.inline_ranges import MAX_COPIED, words
 from crs_cc.session.build import build_executable
+from crs_cc.session.session import Session
+from crs_cc.sim.files.world_xml import parse_world
 from tests.c.execution import Run
 
 SIZES = [1, 2, 3, 5, 7, 8, 9, 15, 16, 17, 31, 63, 64, 65, 255, 256, 257]
@@ -102,3 +104,45 @@ def test_a_message_at_the_last_addresses_names_its_first_byte(
     failure = Run(build_executable([source], Diagnostics())).to_end().failure
     assert failure is not None
     assert (failure.kind, failure.value) == ("pointer outside memory", 2**32 - distance)
+
+
+def test_a_long_fill_names_the_first_byte_outside(tmp_path: Path) -> None:
+    """Whichever of the bytes that are checked together it is."""
+    source = tmp_path / "long.c"
+    source.write_text("""
+        #include <stdlib.h>
+        #include <string.h>
+        int main(int argc, char **argv)
+        {
+            char *bytes = malloc(200);
+            return memset(bytes + atoi(argv[1]), 7, 150) == 0;
+        }""")
+    starts = range(48, 88)
+    robots = "".join(f'<robot x="{start}m" y="1m"/>' for start in starts)
+    world = f'<world version="1"><area length="99m" width="2m"/>{robots}</world>'
+    session = Session(
+        parse_world(world.encode(), "row.xml"),
+        [build_executable([source], Diagnostics())] * len(starts),
+        arguments=[["long", str(start)] for start in starts],
+    )
+    session.step()
+    for robot, start in enumerate(starts):
+        if start + 150 <= 200:
+            assert session.result().robots[robot].exit_status == 0
+            continue
+        failure = session.fleet.failure(robot)
+        assert (failure.kind, failure.size) == ("out of bounds", 150)
+        assert failure.object is not None
+        assert failure.value == failure.object.address + 200
+
+
+def test_a_long_fill_at_the_last_addresses_names_its_first_byte(tmp_path: Path) -> None:
+    source = tmp_path / "last.c"
+    source.write_text("""
+        #include <string.h>
+        int main(int argc, char **argv) { return memset((char *) (-24 * argc), 7, 40) == 0; }
+        """)
+    failure = Run(build_executable([source], Diagnostics())).to_end().failure
+    assert failure is not None
+    assert (failure.kind, failure.value) == ("pointer outside memory", 2**32 - 24)
+    assert failure.size == 40
