@@ -17,6 +17,7 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.cli.main import main
 from tests import commands
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -116,30 +117,28 @@ def test_the_tutorial_shows_what_its_commands_do(
     check_golden(PAGE, Reader(folder).read(PAGE.read_text()).encode())
 
 
-def collisions(folder: Path, *options: str) -> int:
-    """Return how often the tutorial's robot collides in a run."""
-    shown = crs(
-        shlex.join(["crs", "run", "--json", "-q", "aisle.c", "aisle.xml", *options]), folder
-    )
-    result = json.loads(shown[shown.index("{") : shown.rindex("}") + 1])
-    return int(result["robots"][0]["collisions"])
+def collisions(capfd: pytest.CaptureFixture[str], *arguments: str) -> list[int]:
+    """Return how often each robot collides in a run of the tutorial."""
+    main(["run", "--json", "-q", *arguments])
+    return [int(each["collisions"]) for each in json.loads(capfd.readouterr().out)["robots"]]
 
 
-def test_the_program_collides_as_in_the_picture_until_it_is_mended(folder: Path) -> None:
-    assert collisions(folder, "--plot", "aisle.svg") == 1
-    assert (folder / "aisle.svg").read_text() == (DOCS / "images" / "aisle.svg").read_text()
+def test_the_program_collides_as_in_the_picture_until_it_is_mended(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(folder)
+    assert collisions(capfd, "aisle.c", "aisle.xml", "--plot", "aisle.svg") == [1]
+    assert Path("aisle.svg").read_text() == (DOCS / "images" / "aisle.svg").read_text()
     change = next(text for kind, text in _BLOCK.findall(PAGE.read_text()) if kind == "diff")
     mend(folder, change)
-    assert collisions(folder) == 0
+    assert collisions(capfd, "aisle.c", "aisle.xml") == [0]
 
 
-def test_the_convoy_crashes_by_a_lost_message_until_it_is_mended(folder: Path) -> None:
-    def crashes() -> list[int]:
-        shown = crs("crs run --json -q convoy/convoy.xml", folder)
-        result = json.loads(shown[shown.index("{") : shown.rindex("}") + 1])
-        return [int(each["collisions"]) for each in result["robots"]]
-
-    assert crashes() == [1, 1]
+def test_the_convoy_crashes_by_a_lost_message_until_it_is_mended(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(folder)
+    assert collisions(capfd, "convoy/convoy.xml") == [1, 1]
     _, change = (text for kind, text in _BLOCK.findall(PAGE.read_text()) if kind == "diff")
     mend(folder, change)
-    assert crashes() == [0, 0]
+    assert collisions(capfd, "convoy/convoy.xml") == [0, 0]
