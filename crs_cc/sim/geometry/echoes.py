@@ -122,12 +122,20 @@ class _Shapes:
                 counts = np.array([[len(faces), len(circles), 0]])
                 parts = _heard(faces, echo_range), _heard(circles, echo_range)
                 return cls(pings, counts, *parts, _NO_CROSSTALK)
-        ping, start, end, length_m = obstacles.segments_near(place)
-        share = 1.0 if echo_range is None else echo_range[obstacles.segment_objects(place)]
-        faces, face_count = _table(count, ping, (start, end), (length_m, share))
-        ping, middle, radius_m = obstacles.circles_near(place, own)
-        share = 1.0 if echo_range is None else echo_range[obstacles.circle_objects(place, own)]
-        circles, circle_count = _table(count, ping, (middle,), (radius_m, share))
+        face_share: FloatArray | float = 1.0
+        circle_share: FloatArray | float = 1.0
+        if echo_range is None:
+            near_segments = obstacles.segments_near(place)
+            near_circles = obstacles.circles_near(place, own)
+        else:
+            near_segments, objects = obstacles.segments_and_objects(place)
+            face_share = echo_range[objects]
+            near_circles, objects = obstacles.circles_and_objects(place, own)
+            circle_share = echo_range[objects]
+        ping, start, end, length_m = near_segments
+        faces, face_count = _table(count, ping, (start, end), (length_m, face_share))
+        ping, middle, radius_m = near_circles
+        circles, circle_count = _table(count, ping, (middle,), (radius_m, circle_share))
         heard, crosstalk_count = np.zeros((0, 4)), np.zeros(count, np.intp)
         if crosstalk is not None:
             numbers = crosstalk.reported_m, crosstalk.share

@@ -48,6 +48,7 @@ from crs_cc.sim.model.ground import Ground, Patch
 from crs_cc.sim.model.world import TALL_M
 
 Segments: TypeAlias = "tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]"
+Circles: TypeAlias = "tuple[IndexArray, ComplexArray, FloatArray]"
 
 _MIN_LENGTH_M: Final = 1e-6  # shorter sides of a clipped patch are dropped
 _ON_M: Final = 1e-9
@@ -169,65 +170,68 @@ class Level:
 
     def segment_rows(self, place: ComplexArray) -> FloatArray:
         """Return what `segments_near` returns, with objects, as `kernels/rays.c` reads it."""
-        viewers, start, end, length_m = self.segments_near(place)
-        objects = self.segment_objects(place)
+        (viewers, start, end, length_m), objects = self.segments_and_objects(place)
         return np.column_stack([viewers, objects, pairs(start), pairs(end), length_m])
 
     def circle_rows(self, place: ComplexArray, own: IndexArray) -> FloatArray:
         """Return what `circles_near` returns, with objects, as `kernels/rays.c` reads it."""
-        viewers, middle, radius_m = self.circles_near(place, own)
-        objects = self.circle_objects(place, own)
+        (viewers, middle, radius_m), objects = self.circles_and_objects(place, own)
         return np.column_stack([viewers, objects, pairs(middle), radius_m])
 
     def segments_near(self, place: ComplexArray) -> Segments:
         """Return `Obstacles.segments_near` without objects below the beams, and with ground."""
-        found, keep, ground = self._segments(place)
-        parts = [(part[keep], more) for part, more in zip(found, ground, strict=True)]
-        viewers, start, end, length_m = (np.concatenate(pair) for pair in parts)
-        return viewers, start, end, length_m
+        return self.segments_and_objects(place)[0]
+
+    def segments_and_objects(self, place: ComplexArray) -> tuple[Segments, IndexArray]:
+        """Return `segments_near`, and the object of each pair, as in `Scene.names`."""
+        found, objects, ground = self._segments(place)
+        viewers, start, end, length_m = (
+            np.concatenate(pair) for pair in zip(found, ground, strict=True)
+        )
+        grounds = np.full(len(ground[0]), self.outlook.ground, np.intp)
+        return (viewers, start, end, length_m), np.concatenate([objects, grounds])
 
     def segment_objects(self, place: ComplexArray) -> IndexArray:
         """Return the object, as in `Scene.names`, of each pair of `segments_near`."""
-        _, keep, ground = self._segments(place)
-        objects = self.outlook.obstacles.segment_objects(place)[keep]
-        return np.concatenate([objects, np.full(len(ground[0]), self.outlook.ground, np.intp)])
+        return self.segments_and_objects(place)[1]
 
-    def circles_near(
-        self, place: ComplexArray, own: IndexArray
-    ) -> tuple[IndexArray, ComplexArray, FloatArray]:
+    def circles_near(self, place: ComplexArray, own: IndexArray) -> Circles:
         """Return `Obstacles.circles_near` without objects below the beams."""
-        (viewers, middle, radius_m), keep = self._circles(place, own)
-        return viewers[keep], middle[keep], radius_m[keep]
+        return self.circles_and_objects(place, own)[0]
+
+    def circles_and_objects(
+        self, place: ComplexArray, own: IndexArray
+    ) -> tuple[Circles, IndexArray]:
+        """Return `circles_near`, and the object of each pair, as in `Scene.names`."""
+        obstacles, plane = self.outlook.obstacles, self.outlook.plane(place)
+        viewers, middle, radius_m = obstacles.circles_near(place, own)
+        away = middle - place.take(viewers)
+        away_m = np.maximum(exact.magnitude(away), _ON_M)
+        front = away * np.maximum(1.0 - radius_m / away_m, 0.0)
+        objects = obstacles.circle_objects(place, own)
+        keep = self._is_high(plane, viewers, front, objects)
+        return (viewers[keep], middle[keep], radius_m[keep]), objects[keep]
 
     def circle_objects(self, place: ComplexArray, own: IndexArray) -> IndexArray:
         """Return the object, as in `Scene.names`, of each pair of `circles_near`."""
-        _, keep = self._circles(place, own)
-        return self.outlook.obstacles.circle_objects(place, own)[keep]
+        return self.circles_and_objects(place, own)[1]
 
     def tops_above(self, poses: FloatArray, objects: IndexArray) -> BoolArray:
         """Return which objects, one for each pose and beam, reach the beams that start there."""
         plane_m, _ = self.outlook.plane(poses[:, 0] + 1j * poses[:, 1])
         return np.asarray(self.outlook.tops_m[objects] > (plane_m + self.z_m)[:, None])
 
-    def _segments(self, place: ComplexArray) -> tuple[Segments, BoolArray, Segments]:
+    def _segments(self, place: ComplexArray) -> tuple[Segments, IndexArray, Segments]:
+        """Return the segments of objects, these objects, and the segments of the ground."""
         obstacles, plane = self.outlook.obstacles, self.outlook.plane(place)
         viewers, start, end, length_m = obstacles.segments_near(place)
         away, along = start - place.take(viewers), end - start
         share = segment.nearest_fraction(-away.real, -away.imag, along.real, along.imag)
         foot = away + share * along
-        keep = self._is_high(plane, viewers, foot, obstacles.segment_objects(place))
-        return (viewers, start, end, length_m), keep, self._ground(place, plane)
-
-    def _circles(
-        self, place: ComplexArray, own: IndexArray
-    ) -> tuple[tuple[IndexArray, ComplexArray, FloatArray], BoolArray]:
-        obstacles, plane = self.outlook.obstacles, self.outlook.plane(place)
-        viewers, middle, radius_m = obstacles.circles_near(place, own)
-        away = middle - place.take(viewers)
-        away_m = np.maximum(exact.magnitude(away), _ON_M)
-        front = away * np.maximum(1.0 - radius_m / away_m, 0.0)
-        keep = self._is_high(plane, viewers, front, obstacles.circle_objects(place, own))
-        return (viewers, middle, radius_m), keep
+        objects = obstacles.segment_objects(place)
+        keep = self._is_high(plane, viewers, foot, objects)
+        found = viewers[keep], start[keep], end[keep], length_m[keep]
+        return found, objects[keep], self._ground(place, plane)
 
     def _is_high(
         self, plane: tuple[FloatArray, ComplexArray], viewers: IndexArray, near: ComplexArray,

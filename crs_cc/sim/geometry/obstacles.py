@@ -179,6 +179,18 @@ class Obstacles:
         _, movers = self._moving_circles(place, own)
         return np.concatenate([self._fixed_owners[0].take(shapes), self._owners.take(movers)])
 
+    def segments_and_objects(
+        self, place: ComplexArray
+    ) -> tuple[tuple[IndexArray, ComplexArray, ComplexArray, FloatArray], IndexArray]:
+        """Return `segments_near` and `segment_objects`."""
+        return self.segments_near(place), self.segment_objects(place)
+
+    def circles_and_objects(
+        self, place: ComplexArray, own: IndexArray
+    ) -> tuple[tuple[IndexArray, ComplexArray, FloatArray], IndexArray]:
+        """Return `circles_near` and `circle_objects`."""
+        return self.circles_near(place, own), self.circle_objects(place, own)
+
     def _moving_segments(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
         moving = self._moving
         if pairs := few_pairs(len(place), len(moving.segment_rows)):

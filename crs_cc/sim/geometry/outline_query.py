@@ -41,3 +41,13 @@ class ObstacleQuery(Protocol):
 
     def circle_objects(self, place: ComplexArray, own: IndexArray) -> IndexArray:
         """Return the object, as in `Scene.names`, of each pair of `circles_near`."""
+
+    def segments_and_objects(
+        self, place: ComplexArray
+    ) -> tuple[tuple[IndexArray, ComplexArray, ComplexArray, FloatArray], IndexArray]:
+        """Return `segments_near` and `segment_objects`, which often need the same."""
+
+    def circles_and_objects(
+        self, place: ComplexArray, own: IndexArray
+    ) -> tuple[tuple[IndexArray, ComplexArray, FloatArray], IndexArray]:
+        """Return `circles_near` and `circle_objects`, which often need the same."""
