@@ -6,6 +6,7 @@ import math
 import random
 import struct
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -117,11 +118,17 @@ def exact(name: str, x: float, y: float) -> Any:
     return function(mpmath.mpf(x), mpmath.mpf(y)) if name in TWO else function(mpmath.mpf(x))
 
 
+@cache
+def limit_of(digits: int, largest: int) -> Any:
+    """Return the least number that is rounded to infinity."""
+    return mpmath.ldexp(1, largest) - mpmath.ldexp(1, largest - digits - 1)
+
+
 def error_in_ulp(result: float, wanted: Any, *, single: bool) -> float:
     """Return how far a result is off, in units of the last place of the exact value."""
     digits, least, largest = (24, -149, 128) if single else (53, -1074, 1024)
     exponent = max(mpmath.frexp(wanted)[1] - digits, least)
-    limit = mpmath.ldexp(1, largest) - mpmath.ldexp(1, largest - digits - 1)
+    limit = limit_of(digits, largest)
     if math.isinf(result) or abs(wanted) >= limit:
         return 0.0 if math.isinf(result) and abs(wanted) >= limit else 1e9
     return float(abs(mpmath.mpf(result) - wanted) / mpmath.ldexp(1, exponent))
@@ -155,7 +162,9 @@ def worst_errors(count: int, *, single: bool = False) -> dict[str, tuple[float, 
     worst = dict.fromkeys(names, (0.0, 0.0, 0.0))
     for (number, _, x, y), result in zip(points, results, strict=True):
         name = names[number]
-        with mpmath.workprec(1300 if name in ("sin", "cos", "tan") else 200):
+        # As many bits more as a multiple of pi that is subtracted has before its point.
+        reduced = max(0, math.frexp(x)[1]) if name in ("sin", "cos", "tan") else 0
+        with mpmath.workprec(200 + reduced):
             try:
                 wanted = exact(name, x, y)
             except ValueError:  # a pole
