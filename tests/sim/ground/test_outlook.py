@@ -145,3 +145,12 @@ def test_block_size_changes_no_bit_of_sonars_at_different_heights(ground, monkey
     assert 0.1 < np.isfinite(whole).mean() < 0.9
     monkeypatch.setattr("crs_cc.sim.geometry.cell_list.PAIRS_IN_BLOCK", 1)
     assert np.array_equal(whole, echoes_m())
+
+
+def test_each_object_at_a_height_echoes_by_its_own_material():
+    objects = '<material name="soft" sonar="0"/><robot x="5m" y="5m"/>'
+    for x_m, material in ((3, 'material="soft"'), (7, "")):
+        objects += f'<cylinder x="{x_m}m" y="5m" radius="20cm" height="50cm" {material}/>'
+    echo_m = Driver.of(world_of(objects, BIG)).sonar.echo_m[0]
+    assert echo_m[0] == pytest.approx(1.8 - R, abs=0.05)
+    assert echo_m[8] > 3.0
