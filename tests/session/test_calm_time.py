@@ -230,6 +230,17 @@ def test_states_and_answers_are_the_same_for_every_program(
     assert compare(model, [program(name)] * 3, STEPS.get(name, 60)) > 20
 
 
+def test_answers_that_take_no_time_on_the_link_are_the_same(tmp_path: Path) -> None:
+    """They cost their programs the instructions of a system call."""
+    source = """
+#include <Nclient.h>
+#include <unistd.h>
+int main(void) { connect_robot(1); sp(40, 30, 0); for (;;) { vm(40, 30, 0); usleep(7001); } }
+"""
+    world = world_of("three robots", tmp_path).with_ideal_link()
+    assert compare(world, [build(tmp_path, source)] * 3, 60) > 20
+
+
 def test_a_robot_that_runs_into_a_wall_does_the_same(tmp_path: Path) -> None:
     program = build(tmp_path, PROGRAMS["reads"].replace("60, 40", "200, 195"))
     assert compare(world_of("one robot", tmp_path), [program], 250) > 100

@@ -35,7 +35,7 @@ def dask() -> Iterator[LocalCluster]:
     with (
         mock.patch.dict(os.environ),  # in which it leaves what its processes are to have
         LocalCluster(  # type: ignore[no-untyped-call]
-            n_workers=2, threads_per_worker=1, dashboard_address=None
+            n_workers=2, threads_per_worker=1, dashboard_address="127.0.0.1:0"
         ) as found,
     ):
         yield found
