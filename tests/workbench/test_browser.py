@@ -51,6 +51,7 @@ BLANK = """() => {
     return [Boolean(canvas.getContext("webgl2")), colours.size];
 }"""
 POINT = """() => {
+    crs.views.draw(0);  // places are those of the last picture, which may be of another camera
     const view = crs.views.active;
     const body = crs.model.scene.bodies[1];
     const box = view.element.getBoundingClientRect();
