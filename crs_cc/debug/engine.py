@@ -446,7 +446,7 @@ class Debugger:
         with self._showing_new():
             self.run.record_change(Change(self.position, text, robot, patches, program, printed))
         self.branches.discard_checkpoints()
-        if robot < 0:
+        if robot < 0:  # only changes of the world add robots
             self.stop_points.add_joined_robots()
 
     # -- branches ------------------------------------------------------------------------------

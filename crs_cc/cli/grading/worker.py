@@ -15,7 +15,7 @@ from crs_cc.jobs.memory_limit import limit_memory
 from crs_cc.jobs.worker import serve
 
 _FEW: Final = 2
-"""Jobs for which filling the compiler's memory takes longer than it saves."""
+"""The number of jobs up to which filling the compiler's memory takes longer than it saves."""
 
 _numbers = itertools.count()
 
