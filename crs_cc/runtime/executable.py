@@ -23,7 +23,10 @@ if TYPE_CHECKING:
     from crs_cc.ir.program import Program
     from crs_cc.runtime.compiled import Compiled
 
-Driver: TypeAlias = wasmtime.Module
+Module: TypeAlias = wasmtime.Module
+"""Machine code that is ready to be instantiated."""
+
+Driver: TypeAlias = Module
 """The module that runs a round of a fleet."""
 
 MAX_WASM_STACK = 6 * 2**20
@@ -97,7 +100,7 @@ def _driver(engine: wasmtime.Engine) -> Driver:
     return wasmtime.Module(engine, driver())
 
 
-def load_module(machine_code: bytes) -> wasmtime.Module | None:
+def load_module(machine_code: bytes) -> Module | None:
     """Return a serialised module; None if this computer cannot run it.
 
     Machine code is specific to the processor that it was compiled on; the cache may have been moved
@@ -125,13 +128,13 @@ class Executable:
     command: str
     machine_code: bytes = field(repr=False)  # some 100 KiB
     detail: Callable[[], Detail] = field(repr=False)
-    _loaded: tuple[wasmtime.Engine, wasmtime.Module] | None = field(default=None, repr=False)
+    _loaded: tuple[wasmtime.Engine, Module] | None = field(default=None, repr=False)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle with the detail, which cannot be loaded lazily elsewhere."""
         return _executable, (self.name, self.command, self.machine_code, self.detail())
 
-    def module(self) -> wasmtime.Module:
+    def module(self) -> Module:
         """Return the module for the engine in use, loaded on first use.
 
         Machine code that comes from another kind of processor is made again.
@@ -139,7 +142,7 @@ class Executable:
         if self._loaded is None or self._loaded[0] is not engine():
             module = load_module(self.machine_code)
             if module is None:
-                module = wasmtime.Module(engine(), self.detail().compiled.module.to_binary())
+                module = compile_module(self.detail().compiled.module.to_binary())
             self._loaded = engine(), module
         return self._loaded[1]
 
@@ -196,12 +199,18 @@ def load_executable(
     return Executable(name, command, machine_code, detail, (engine(), module))
 
 
+def compile_module(wasm: bytes) -> Module:
+    """Compile WebAssembly to machine code, for the engine that all fleets share."""
+    return wasmtime.Module(engine(), wasm)
+
+
 def make_executable(
     program: Program,
     name: str,
     *,
     command: str = "",
     lines: Mapping[str, Sequence[str]] | None = None,
+    module_of: Callable[[bytes], Module] = compile_module,
     checked: bool = True,
     debug: bool = False,
     watching: bool = False,
@@ -214,6 +223,7 @@ def make_executable(
         name: the program as the user named it.
         command: its `argv[0]`; by default derived from the name, which is that of one file then.
         lines: the lines of the user's files, by name, for messages.
+        module_of: compiles WebAssembly to machine code, or knows the code.
         checked: check every access through a pointer.
         debug: allow breakpoints on every statement.
         watching: compare every access with the watched ranges; in debug builds only.
@@ -224,7 +234,7 @@ def make_executable(
     compiled = compile_program(
         program, checked=checked, debug=debug, watching=watching, trap_overflow=trap_overflow
     )
-    module = wasmtime.Module(engine(), compiled.module.to_binary())
+    module = module_of(compiled.module.to_binary())
     detail = Detail(program, compiled, lines or {})
     command = command or command_name(name)
     return Executable(name, command, bytes(module.serialize()), lambda: detail, (engine(), module))

@@ -19,9 +19,11 @@ from crs_cc.runtime.executable import (
     Detail,
     Driver,
     Executable,
+    Module,
     code_format,
     command_name,
     compile_driver,
+    compile_module,
     load_executable,
     load_module,
 )
@@ -110,7 +112,6 @@ def build_executable(
         return _build(entry, key, names, flags, diagnostics)
 
     from crs_cc.frontend.dialect import dialect_of
-    from crs_cc.runtime.executable import make_executable
     from crs_cc.session.library import library_options
 
     macros = tuple(defines), tuple(undefines)
@@ -120,14 +121,13 @@ def build_executable(
         with gc_paused():  # saves a fifth of the time
             options = replace(options, dialect=dialect or dialect_of(paths, options))
             program, lines = _compile(paths, options, own)
-            executable = make_executable(program, names[0], command=names[1], lines=lines, **flags)
             entry = _Linked(own.digests, _pack(program, lines), tuple(own.messages))
+            executable = _make(program, names, lines, flags, _code_key(key, entry, flags))
     finally:
         diagnostics.messages.extend(own.messages)
         diagnostics.lines.update(own.lines)
         diagnostics.digests.update(own.digests)
     cache.store(key, entry)
-    cache.store(_code_key(key, entry, flags), executable.machine_code)
     return executable
 
 
@@ -164,19 +164,46 @@ def _build(
 ) -> Executable:
     """Return a build of a cached program, whose code may be cached, too."""
     place = _code_key(key, entry, flags)
-    machine_code = cache.load(place, bytes)
+    machine_code = _known_code(place)
     known = machine_code and load_executable(*names, machine_code, _reload(entry, flags))
     if known:
         return known
-
-    from crs_cc.runtime.executable import make_executable
-
     with gc_paused():
         program, lines = _unpack(entry)
         diagnostics.lines.update(lines)
-        executable = make_executable(program, names[0], command=names[1], lines=lines, **flags)
-    cache.store(place, executable.machine_code)
-    return executable
+        return _make(program, names, lines, flags, place)
+
+
+def _make(
+    program: Program, names: _Names, lines: _Lines, flags: dict[str, bool], place: str
+) -> Executable:
+    """Compile a linked program, and store under a name in the cache where its machine code is.
+
+    That is found by the WebAssembly from which it is compiled, which is the same for sources that
+    differ in comments only, in names of variables, or in their folder.
+    """
+    from crs_cc.runtime.executable import make_executable
+
+    def module(wasm: bytes) -> Module:
+        code = cache.key("machine code", wasm, code_format())
+        cache.store(place, code)
+        machine_code = cache.load(code, bytes)
+        known = machine_code and load_module(machine_code)
+        if known:
+            return known
+        made = compile_module(wasm)
+        cache.store(code, bytes(made.serialize()))
+        return made
+
+    return make_executable(
+        program, names[0], command=names[1], lines=lines, module_of=module, **flags
+    )
+
+
+def _known_code(place: str) -> bytes | None:
+    """Return the machine code that `_make` has stored, if it is still in the cache."""
+    code = cache.load(place, str)
+    return cache.load(code, bytes) if code else None
 
 
 def _code_key(key: str, entry: _Linked, flags: dict[str, bool]) -> str:
@@ -189,27 +216,16 @@ def build_watching(executable: Executable) -> Executable:
     Both builds have the same debug information, see `codegen.watchpoints`; so this shares that of
     the other.
     """
-    name = cache.key("watching", executable.machine_code)
-    entry = cache.load(name, bytes)
+    place = cache.key("watching", executable.machine_code)
+    machine_code = _known_code(place)
     names = executable.name, executable.command
-    known = entry and load_executable(*names, entry, executable.detail)
+    known = machine_code and load_executable(*names, machine_code, executable.detail)
     if known:
         return known
-
-    from crs_cc.runtime.executable import make_executable
-
     old = executable.detail()
+    flags = {"checked": old.compiled.checked, "trap_overflow": old.compiled.trap_overflow}
     with gc_paused():
-        made = make_executable(
-            old.program,
-            executable.name,
-            command=executable.command,
-            checked=old.compiled.checked,
-            debug=True,
-            watching=True,
-            trap_overflow=old.compiled.trap_overflow,
-        )
-    cache.store(name, made.machine_code)
+        made = _make(old.program, names, {}, {**flags, "debug": True, "watching": True}, place)
     return replace(made, detail=executable.detail)
 
 

@@ -181,6 +181,32 @@ def test_code_is_cached_for_each_engine_that_a_program_is_compiled_for(
     assert codes[0] != codes[1]
 
 
+def test_programs_that_differ_in_comments_and_folders_share_their_machine_code(
+    program: Path, compilations: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    compiled: list[int] = []
+    compile_module = build_module.compile_module
+
+    def counted(wasm: bytes) -> executable_module.Module:
+        compiled.append(len(wasm))
+        return compile_module(wasm)
+
+    monkeypatch.setattr(build_module, "compile_module", counted)
+    commented, faster = tmp_path / "commented" / "program.c", tmp_path / "faster.c"
+    commented.parent.mkdir()
+    commented.write_text("#define SPEED 3\n/* slow */\nmain() { return SPEED; }\n")
+    faster.write_text("main() { return 4; }\n")
+    one, two, other = (
+        build_executable([path], Diagnostics()) for path in (program, commented, faster)
+    )
+    assert len(compilations) == 3
+    assert len(compiled) == 2
+    assert one.machine_code == two.machine_code != other.machine_code
+    assert two.detail().lines[str(commented)][1] == "/* slow */"
+    assert build_executable([commented], Diagnostics()).machine_code == two.machine_code
+    assert len(compiled) == 2
+
+
 @pytest.mark.parametrize("linked_here", [True, False])
 def test_a_build_of_a_cached_program_equals_one_from_its_sources(
     program: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, linked_here: bool
