@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 from collections.abc import Iterator
 from typing import Any
 
@@ -11,7 +9,7 @@ import pytest
 
 from tests.recorded import recorded
 from tests.recorded_fields import fields_folder
-from tests.workbench.in_browser import FLAGS
+from tests.workbench.in_browser import FLAGS, chromium
 
 __all__ = ["fields_folder", "recorded"]
 
@@ -23,13 +21,9 @@ def browser() -> Iterator[Any]:
     Playwright leaves an event loop running until it is closed, and the screens of the terminal,
     tested by the same worker, start one of their own.
     """
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    if chromium is None:
-        if os.environ.get("CI"):
-            pytest.fail("chromium not found: .ci/run installs it")
-        pytest.skip("chromium not found: the page cannot be looked at")
+    command = chromium()
     playwright = pytest.importorskip("playwright.sync_api")
     with playwright.sync_playwright() as started:
-        made = started.chromium.launch(executable_path=chromium, args=FLAGS)
+        made = started.chromium.launch(executable_path=command, args=FLAGS)
         yield made
         made.close()

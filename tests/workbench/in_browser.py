@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Final
+
+import pytest
 
 from crs_cc.cli.debug_options import DebugOptions
 from crs_cc.cli.inputs import Inputs
@@ -29,6 +33,20 @@ SLOW_SCREEN: Final = """{
     window.requestAnimationFrame = (draw) => setTimeout(() => atNextFrame(draw), 84);
 }"""
 """Has a page draw ten pictures a second instead of sixty: these tests look at no more."""
+
+
+def chromium() -> str:
+    """Return the command that starts Chromium; skip the test without it, or in CI let it fail.
+
+    That without windows, Debian's chromium-headless-shell, is preferred: it opens faster.
+    """
+    for name in ("chromium-headless-shell", "chromium", "chromium-browser"):
+        found = shutil.which(name)
+        if found is not None:
+            return found
+    if os.environ.get("CI"):
+        pytest.fail("chromium not found: .ci/run installs it")
+    pytest.skip("chromium not found: the page cannot be looked at")
 
 
 @contextmanager

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import signal
 import subprocess
 import sys
@@ -13,9 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import pytest
-
-from tests.workbench.in_browser import FLAGS, new_page, running, wait
+from tests.workbench.in_browser import FLAGS, chromium, new_page, running, wait
 
 PROGRAM = """#include "Nclient.h"
 int main(void) { connect_robot(1); vm(20, 20, 0); for (;;) get_sn(); }
@@ -76,15 +73,11 @@ def test_a_page_reports_a_killed_server_and_a_new_one_works(browser: Any, tmp_pa
 
 
 def test_a_run_continues_when_its_browser_is_killed(tmp_path: Path) -> None:
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    if chromium is None:
-        if os.environ.get("CI"):
-            pytest.fail("chromium not found: .ci/run installs it")
-        pytest.skip("chromium not found: there is no browser to kill")
+    command = chromium()
     with running(tmp_path, PROGRAM, WORLD) as screen:
         shown = subprocess.Popen(
             [
-                *(chromium, "--headless", *FLAGS, f"--user-data-dir={tmp_path / 'profile'}"),
+                *(command, "--headless", *FLAGS, f"--user-data-dir={tmp_path / 'profile'}"),
                 *("--remote-debugging-port=0", screen.server.address()),
             ],
             start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,

@@ -18,6 +18,7 @@ from crs_cc.recording.recording import Recording
 from crs_cc.workbench import page
 from crs_cc.workbench.page import html_page
 from crs_cc.workbench.recorded_content import fields_in
+from tests.workbench.in_browser import chromium
 
 VIEWER = Path(page.__file__).parent / "static"
 DECODE = """
@@ -103,9 +104,6 @@ def test_the_viewers_decoder_agrees_with_ours(recorded: Path, html: Path) -> Non
 
 
 def test_a_browser_shows_it_without_a_network(html: Path, tmp_path: Path) -> None:
-    chromium = shutil.which("chromium")
-    if chromium is None:
-        pytest.skip("chromium not found: the page cannot be looked at")
     options = [
         *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"),
         *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
@@ -113,8 +111,9 @@ def test_a_browser_shows_it_without_a_network(html: Path, tmp_path: Path) -> Non
         "--host-resolver-rules=MAP * ~NOTFOUND",
     ]
     done = subprocess.run(
-        [chromium, *options, html.as_uri()], capture_output=True, text=True, timeout=120, check=True
-    )
+        [chromium(), *options, html.as_uri()],
+        capture_output=True, text=True, timeout=120, check=True,
+    )  # fmt: skip
     assert 'data-time="0.000"' in done.stdout  # a frame was drawn
     assert "<title>drive.c in room.xml" in done.stdout
     assert "0.000 s</output>" in done.stdout  # the clock
