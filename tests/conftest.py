@@ -122,6 +122,11 @@ def pytest_collection_finish() -> None:
     gc.freeze()  # modules and tests stay until the end: collections need not go through them
 
 
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure() -> None:
+    gc.freeze()  # pytest has looked for what fails when it is freed, and looks again
+
+
 @pytest.fixture(scope="session", autouse=True)
 def compiler_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Keeps what is compiled in a folder of this run, which parallel workers share.

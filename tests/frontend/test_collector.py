@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 from pathlib import Path
 
+from crs_cc.core.gc_pause import gc_paused
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.unit import compile_file
 from crs_cc.session.library import library_options
@@ -21,10 +22,7 @@ def test_tokens_and_macros_are_not_in_reference_cycles(tmp_path: Path) -> None:
     path = tmp_path / "cycles.c"
     path.write_text(PROGRAM)
     compile_file(path, library_options(), Diagnostics())  # what is remembered of headers stays
-    gc.collect()
-    gc.disable()
-    try:
+    with gc_paused():
+        gc.freeze()  # the collector goes through new objects only
         compile_file(path, library_options(), Diagnostics())
         assert gc.collect() < MAX_GARBAGE
-    finally:
-        gc.enable()
