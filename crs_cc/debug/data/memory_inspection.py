@@ -83,17 +83,18 @@ class MemoryInspector:
         self._name_above = name_above
         self._variables = Variables(stopped)
 
-    @cached_property
+    @property
     def short(self) -> Values:
         """Formats values in at most a line."""
         return self._values(SHORT)
 
-    @cached_property
+    @property
     def full(self) -> Values:
         """Formats values at length."""
         return self._values(self._full_style)
 
     def _values(self, style: Style) -> Values:
+        # To keep it would be a reference cycle, in which the whole program is.
         return Values(self.read, self.states, self.name_of, self.function_at, style)
 
     def read(self, address: int, size: int) -> bytes:

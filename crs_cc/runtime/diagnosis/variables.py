@@ -31,7 +31,6 @@ class Variables:
     """Reads a stopped program.
 
     Attributes:
-        values: formats the values of its variables.
         objects: looks up the object at an address.
     """
 
@@ -41,7 +40,11 @@ class Variables:
         addresses = stopped.compiled.addresses
         functions = stopped.program.functions
         self._pointers = {addresses[name]: name for name in functions if name in addresses}
-        self.values = Values(self.read, self.states, self._object_name, self._function_name)
+
+    @property
+    def values(self) -> Values:
+        """Formats the values of its variables; to keep it would be a reference cycle."""
+        return Values(self.read, self.states, self._object_name, self._function_name)
 
     def read(self, address: int, size: int) -> bytes:
         """Return the bytes at an address, as many as are accessible."""

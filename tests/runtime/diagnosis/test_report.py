@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 from crs_cc.cli.report import render_report
+from crs_cc.core.gc_pause import gc_paused
 from crs_cc.core.source import underline
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.inspect import call_stack
@@ -74,6 +76,16 @@ def test_a_failure_in_the_library_is_reported_at_the_call(tmp_path: Path) -> Non
     assert stack(error) == [
         'strcpy(to=null, from="x")', 'copy(to=null, text="x")', "main()",
     ]  # fmt: skip
+
+
+def test_a_stopped_program_is_freed_at_once_when_it_has_been_reported(tmp_path: Path) -> None:
+    failure = failure_of(tmp_path, SOURCE % 'copy(0, "x")')
+    assert failure.stopped is not None
+    memory = weakref.ref(failure.stopped.memory)
+    with gc_paused():
+        report(failure)
+        del failure
+        assert memory() is None
 
 
 def test_abort_is_reported_at_the_call(tmp_path: Path) -> None:
