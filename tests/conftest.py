@@ -5,16 +5,21 @@ from __future__ import annotations
 import gc
 import os
 import signal
+import weakref
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 import wasmtime
 from _pytest.doctest import DoctestModule
 from wasmtime import _bindings
 
+from crs_cc.core.gc_pause import gc_paused
 from crs_cc.jobs import pool
 from crs_cc.runtime import executable
+from crs_cc.runtime.fleet import Fleet
+from crs_cc.session import session_state
 from tests import commands, quick, times
 
 TESTS = Path(__file__).resolve().parent
@@ -153,6 +158,24 @@ def users_settings(monkeypatch: pytest.MonkeyPatch) -> None:
 def users_workers(monkeypatch: pytest.MonkeyPatch) -> None:
     """Start processes that run jobs as for users, where a test looks at or kills such a process."""
     monkeypatch.setattr(pool, "python", USERS_PYTHON)
+
+
+@pytest.fixture
+def fleets(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[weakref.ref[Fleet]]]:
+    """All fleets that are made from now on, while the garbage collector is off.
+
+    A fleet has the programs of its run, which are large: what has ended must let go of it.
+    """
+    made: list[weakref.ref[Fleet]] = []
+
+    def make(*arguments: Any) -> Fleet:
+        fleet = Fleet(*arguments)
+        made.append(weakref.ref(fleet))
+        return fleet
+
+    monkeypatch.setattr(session_state, "Fleet", make)
+    with gc_paused():
+        yield made
 
 
 def is_gccs(golden: Path) -> bool:

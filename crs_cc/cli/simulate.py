@@ -186,6 +186,7 @@ class Runner:
                 if self._live is not None:
                     self._live.draw(self.session, self._progress_text())
                     self._live.close()
+                self.session.close()
         result = self.session.result()
         if self._recorder is not None:
             self._recorder.finish(result)

@@ -57,12 +57,22 @@ def verify(recording: Recording) -> Verification:
         return _Rerun(recording, loaded, options, changes).compare()
 
 
+class _OutputDigest:
+    """The checksum of what programs have written."""
+
+    def __init__(self) -> None:
+        self.crc = 0
+
+    def write(self, _robot: int, _stream: int, content: bytes) -> None:
+        self.crc = zlib.crc32(content, self.crc)
+
+
 class _Rerun:
     def __init__(
         self, recording: Recording, loaded: Loaded, options: RunOptions, changes: Sequence[Change]
     ) -> None:
         self._recording = recording
-        self._output_crc = 0
+        self._output = _OutputDigest()
         given = RecordedInput(recording)
         self._changed: ChangedRun | None = None
         self._changes = deque(changes)
@@ -71,7 +81,7 @@ class _Rerun:
             from crs_cc.cli.make_debugger import make_debugger
 
             debugger = make_debugger(
-                loaded, options, self._write, given.read, waiting=given.waiting
+                loaded, options, self._output.write, given.read, waiting=given.waiting
             )
             debugger.run.console.shows_new = True
             self._changed = ChangedRun(debugger, changes)
@@ -82,7 +92,7 @@ class _Rerun:
             loaded.executables,
             seed=options.seed,
             arguments=loaded.arguments,
-            output=self._write,
+            output=self._output.write,
             read=given.read,
             waiting=given.waiting,
             files=loaded.files,
@@ -101,7 +111,7 @@ class _Rerun:
                 raise self._mismatch(timesteps, str(error)) from None
             if self._session.timesteps != timesteps or expected.digest != digest(self._session):
                 raise self._mismatch(timesteps, "the state differs")
-            if expected.output != self._output_crc & DIGEST_BITS:
+            if expected.output != self._output.crc & DIGEST_BITS:
                 raise self._mismatch(timesteps, "the programs' output differs")
             hashes += 1
             if expected.state:
@@ -135,9 +145,6 @@ class _Rerun:
             self._uploads.add(*change.program)
         programs = [fleet.executable(robot) for robot in range(len(fleet))]
         edit_run(self._session, change.text, [*programs, *self._uploads.executables()])
-
-    def _write(self, _robot: int, _stream: int, content: bytes) -> None:
-        self._output_crc = zlib.crc32(content, self._output_crc)
 
     def _mismatch(self, timesteps: int, what: str) -> ReplayMismatch:
         theirs, ours = self._recording.versions, {**_crs(), **versions()}

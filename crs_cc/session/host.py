@@ -113,6 +113,11 @@ class Host:
         self.reply: Output = discard
         self._read = read
 
+    def close(self) -> None:
+        """Let go of the programs' output and input."""
+        self._output, self.reply = discard, discard
+        self._read, self._waiting = no_input, never_waits
+
     def add(self, arguments: Sequence[str]) -> None:
         """Add the host of another robot."""
         self.exit_status.append(None)

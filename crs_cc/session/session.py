@@ -146,6 +146,14 @@ class Session:
         self.calm = CalmPrograms(self.state, self._hints)
         self._quiet = QuietPrograms(self.state)
 
+    def close(self) -> None:
+        """Let go of those who are notified or give input; results can be read afterwards.
+
+        Where they have the session, it would wait for the garbage collector.
+        """
+        self._host.close()
+        self._trace = self._observer = self._passed = None
+
     # -- the state -----------------------------------------------------------------------------
 
     @property

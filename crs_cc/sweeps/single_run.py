@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, Literal, cast
@@ -130,9 +131,10 @@ def record(experiment: Experiment, variant: Variant, seed: int, path: Path) -> E
                 return False
         return until < last
 
-    recorder.begin(session)
-    ending = _run_on(experiment, session, advance, lambda: printed)
-    recorder.finish(session.result())
+    with closing(session):
+        recorder.begin(session)
+        ending = _run_on(experiment, session, advance, lambda: printed)
+        recorder.finish(session.result())
     if recorder.failed is not None:
         raise recorder.failed
     return ending

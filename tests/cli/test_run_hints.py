@@ -1,12 +1,14 @@
 """Hints at mistakes that show only in a run."""
 
 import json
+import weakref
 from pathlib import Path
 
 import pytest
 
 from crs_cc.cli import run_hints, simulate
 from crs_cc.cli.main import main
+from crs_cc.runtime.fleet import Fleet
 
 HASTY = """#include <Nclient.h>
 int main(void)
@@ -84,6 +86,14 @@ def test_hints_are_switched_off(capfd: pytest.CaptureFixture[str]) -> None:
 def test_a_program_that_waits_gets_no_hint(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "patient.c"]) == 0
     assert "warning" not in capfd.readouterr().err
+
+
+def test_a_run_and_its_verification_free_their_programs_when_they_end(
+    fleets: list[weakref.ref[Fleet]],
+) -> None:
+    assert main(["run", "patient.c", "--record", "run.mcap", "-q"]) == 0
+    assert main(["replay", "run.mcap", "--verify"]) == 0
+    assert [each() for each in fleets] == [None, None]
 
 
 def test_a_silent_run_without_a_limit_reports_its_progress(

@@ -11,6 +11,7 @@ import signal
 import subprocess
 import sys
 import time
+import weakref
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ import crs_cc
 from crs_cc.cli.main import main
 from crs_cc.jobs.pool import Worker
 from crs_cc.recording.recording import Recording
+from crs_cc.runtime.fleet import Fleet
 from crs_cc.sweeps import single_run
 from crs_cc.sweeps import sweep as sweep_module
 from crs_cc.sweeps.experiment import ExperimentError
@@ -222,6 +224,15 @@ def test_a_recording_that_does_not_fit_the_disk_is_reported_and_retried(
 
 
 LIMITS = "[limits]\noutput = 1000\nfuel = 1_000_000\n"
+
+
+def test_runs_and_recordings_free_their_programs_when_they_end(
+    folder: Path, fleets: list[weakref.ref[Fleet]]
+) -> None:
+    path = write(folder, "[parameters]\nargument.1 = [7]\n", EXPERIMENT.replace("3", "1"))
+    (row,) = rows_of(swept(path, folder / "out"))
+    assert row["recording"]
+    assert [each() for each in fleets] == [None, None]
 
 
 def test_limits_end_a_run_and_are_its_status(folder: Path) -> None:

@@ -141,6 +141,8 @@ class _ProgramRun:
             self._step_to_end()
         except _RunStopped as over:
             result, text = over.result, over.text
+        finally:
+            session.close()
         done = session.result()
         if self._recorder is not None:
             self._recorder.finish(done)

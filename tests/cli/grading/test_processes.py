@@ -7,14 +7,17 @@ import signal
 import subprocess
 import sys
 import threading
+import weakref
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from crs_cc.cli.grading.graded_run import graded_run
 from crs_cc.cli.grading.job import GradedRun, Job, Limits
 from crs_cc.cli.grading.processes import run_all
 from crs_cc.jobs.pool import Worker
+from crs_cc.runtime.fleet import Fleet
 from tests.cli.grading.handed_in import WORLD
 
 
@@ -25,6 +28,15 @@ def job(tmp_path: Path) -> Job:
     (tmp_path / "loop.c").write_text("int main(void) { for (;;) ; }\n")
     limits = Limits(max_time_s=1e6, max_fuel=10**15, wall_s=60.0)
     return Job("loop", str(tmp_path), ("loop.c",), str(tmp_path / "task.xml"), None, limits, ())
+
+
+def test_a_graded_run_frees_its_programs_when_it_ends(
+    job: Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fleets: list[weakref.ref[Fleet]]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    small = replace(job, limits=Limits(max_fuel=1000), record=str(tmp_path / "run.mcap"))
+    assert graded_run(small, lambda: None).result == "limit"
+    assert [each() for each in fleets] == [None]
 
 
 def test_errors_of_a_run_affect_only_its_own_grade(job: Job, tmp_path: Path) -> None:
