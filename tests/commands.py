@@ -19,6 +19,7 @@ from typing import Final
 
 SERVER: Final = Path(__file__).with_name("fork_server.py")
 CLIENT: Final = Path(__file__).with_name("fork_client.py")
+FAST_SETTINGS: Final = Path(__file__).with_name("fast_settings.py")
 
 _ENVIRONMENT: Final = dict(os.environ)
 """Before a test changes it."""
@@ -41,6 +42,11 @@ def python(*words: str | Path) -> list[str]:
     """Return the command line that has Python run `-m MODULE`, `-c CODE`, or a script."""
     before = [] if real else ["-I", "-S", str(CLIENT), server().address]
     return [sys.executable, *before, *map(str, words)]
+
+
+def fast_module(*words: str) -> list[str]:
+    """Return the command line of `python(..., "-m", MODULE)` that compiles with fast settings."""
+    return python(*[FAST_SETTINGS if word == "-m" else word for word in words])
 
 
 def crs(*words: str | Path) -> list[str]:

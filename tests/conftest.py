@@ -11,16 +11,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import wasmtime
 from _pytest.doctest import DoctestModule
-from wasmtime import _bindings
 
 from crs_cc.core.gc_pause import gc_paused
 from crs_cc.jobs import pool
 from crs_cc.runtime import executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session import session_state
-from tests import commands, quick, times
+from tests import commands, fast_settings, quick, times
+from tests.fast_settings import USERS_SETTINGS
 
 TESTS = Path(__file__).resolve().parent
 collect_ignore = ["without_unix", "debug/gdb_sessions.py"]  # modules for Python's start, and gdb's
@@ -30,37 +29,7 @@ JUDGED = ["c/valid", "fuzz"]
 NEW_OBJECTS = 300_000
 """How many objects are made before the collector looks at them: of 700, most are still in use."""
 
-USERS_SETTINGS = executable.settings
 USERS_PYTHON = pool.python
-
-
-def baseline_settings() -> wasmtime.Config:
-    """Return settings that compile in an eighth of the time, to slower code."""
-    config = USERS_SETTINGS()
-    # The Python API does not name this compiler. The enumeration counts from 1, C from 0.
-    winch = _bindings.wasmtime_strategy_enum.WASMTIME_STRATEGY_WINCH
-    _bindings.wasmtime_config_strategy_set(config.ptr(), winch.value - 1)
-    config.wasm_threads = True  # shared memories are off without it
-    return config
-
-
-def unoptimized_settings() -> wasmtime.Config:
-    """Return settings that compile in half the time, to slower code with larger frames."""
-    config = USERS_SETTINGS()
-    config.cranelift_opt_level = "none"
-    single_pass = _bindings.wasmtime_regalloc_algorithm_enum.WASMTIME_REGALLOC_SINGLE_PASS
-    # The members of the enumeration count from 1, C's from 0.
-    _bindings.wasmtime_config_cranelift_regalloc_algorithm_set(config.ptr(), single_pass.value - 1)
-    return config
-
-
-def fast_settings() -> wasmtime.Config:
-    """Return the settings that compile fastest on this processor: Winch knows only some."""
-    try:
-        wasmtime.Engine(baseline_settings())  # which takes the settings
-    except wasmtime.WasmtimeError:
-        return unoptimized_settings()
-    return baseline_settings()
 
 
 class Examples:
@@ -94,11 +63,13 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     # A shell's job in the background ignores it, and so would all commands that tests interrupt.
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    # Most programs of tests run once. What users get, commands in processes of their own show.
-    executable.settings = fast_settings
+    # Most programs of tests run once. What users get, commands in processes of their own show;
+    # processes that run jobs compile as tests do.
+    executable.settings = fast_settings.fast_settings
     # Quick runs start too few commands for a process that imports all to be worth its time.
     commands.real |= config.getoption("--real-processes") or config.getoption("--quick")
-    pool.python = commands.python
+    if not config.getoption("--real-processes"):
+        pool.python = commands.fast_module
     gc.set_threshold(NEW_OBJECTS)
     config.pluginmanager.register(Examples())
     if config.getoption("--update-times"):

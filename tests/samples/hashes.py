@@ -5,7 +5,7 @@ same instructions on every processor.
 """
 
 from crs_cc.runtime import executable
-from tests.conftest import fast_settings
+from tests.fast_settings import fast_settings
 from tests.samples.test_samples import RUNS
 
 MAX_TIME_S = 1.0

@@ -24,7 +24,7 @@ from crs_cc.session.build import build_executable
 from crs_cc.toolchain import cache
 from crs_cc.toolchain import library as library_module
 from crs_cc.toolchain.fingerprint import PACKAGE, sources
-from tests.conftest import USERS_SETTINGS
+from tests.fast_settings import USERS_SETTINGS
 
 PROGRAM = '#include "speed.h"\nmain() { return SPEED; }\n'
 
