@@ -53,7 +53,6 @@ class Network:
 
     Attributes:
         state: all that changes.
-        addresses: its computers.
         on_outside_event: called with each event of a connection of the real network and its
             number.
     """
@@ -63,9 +62,12 @@ class Network:
         self.state = NetworkState()
         self.on_outside_event: Callable[[int, OutsideEvent], None] = lambda _number, _event: None
         self._environment = environment
-        self.addresses = Addresses(
-            lambda: [robot.id for robot in environment.world.robots], lambda: self.machine_names
-        )
+
+    @property
+    def addresses(self) -> Addresses:
+        """Its computers; to keep them would be a reference cycle."""
+        world = self._environment.world
+        return Addresses(lambda: [robot.id for robot in world.robots], lambda: self.machine_names)
 
     @property
     def machine_names(self) -> list[str]:
