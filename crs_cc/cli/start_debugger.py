@@ -75,11 +75,11 @@ def record_at_end(
 ) -> None:
     """Record the run in its final state when the debugger ends, if requested."""
     if options.record is not None:
-        record(debugger, loaded, options, waiting, options.record)
+        record(loaded, options, waiting, debugger, options.record)
 
 
 def record(
-    debugger: Debugger, loaded: Loaded, options: DebugOptions, waiting: WaitingAfter, path: Path
+    loaded: Loaded, options: DebugOptions, waiting: WaitingAfter, debugger: Debugger, path: Path
 ) -> None:
     """Record the run in its current state; raise OSError if the recording cannot be written."""
     from crs_cc.cli.record_debugged import record_debugged
@@ -152,5 +152,5 @@ def _new_debugger(
         recorded.begin(debugger)
     is_given = options.stdin is not None or options.input is not None
     debugger.run.console.is_typed = recorded is None and not is_given
-    debugger.save = functools.partial(record, debugger, loaded, options, waiting)
+    debugger.save = functools.partial(record, loaded, options, waiting)
     return debugger

@@ -94,7 +94,7 @@ def _opened(options: DebugOptions, port: int) -> tuple[Screen, Loaded, WaitingAf
     end_at(debugger, options.max_time_s or world.duration_s)
     watcher.begin(debugger.session)
     debugger.start()
-    debugger.save = functools.partial(record, debugger, loaded, options, waiting)
+    debugger.save = functools.partial(record, loaded, options, waiting)
     run = DebuggedRun(debugger, watcher)
     screen = Screen(run, feed, Player(world.timestep_s), port)
     screen.others.runs_again = rerun

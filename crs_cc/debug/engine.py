@@ -64,7 +64,7 @@ class Debugger:
         branches: the alternative histories of the run.
         stop: the last stop.
         notes: the user's notes on instants of the run.
-        save: saves the run up to here as a recording; None if that is not possible.
+        save: saves the run of a debugger up to here as a recording; None if that is not possible.
     """
 
     def __init__(
@@ -99,7 +99,7 @@ class Debugger:
         self.branches = Branches(self.run)
         self.stop = self.navigator.stop("start")
         self.notes: list[Note] = []
-        self.save: Callable[[Path], None] | None = None
+        self.save: Callable[[Debugger, Path], None] | None = None
 
     @property
     def session(self) -> Session:

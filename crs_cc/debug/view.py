@@ -262,21 +262,20 @@ class View:
         build = id(self.session.fleet.executable(robot))
         if (robot, build) not in self._evaluators:
             names = self._names.setdefault(id(program), SourceNames(program))
-            stopped = functools.partial(self.run.stopped, robot)
+            run = self.run
+            stopped = functools.partial(run.stopped, robot)
             drive = self.session.environment.world.robots[robot].model.drive
             fields = state_fields(program.options.dialect, synchro=drive.steering is not None)
-            external = RunValues(self, robot)
             made = Evaluator(
                 stopped,
                 names,
                 self.convenience_values,
                 fields,
-                external=external,
-                edits=lambda: self.run.history.unused_edits(robot, self.run.position),
+                edits=lambda: run.history.unused_edits(robot, run.position),
                 robot=robot,
             )
             self._evaluators[robot, build] = made
         found = self._evaluators[robot, build]
         found.full_style = self.full_style
-        found.functions.settings = self.settings
-        return found
+        found.settings = self.settings
+        return found.seeing(RunValues(self, robot))

@@ -158,14 +158,11 @@ class MemoryAccess:
 class WatchSet:
     """The watched objects and expressions of one robot's program."""
 
-    def __init__(
-        self, fleet: Fleet, robot: int, watching: Callable[[Executable], Executable]
-    ) -> None:
-        """Store the robot with its debug build, and the function that makes the watching build."""
+    def __init__(self, fleet: Fleet, robot: int) -> None:
+        """Store the robot with its debug build."""
         self._fleet = fleet
         self._robot = robot
         self._plain = fleet.executable(robot)
-        self._watching = watching
         self._wanted: tuple[Watched, ...] = ()
         self._over: set[int] = set()
         self._seen: dict[int, Observation] = {}
@@ -176,8 +173,12 @@ class WatchSet:
         """Return whether this is the robot's program, in its plain build."""
         return self._plain is executable
 
-    def arm(self, wanted: Sequence[Watched]) -> None:
+    def arm(self, wanted: Sequence[Watched], watching: Callable[[Executable], Executable]) -> None:
         """Set the watched ranges; accesses to those that remain are kept.
+
+        Args:
+            wanted: what is watched.
+            watching: returns the watching build of a program.
 
         Raises:
             DebugError: there is too much, or memory is exhausted.
@@ -188,7 +189,7 @@ class WatchSet:
             return
         self._wanted = tuple(wanted)
         try:
-            build = self._watching(self._plain) if wanted else self._plain
+            build = watching(self._plain) if wanted else self._plain
             self._fleet.exchange(self._robot, build)
         except OSError as error:
             self._wanted = ()

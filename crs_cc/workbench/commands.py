@@ -100,7 +100,7 @@ def _recording(screen: Context) -> bytes:
     with screen.working(), tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "run.mcap")
         try:
-            debugger.save(path)
+            debugger.save(debugger, path)
             content = path.read_bytes()
         except OSError as error:
             raise DebugError(f"the run cannot be recorded: {error.strerror}") from None

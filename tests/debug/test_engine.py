@@ -289,14 +289,14 @@ def test_all_forward_moves_can_be_interrupted(
 ) -> None:
     debugger = debugger_of(ENDLESS, folder=tmp_path)
     debugger.start()
-    hear = debugger.run.step
+    hear = debugger.run._latest.step
 
     def step(step: Step) -> None:
         hear(step)
         if debugger.session.timesteps == 3:
             debugger.interrupt()
 
-    debugger.run.step = step  # type: ignore[method-assign]
+    debugger.run._latest.step = step  # type: ignore[method-assign]
     assert move(debugger).reason == "interrupt"
     assert debugger.position.timestep == 3
     debugger.interrupt()

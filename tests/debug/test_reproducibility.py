@@ -108,7 +108,7 @@ class Trial:
 def impatient(debugger: Debugger) -> Iterator[None]:
     """Interrupt what is still running at a certain timestep, and what takes long to go back."""
     run = debugger.run
-    hear, again = run.step, run.replay
+    hear, again = run._latest.step, run.replay
 
     def step(step: Step) -> None:
         hear(step)
@@ -122,7 +122,7 @@ def impatient(debugger: Debugger) -> Iterator[None]:
             yield instant
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run, "step", step)
+        patch.setattr(run._latest, "step", step)
         patch.setattr(run, "replay", again_but_not_for_long)
         yield
 

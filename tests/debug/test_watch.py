@@ -122,7 +122,7 @@ class Watching:
         self.executable = executable
         self.fleet = Fleet([executable])
         self.host = Host([["watched"]], lambda *_: None, lambda *_: b"")
-        self.watches = WatchSet(self.fleet, 0, build_watching)
+        self.watches = WatchSet(self.fleet, 0)
         self.fuel = fuel
         self.ended = False
 
@@ -167,7 +167,9 @@ class Watching:
         return _line(self.executable.detail().compiled.statements[number].location.line)
 
     def watch(self, kind: AccessKind, *names: str) -> None:
-        self.watches.arm([self.object(each, kind, n) for n, each in enumerate(names, start=1)])
+        self.watches.arm(
+            [self.object(each, kind, n) for n, each in enumerate(names, start=1)], build_watching
+        )
 
     def object(self, text: str, kind: AccessKind, number: int = 1) -> WatchedObject:
         """Return an object: `name`, `name+offset:size`, or `function/variable`."""
@@ -389,15 +391,17 @@ def test_too_many_watched_objects_are_refused(program: Executable) -> None:
     run = Watching(program)
     objects = [run.object("total", "write", number) for number in range(MAX + 1)]
     with pytest.raises(DebugError, match=f"at most {MAX} objects"):
-        run.watches.arm(objects)
-    run.watches.arm(objects[:MAX])
+        run.watches.arm(objects, build_watching)
+    run.watches.arm(objects[:MAX], build_watching)
     assert len(list(run.found())) == 7 * MAX
 
 
 def test_the_maximum_of_local_variables_can_be_watched(program: Executable) -> None:
     run = Watching(program)
     run.to_line("if (n > 0)")
-    run.watches.arm([run.local("deep", "mine", "write", number) for number in range(MAX)])
+    run.watches.arm(
+        [run.local("deep", "mine", "write", number) for number in range(MAX)], build_watching
+    )
     assert len(list(run.found())) == 3 * MAX
 
 
@@ -405,7 +409,7 @@ def test_without_watched_objects_the_debug_build_runs(program: Executable) -> No
     run = Watching(program)
     run.watch("write", "total")
     assert run.fleet.executable(0) is not program
-    run.watches.arm([])
+    run.watches.arm([], build_watching)
     assert run.fleet.executable(0) is program
     assert not list(run.found())
 
@@ -435,7 +439,7 @@ def changes_by_watching(
     program: Executable, objects: Sequence[WatchedObject]
 ) -> list[tuple[object, ...]]:
     run = Watching(program)
-    run.watches.arm(objects)
+    run.watches.arm(objects, build_watching)
     found: list[tuple[object, ...]] = []
     while run.run() and run.begun < MAX_STATEMENTS:
         found += [

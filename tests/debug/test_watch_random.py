@@ -19,7 +19,7 @@ from crs_cc.ir.names import in_library
 from crs_cc.ir.types import ArrayType, IntegerType, PointerType
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.runtime.executable import Executable
-from crs_cc.session.build import build_executable
+from crs_cc.session.build import build_executable, build_watching
 from crs_cc.session.library import library_options
 from tests.debug.test_watch import Watching, compare
 from tests.fuzz.generator.program import generate
@@ -79,7 +79,7 @@ def by_watching(
     run: Watching, objects: list[WatchedObject], end: int
 ) -> tuple[list[Change], int | None]:
     changes = list[Change]()
-    run.watches.arm(objects)
+    run.watches.arm(objects, build_watching)
     while run.run() and run.begun < end:
         for each in run.watches.drain():
             if each.what == "return":
@@ -152,7 +152,7 @@ def expression_by_watching(
         build = id(run.fleet.executable(0))
         return evaluators.setdefault(build, evaluator_of(run, names))
 
-    run.watches.arm([watched_expression(1, text, "change", current, None).watched])
+    run.watches.arm([watched_expression(1, text, "change", current, None).watched], build_watching)
     while run.run() and run.begun < end:
         for each in run.watches.drain():
             if each.what == "return":

@@ -57,5 +57,16 @@ class SourceLine:
         return (self.head + self.code.expandtabs()).rstrip()
 
 
-Answer = Iterator[str | Line | SourceLine]
+@dataclass(frozen=True, slots=True)
+class NestedCommand:
+    """Another command that is executed here, and answers here.
+
+    Attributes:
+        text: the command with its arguments.
+    """
+
+    text: str
+
+
+Answer = Iterator[str | Line | SourceLine | NestedCommand]
 """The answer of a command, line by line while it runs; a `str` is a `Line` of text."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.answer import Answer, Line, SourceLine
+from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.commands.display import Display
 from crs_cc.debug.commands.settings import Settings
@@ -70,7 +70,6 @@ class CommandContext:
     """The state of a command line.
 
     Attributes:
-        execute: executes a line, for commands that read others from a file.
         displays: by number, the expressions that are shown at every stop.
         scripts: by breakpoint, the commands that are executed when it is hit.
         due: the commands of the breakpoints that were hit last, not executed yet.
@@ -85,11 +84,8 @@ class CommandContext:
         shown_value: the number of the value that `show values` showed last.
     """
 
-    def __init__(
-        self, debugger: Debugger, execute: Callable[[str], Iterator[Line | SourceLine]]
-    ) -> None:
+    def __init__(self, debugger: Debugger) -> None:
         self.debugger = debugger
-        self.execute = execute
         self.displays: dict[int, Display] = {}
         self.scripts: dict[int, tuple[str, ...]] = {}
         self.due: list[str] = []

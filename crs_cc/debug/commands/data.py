@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.suggest import unknown
-from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.answer import Answer, NestedCommand
 from crs_cc.debug.commands.arguments import (
     OutputFormat,
     parse_format,
@@ -105,7 +105,7 @@ def _with(context: CommandContext, text: str) -> Answer:
     if found is None:
         raise DebugError(unknown("setting", setting, [each.name for each in SETTINGS]))
     with _changed(context, [(found.name, value)]):
-        yield from context.execute(command)
+        yield NestedCommand(command)
 
 
 def _whatis(context: CommandContext, text: str) -> Answer:

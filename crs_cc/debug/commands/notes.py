@@ -44,7 +44,7 @@ def _save_run(context: CommandContext, text: str) -> Answer:
     path = Path(from_text(f"run{name}" if name == _ENDING else name))
     _check(path)
     try:
-        debugger.save(path)
+        debugger.save(debugger, path)
     except OSError as error:
         raise DebugError(f"'{path}' cannot be written: {error.strerror}") from None
     yield f"Saved to '{path}': the run up to t = {debugger.session.time_s:.3f} s."

@@ -10,7 +10,7 @@ from typing import Final
 from crs_cc.core.file_names import from_text
 from crs_cc.core.host_system import open_regular
 from crs_cc.debug.breakpoints import Breakpoint
-from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.answer import Answer, NestedCommand
 from crs_cc.debug.commands.arguments import require_argument
 from crs_cc.debug.commands.c_format import unescaped
 from crs_cc.debug.commands.command import Command, Group
@@ -48,7 +48,7 @@ def _source(context: CommandContext, text: str) -> Answer:
         for line in lines:
             if context.has_ended:
                 return
-            yield from context.execute(line or "#")
+            yield NestedCommand(line or "#")
             stop = context.debugger.stop
             if stop is not before and stop.reason == "interrupt":
                 raise DebugError("script interrupted")

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.answer import Answer, Line, SourceLine
+from crs_cc.debug.commands.answer import Answer, Line, NestedCommand, SourceLine
 from crs_cc.debug.commands.arguments import reject_arguments
 from crs_cc.debug.commands.command import Command
 from crs_cc.debug.commands.context import CommandContext, CommandInput
@@ -40,7 +40,7 @@ class Shell:
             check: raises DebugError for commands that must not be executed, those that others
                 execute and those of breakpoints included.
         """
-        self.context = CommandContext(debugger, self.execute)
+        self.context = CommandContext(debugger)
         self._check = check
         self.failures = 0
         self._repeated = ""
@@ -79,7 +79,7 @@ class Shell:
 
     def greet(self) -> Iterator[Line | SourceLine]:
         """Move to the start of the run and answer with its location."""
-        yield from _as_lines(self.context.move(self.debugger.start))
+        yield from self._lines(self.context.move(self.debugger.start))
 
     def _collect(self, entered: CommandInput, line: str) -> None:
         if line != "end":
@@ -98,7 +98,7 @@ class Shell:
                 self._repeated = _repeated(command, text)
             if not command.syntax:
                 reject_arguments(arguments)
-            yield from _as_lines(command.run(self.context, arguments))
+            yield from self._lines(command.run(self.context, arguments))
         except DebugError as error:
             yield from self._fail(str(error))
         except OSError:  # the system's: the reader may have closed the output
@@ -106,6 +106,16 @@ class Shell:
         except Exception as error:  # ours; what the user has done so far must not be lost
             wrong = " ".join(f"{type(error).__name__}: {error}".split())
             yield from self._fail(f"internal error: {wrong}; please report it")
+
+    def _lines(self, answer: Answer) -> Iterator[Line | SourceLine]:
+        """Return the lines of an answer; execute the commands in it."""
+        for each in answer:
+            if isinstance(each, str):
+                yield from map(Line, each.split("\n"))
+            elif isinstance(each, NestedCommand):
+                yield from self.execute(each.text)
+            else:
+                yield each
 
     def _fail(self, text: str) -> Iterator[Line]:
         """Count a failed command, drop those that were due after it, and answer with its errors."""
@@ -129,11 +139,3 @@ def _find(text: str) -> tuple[Command, str]:
 def _repeated(command: Command, text: str) -> str:
     """Return the command that an empty line after a command repeats."""
     return {"": "", "same": text, "on": command.name}[command.repeats]
-
-
-def _as_lines(answer: Answer) -> Iterator[Line | SourceLine]:
-    for each in answer:
-        if isinstance(each, str):
-            yield from map(Line, each.split("\n"))
-        else:
-            yield each

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.source import Location
-from crs_cc.debug.commands.answer import Answer, SourceLine
+from crs_cc.debug.commands.answer import Answer, NestedCommand, SourceLine
 from crs_cc.debug.commands.arguments import parse_count, require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext, Listing
@@ -105,15 +105,15 @@ def _apply(context: CommandContext, text: str) -> Answer:
         for each in found:
             view.select_frame(each.number)
             yield f"#{each.number}  {frame_text(context.debugger, each)}"
-            yield from context.execute(command)
+            yield NestedCommand(command)
     finally:
         view.frame = before
 
 
 def _select_frame(context: CommandContext, text: str) -> Answer:
-    for _ in _frame(context, require_argument(text, "a frame's number, or function NAME")):
-        pass
-    yield from ()
+    for each in _frame(context, require_argument(text, "a frame's number, or function NAME")):
+        if isinstance(each, NestedCommand):
+            yield each
 
 
 def _frame_of(context: CommandContext, function: str) -> int:

@@ -7,7 +7,7 @@ from typing import Final
 
 from crs_cc.core.quantity import LENGTH
 from crs_cc.core.suggest import unknown
-from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.answer import Answer, NestedCommand
 from crs_cc.debug.commands.arguments import (
     parse_count,
     parse_numbers,
@@ -72,7 +72,7 @@ def _apply(context: CommandContext, text: str) -> Answer:
         for robot in chosen:
             debugger.view.select_robot(robot)
             yield f"{names[robot]}:"
-            yield from context.execute(command)
+            yield NestedCommand(command)
     finally:
         debugger.view.robot, debugger.view.frame = before
 

@@ -51,20 +51,22 @@ class ConvenienceFunctions:
     def __init__(
         self,
         evaluate: Callable[[str, StackFrame | None], Value],
-        stack: Callable[[], Sequence[StackFrame]],
+        stack: Sequence[StackFrame],
         robot: int,
+        settings: Mapping[str, int],
     ) -> None:
         """Store the data that the functions need.
 
         Args:
             evaluate: evaluates an argument.
-            stack: returns the frames of the program, innermost first.
+            stack: the frames of the program, innermost first.
             robot: the number of the robot.
+            settings: the values of the settings of the debugger by name.
         """
         self._evaluate = evaluate
         self._stack = stack
         self._robot = robot
-        self.settings: Mapping[str, int] = {}
+        self._settings = settings
 
     def expanded(self, text: str, frame: StackFrame | None) -> str:
         """Return an expression with the calls replaced by their values.
@@ -105,9 +107,8 @@ class ConvenienceFunctions:
 
     def _names(self, frame: StackFrame | None) -> list[str]:
         """Return the names of the functions from a frame outward."""
-        stack = self._stack()
-        first = next((at for at, each in enumerate(stack) if each is frame), 0)
-        return [plain_name(each.function) for each in stack[first:]]
+        first = next((at for at, each in enumerate(self._stack) if each is frame), 0)
+        return [plain_name(each.function) for each in self._stack[first:]]
 
     # -- the functions -------------------------------------------------------------------------
 
@@ -147,9 +148,9 @@ class ConvenienceFunctions:
 
     def _gdb_setting(self, arguments: Sequence[str], frame: StackFrame | None) -> int:
         name = self._text(arguments[0], frame)
-        if name not in self.settings:
+        if name not in self._settings:
             raise DebugError(f"unknown setting '{name}'")
-        return self.settings[name]
+        return self._settings[name]
 
     def _thread(self, _arguments: Sequence[str], _frame: StackFrame | None) -> int:
         return self._robot

@@ -10,11 +10,12 @@ Side effects of an expression apply to the program; a failed evaluation has none
 from __future__ import annotations
 
 import contextlib
+import copy
 import functools
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any, Final
+from typing import Any, Final, Self
 
 from crs_cc.core.source import Location
 from crs_cc.debug.data.convenience_functions import (
@@ -32,7 +33,12 @@ from crs_cc.debug.data.expression_compiler import (
     Use,
 )
 from crs_cc.debug.data.expression_memory import EvaluationError
-from crs_cc.debug.data.expression_scope import active_call, global_scope, lasting_scope
+from crs_cc.debug.data.expression_scope import (
+    active_call,
+    global_scope,
+    innermost,
+    lasting_scope,
+)
 from crs_cc.debug.data.external_values import ExternalUse, ExternalValues, NoExternalValues
 from crs_cc.debug.data.instruction_steps import SCRATCH
 from crs_cc.debug.data.interpret import Interpreter, check_address, result_bytes
@@ -62,14 +68,7 @@ from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import Program
-from crs_cc.ir.types import (
-    LONG,
-    VOID,
-    ArrayType,
-    CType,
-    FunctionType,
-    PointerType,
-)
+from crs_cc.ir.types import LONG, VOID, ArrayType, CType, FunctionType, PointerType
 from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 
 _MAY_BE_OUTSIDE: Final = re.compile(r"::|\$world|\w\s*\.\s*\w|distance\s*\(")
@@ -82,7 +81,7 @@ class Evaluator:
     Attributes:
         convenience_values: the values of `$name` by name; that of `$` has an empty name.
         full_style: how values are written at length.
-        functions: the convenience functions.
+        settings: the values of the settings of the debugger by name, for convenience functions.
     """
 
     def __init__(
@@ -92,7 +91,6 @@ class Evaluator:
         convenience_values: dict[str, Value] | None = None,
         fields: tuple[StateField, ...] = (),
         *,
-        external: ExternalValues | None = None,
         edits: Edits = no_edits,
         robot: int = 0,
     ) -> None:
@@ -103,7 +101,6 @@ class Evaluator:
             names: the names of its source files.
             convenience_values: the convenience variables, shared with other programs.
             fields: the fields of `State[]` for its robot.
-            external: the world and the other robots; None if there is no world.
             edits: returns the changes of objects that the program does not use.
             robot: the number of its robot.
         """
@@ -111,18 +108,16 @@ class Evaluator:
         self.full_style = FULL
         self._replaced: list[tuple[str, Value | None]] = []  # by the last expression
         self._contexts: dict[tuple[str, Location], ExpressionContext] = {}
-        self.functions = ConvenienceFunctions(self._part, lambda: stopped().stack, robot)
+        self.settings: Mapping[str, int] = {}
+        self._robot = robot
         self._stopped = stopped
         self._names = names
         self._fields = fields
         now = stopped()
-        self._compiled = now.compiled
         self._scopes = Scopes(now.program, now.compiled)
-        self._external = external or NoExternalValues()
-        self._preparation = ExpressionCompiler(
-            names, self._scopes, self.convenience_values, self._external
-        )
-        self._memory = StoppedMemory(now, self._explain)
+        self._external: ExternalValues = NoExternalValues()
+        self._preparation = ExpressionCompiler(names, self._scopes, self.convenience_values)
+        self._memory = StoppedMemory(now, lambda *at: MemoryInspector(stopped()).explain(*at))
         self._unused = UnusedObjects((now.program.unused or Program()).data, edits)
         self._interpreter = Interpreter(
             now.program,
@@ -131,6 +126,16 @@ class Evaluator:
             UnlinkedDefinitions(now.program).get,
             self._unused,
         )
+
+    def seeing(self, external: ExternalValues) -> Self:
+        """Return this evaluator for expressions that may also use the world and other robots.
+
+        It shares all else, what was evaluated last too. To keep them here would be a reference
+        cycle, as they are evaluated in the programs of all robots.
+        """
+        made = copy.copy(self)
+        made._external = external
+        return made
 
     def evaluate(self, text: str, frame: StackFrame | None = None) -> Evaluation:
         """Evaluate an expression.
@@ -150,7 +155,7 @@ class Evaluator:
             return found
         self._replaced.clear()
         stopped = self._stopped()
-        frame = frame or _innermost(stopped)
+        frame = frame or innermost(stopped)
         if unset_variable(text, self.convenience_values):
             return Evaluation(Value(self.inspector(), VOID, b""))
         wanted = slice_in(text)
@@ -196,7 +201,7 @@ class Evaluator:
             DebugError: as for `evaluate`.
         """
         stopped = self._stopped()
-        _, result = self._run(f"!!({text})", stopped, frame or _innermost(stopped))
+        _, result = self._run(f"!!({text})", stopped, frame or innermost(stopped))
         self._memory.undo()
         return bool(result)
 
@@ -219,7 +224,7 @@ class Evaluator:
 
     def prepared(self, text: str, function: str, place: Location) -> PreparedExpression:
         """Compile an expression at a location; raise DebugError if it is invalid there."""
-        return self._preparation.of(text, ExpressionContext(function, place))
+        return self._preparation.of(text, ExpressionContext(function, place), self._external)
 
     def type_of(self, text: str, frame: StackFrame | None = None) -> CType:
         """Return the type of an expression, which is not evaluated.
@@ -227,7 +232,7 @@ class Evaluator:
         Raises:
             DebugError: it is invalid here.
         """
-        frame = frame or _innermost(self._stopped())
+        frame = frame or innermost(self._stopped())
         wanted = slice_in(text)
         if wanted is not None:
             return self._slice(wanted, frame).type
@@ -243,7 +248,7 @@ class Evaluator:
             DebugError: it is invalid here, or its meaning would change with time.
         """
         stopped = self._stopped()
-        frame = frame or _innermost(stopped)
+        frame = frame or innermost(stopped)
         return lasting_scope(text, self._prepared(text, frame), self._here(frame), stopped, frame)
 
     def observe(
@@ -270,7 +275,7 @@ class Evaluator:
         self._memory.reads = reads = MemoryReads()
         reads.spans |= {(known.address(each), LONG.size) for each in extents}
         try:
-            prepared = self._preparation.of(text, replace(scope, sizes=sizes))
+            prepared = self._preparation.of(text, replace(scope, sizes=sizes), self._external)
             result = self._result(prepared, known, frame)
             seen = observed(prepared.compiled, result, self._memory, self._interpreter)
             return replace(seen, is_elsewhere=True) if self._unused.is_used else seen
@@ -289,7 +294,7 @@ class Evaluator:
             DebugError: it names no object.
         """
         stopped = self._stopped()
-        frame = frame or _innermost(stopped)
+        frame = frame or innermost(stopped)
         wanted = slice_in(text)
         prepared, result = self._run(text if wanted is None else wanted.base, stopped, frame)
         self._memory.undo()
@@ -307,7 +312,7 @@ class Evaluator:
     def is_unused(self, text: str, frame: StackFrame | None = None) -> bool:
         """Return whether an expression names an object that the program does not use."""
         stopped = self._stopped()
-        prepared, result = self._run(text, stopped, frame or _innermost(stopped))
+        prepared, result = self._run(text, stopped, frame or innermost(stopped))
         self.undo()
         return prepared.compiled.is_place and unsigned(result or 0, 32) >= UNLINKED
 
@@ -317,7 +322,7 @@ class Evaluator:
         Parameters come last; variables that are declared later are left out.
         """
         stopped = self._stopped()
-        frame = frame or _innermost(stopped)
+        frame = frame or innermost(stopped)
         if frame is None or in_library(frame.location):
             return []
         type_of = self._names.types(frame.function, frame.location.file)
@@ -361,19 +366,19 @@ class Evaluator:
         return global_scope(text, self._prepared(text, frame), self._here(frame))
 
     def _prepared(self, text: str, frame: StackFrame | None) -> PreparedExpression:
-        return self._preparation.of(self.functions.expanded(text, frame), self._here(frame))
+        return self._preparation.of(self._expanded(text, frame), self._here(frame), self._external)
 
     def _here(self, frame: StackFrame | None) -> ExpressionContext:
         """Return the scope of a frame, by default the innermost of the user's."""
         stopped = self._stopped()
-        frame = frame or _innermost(stopped)
+        frame = frame or innermost(stopped)
         return self._standing(stopped, frame, FrameAddresses.of(stopped, frame))
 
     def external_name(self, text: str, frame: StackFrame | None = None) -> ExternalName | None:
         """Return the value from outside that an expression is; None if it is more than that."""
         if not _MAY_BE_OUTSIDE.search(text):
             return None
-        rest, special = self._preparation.rewritten(text, self._here(frame))
+        rest, special = self._preparation.rewritten(text, self._here(frame), self._external)
         is_alone = rest.strip() == NAME.format(0) and len(special) == 1
         return special[0] if is_alone and isinstance(special[0], ExternalName) else None
 
@@ -394,8 +399,8 @@ class Evaluator:
         self, text: str, stopped: StoppedProgram, frame: StackFrame | None
     ) -> tuple[PreparedExpression, Any]:
         """Evaluate an expression; return it compiled, and its value or address."""
-        known, text = FrameAddresses.of(stopped, frame), self.functions.expanded(text, frame)
-        prepared = self._preparation.of(text, self._standing(stopped, frame, known))
+        known, text = FrameAddresses.of(stopped, frame), self._expanded(text, frame)
+        prepared = self._preparation.of(text, self._standing(stopped, frame, known), self._external)
         try:
             return prepared, self._result(prepared, known, frame)
         except EvaluationError as wrong:
@@ -472,7 +477,7 @@ class Evaluator:
         row = row_of(wanted, functools.partial(self._part, frame=frame))
         try:
             if row.address >= UNLINKED:
-                self._unused.read(row.address, row.type.size)
+                self._interpreter.read_scratch(row.address, row.type.size)
             else:
                 self._memory.read(row.address, row.type.size, judged=False)
         except EvaluationError as wrong:
@@ -487,12 +492,8 @@ class Evaluator:
             raise DebugError(f"'{text}' would change the program")
         return found.value
 
-    def _explain(self, address: int, size: int, reading: bool) -> str:
-        return self.inspector().explain(address, size, reading)
-
-
-def _innermost(stopped: StoppedProgram) -> StackFrame | None:
-    for each in stopped.stack:
-        if not in_library(each.location):
-            return each
-    return None
+    def _expanded(self, text: str, frame: StackFrame | None) -> str:
+        """Return an expression with the calls of convenience functions replaced by their values."""
+        stack = self._stopped().stack
+        functions = ConvenienceFunctions(self._part, stack, self._robot, self.settings)
+        return functions.expanded(text, frame)

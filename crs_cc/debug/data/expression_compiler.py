@@ -166,46 +166,48 @@ class ExpressionCompiler:
         names: SourceNames,
         scopes: Scopes,
         kept: Mapping[str, Value],
-        external: ExternalValues,
     ) -> None:
-        """Store the names of files and functions, the convenience variables, and the world."""
+        """Store the names of files and functions, and the convenience variables."""
         self._names = names
         self._scopes = scopes
         self._kept = kept
-        self._external = external
         self._known: dict[tuple[Any, ...], PreparedExpression] = {}
 
-    def of(self, text: str, standing: ExpressionContext) -> PreparedExpression:
-        """Compile an expression; raise DebugError if it is invalid there."""
+    def of(
+        self, text: str, standing: ExpressionContext, external: ExternalValues
+    ) -> PreparedExpression:
+        """Compile an expression; raise DebugError if it is invalid there.
+
+        Args:
+            text: the expression.
+            standing: where its names have their meaning.
+            external: the world and the other robots.
+        """
         key = text, standing.function, standing.place
         found = self._known.get(key)
-        if found is not None and found.sizes == standing.sizes and self._is_current(found):
+        if found is not None and found.sizes == standing.sizes and _is_current(found, external):
             return found
         if len(text) > MAX_LENGTH:
             raise DebugError("the expression is too long")
-        found = self._compile(text, standing)
+        found = self._compile(text, standing, external)
         if not any(isinstance(each, bytes) for each in found.uses):
             if len(self._known) >= _MAX:
                 self._known.clear()
             self._known[key] = found
         return found
 
-    def _is_current(self, found: PreparedExpression) -> bool:
-        """Return whether the types of values from outside are as they were."""
-        if not found.external:
-            return True
-        return all(self._external.state(each.name) == each.state for each in found.external)
-
-    def _compile(self, text: str, standing: ExpressionContext) -> PreparedExpression:
+    def _compile(
+        self, text: str, standing: ExpressionContext, external: ExternalValues
+    ) -> PreparedExpression:
         names = self._names.of(standing.function, standing.place.file)
-        rest, special = self.rewritten(text, standing)
+        rest, special = self.rewritten(text, standing, external)
         used, blocks = set(_WORD.findall(_MEMBER.sub(" ", rest))), names.in_blocks(standing.place)
         known = self._visible(standing, names, used, blocks)
         found: list[tuple[str, Use | ExternalUse | bytes, CType]] = [
             (name, Use(storage), self._type(names, storage, standing)) for name, storage in known
         ]
         found += [
-            (NAME.format(number), *self._special(each, names, standing))
+            (NAME.format(number), *self._special(each, names, standing, external))
             for number, each in enumerate(special)
         ]
         pairs = [(name, ctype) for name, _, ctype in found]
@@ -225,11 +227,11 @@ class ExpressionCompiler:
                     restore_names(f"{warning.text} (cast it if that is meant)", special)
                 )
         uses = tuple(use for _, use, _ in found)
-        external = tuple(each for each in uses if isinstance(each, ExternalUse))
-        return PreparedExpression(compiled, uses, standing.sizes, external)
+        outside = tuple(each for each in uses if isinstance(each, ExternalUse))
+        return PreparedExpression(compiled, uses, standing.sizes, outside)
 
     def rewritten(
-        self, text: str, standing: ExpressionContext
+        self, text: str, standing: ExpressionContext, external: ExternalValues
     ) -> tuple[str, tuple[SpecialName, ...]]:
         """Return an expression in C, and its names that C does not have.
 
@@ -245,26 +247,30 @@ class ExpressionCompiler:
             return is_known or bool(self._visible(standing, names, {name}, blocks))
 
         def is_robot(name: str) -> bool:
-            return self._external.is_robot(name) and not self._scopes.functions(name)
+            return external.is_robot(name) and not self._scopes.functions(name)
 
-        return rewritten(with_world(text, self._external.is_object, is_in_c), is_robot)
+        return rewritten(with_world(text, external.is_object, is_in_c), is_robot)
 
     def _special(
-        self, name: SpecialName, names: FileNames, standing: ExpressionContext
+        self,
+        name: SpecialName,
+        names: FileNames,
+        standing: ExpressionContext,
+        external: ExternalValues,
     ) -> tuple[Use | ExternalUse | bytes, CType]:
         """Return the value and the type of a name that is not C."""
         match name:
             case QualifiedName():
-                use = self._outer(name)
-                return use, self._type(names, use.storage, standing)
+                outer = self._outer(name)
+                return outer, self._type(names, outer.storage, standing)
             case ConvenienceVariable():
                 value = self._value(name)
                 return value.content, value.type
         try:
-            external = external_use(self._external, name)
+            use = external_use(external, name)
         except DebugError as wrong:
             raise DebugError(f"{display_name(name)}: {wrong}") from None
-        return external, external.type
+        return use, use.type
 
     def _type(self, names: FileNames, storage: Storage, standing: ExpressionContext) -> CType:
         """Return the type of the variable in a storage."""
@@ -334,3 +340,8 @@ class ExpressionCompiler:
         if not value.is_initialised or not value.content:
             raise DebugError(f"${wanted.name} has no value: it is {value.text}")
         return value
+
+
+def _is_current(found: PreparedExpression, external: ExternalValues) -> bool:
+    """Return whether the types of values from outside are as they were."""
+    return all(external.state(each.name) == each.state for each in found.external)

@@ -8,7 +8,7 @@ from crs_cc.debug.data.evaluation import ExpressionScope
 from crs_cc.debug.data.expression_compiler import ExpressionContext, PreparedExpression, Use
 from crs_cc.debug.data.external_values import ExternalUse
 from crs_cc.debug.errors import DebugError
-from crs_cc.ir.names import plain_name
+from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame, StoppedProgram
 
 
@@ -70,3 +70,8 @@ def active_call(function: str, stopped: StoppedProgram, frame: StackFrame | None
         raise DebugError(f"'{plain_name(function)}' is not active: it has no variables")
     outside = [each for each in active if frame is None or each.fp >= frame.fp]
     return (outside or active)[0]
+
+
+def innermost(stopped: StoppedProgram) -> StackFrame | None:
+    """Return the innermost frame of the user's own code."""
+    return next((each for each in stopped.stack if not in_library(each.location)), None)

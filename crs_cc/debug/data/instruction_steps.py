@@ -35,8 +35,9 @@ _NO_EFFECT: Final = (
 
 @dataclass(slots=True)
 class CallFrame:
-    """An active call: registers, slots, and variable arguments."""
+    """An active call: the memory it works on, registers, slots, and variable arguments."""
 
+    space: AddressSpace
     values: dict[ir.Register, Any] = field(default_factory=dict)
     slots: dict[ir.Slot, int] = field(default_factory=dict)
     more: int = 0
@@ -92,9 +93,7 @@ def store(space: AddressSpace, address: int, memory: MemoryType, value: Any) -> 
 class InstructionSteps:
     """Takes blocks apart, and keeps the parts."""
 
-    def __init__(self, space: AddressSpace) -> None:
-        """Store the memory that the instructions work on."""
-        self._space = space
+    def __init__(self) -> None:
         self._known: dict[ir.Block, tuple[Step, ...]] = {}
 
     def of(self, block: ir.Block) -> tuple[Step, ...]:
@@ -103,105 +102,117 @@ class InstructionSteps:
         if found is None:
             if len(self._known) >= _MAX_CACHED:
                 self._known.clear()
-            steps = map(self._step, block.instructions)
+            steps = map(_step, block.instructions)
             found = self._known[block] = tuple(each for each in steps if each is not None)
         return found
 
-    def _step(self, it: ir.Instruction) -> Step | None:
-        match it:
-            case ir.Move():
-                return _move(it)
-            case ir.Unary():
-                return _unary(it)
-            case ir.Binary():
-                return _binary(it)
-            case ir.Address():
-                return self._address_of(it)
-            case ir.Load():
-                return self._load(it)
-            case ir.Store():
-                return self._store(it)
-        return self._rare_step(it)
 
-    def _rare_step(self, it: ir.Instruction) -> Step | None:
-        match it:
-            case ir.State():
-                return lambda frame: self._state(frame, it)
-            case ir.Copy():
-                return lambda frame: self._copy(frame, it)
-            case ir.Fill():
-                return lambda frame: self._fill(frame, it)
-            case ir.Mark():
-                return lambda frame: self._mark(frame, it.target, it.size, it.state)
-            case ir.MarkUnset():
-                unset = ir.ByteState.WITHOUT_VALUE
-                return lambda frame: self._mark(frame, it.target, it.size, unset)
-        assert isinstance(it, _NO_EFFECT), it
-        return None
+def _step(it: ir.Instruction) -> Step | None:
+    match it:
+        case ir.Move():
+            return _move(it)
+        case ir.Unary():
+            return _unary(it)
+        case ir.Binary():
+            return _binary(it)
+        case ir.Address():
+            return _address_of(it)
+        case ir.Load():
+            return _load(it)
+        case ir.Store():
+            return _store(it)
+    return _rare_step(it)
 
-    # -- addresses and accesses ------------------------------------------------------------------
 
-    def _place(self, base: ir.Base, offset: int) -> Callable[[CallFrame], int]:
-        """Return a function for an address."""
-        match base:
-            case ir.Register():
-                return lambda frame: (frame.values.get(base, 0) + offset) & 0xFFFF_FFFF
-            case ir.Slot():
-                if base is ir.VARARGS:
-                    return lambda frame: (frame.more + offset) & 0xFFFF_FFFF
-                return lambda frame: (frame.slots[base] + offset) & 0xFFFF_FFFF
-        return lambda _frame: (self._space.symbol_address(base) + offset) & 0xFFFF_FFFF
+def _rare_step(it: ir.Instruction) -> Step | None:
+    match it:
+        case ir.State():
+            return lambda frame: _state(frame, it)
+        case ir.Copy():
+            return lambda frame: _copy(frame, it)
+        case ir.Fill():
+            return lambda frame: _fill(frame, it)
+        case ir.Mark():
+            return lambda frame: _mark(frame, it.target, it.size, it.state)
+        case ir.MarkUnset():
+            unset = ir.ByteState.WITHOUT_VALUE
+            return lambda frame: _mark(frame, it.target, it.size, unset)
+    assert isinstance(it, _NO_EFFECT), it
+    return None
 
-    def _address_of(self, it: ir.Address) -> Step:
-        place, result = self._place(it.base, it.offset), it.result
 
-        def step(frame: CallFrame) -> None:
-            frame.values[result] = compute("i32.add", place(frame), 0)
+# -- addresses and accesses ------------------------------------------------------------------------
 
-        return step
 
-    def _load(self, it: ir.Load) -> Step:
-        place, result, judged = self._place(it.base, it.offset), it.result, not it.unjudged
-        unpack, size, read = _PACKED[it.memory].unpack, MEMORY_SIZE[it.memory], self._space.read
+def _place(base: ir.Base, offset: int) -> Callable[[CallFrame], int]:
+    """Return a function for an address."""
+    match base:
+        case ir.Register():
+            return lambda frame: (frame.values.get(base, 0) + offset) & 0xFFFF_FFFF
+        case ir.Slot():
+            if base is ir.VARARGS:
+                return lambda frame: (frame.more + offset) & 0xFFFF_FFFF
+            return lambda frame: (frame.slots[base] + offset) & 0xFFFF_FFFF
+    return lambda frame: (frame.space.symbol_address(base) + offset) & 0xFFFF_FFFF
 
-        def step(frame: CallFrame) -> None:
-            frame.values[result] = unpack(read(place(frame), size, judged=judged))[0]
 
-        return step
+def _address_of(it: ir.Address) -> Step:
+    place, result = _place(it.base, it.offset), it.result
 
-    def _store(self, it: ir.Store) -> Step:
-        place, source, memory = self._place(it.base, it.offset), it.source, it.memory
+    def step(frame: CallFrame) -> None:
+        frame.values[result] = compute("i32.add", place(frame), 0)
 
-        def step(frame: CallFrame) -> None:
-            store(self._space, place(frame), memory, operand_value(frame, source))
+    return step
 
-        return step
 
-    def _state(self, frame: CallFrame, it: ir.State) -> None:
-        address = unsigned(operand_value(frame, it.address), 32)
-        is_own = address >= SCRATCH
-        state = ir.ByteState.WITH_VALUE if is_own else self._space.state(address)
-        frame.values[it.result] = int(state)
+def _load(it: ir.Load) -> Step:
+    place, result, judged = _place(it.base, it.offset), it.result, not it.unjudged
+    unpack, size = _PACKED[it.memory].unpack, MEMORY_SIZE[it.memory]
 
-    def _copy(self, frame: CallFrame, it: ir.Copy) -> None:
-        """Copy bytes with their states."""
-        size = unsigned(operand_value(frame, it.size), 32)
-        if size:
-            source = unsigned(operand_value(frame, it.source), 32)
-            content = self._space.read(source, size, judged=False)
-            states = self._space.states(source, size) if source < SCRATCH else b""
-            self._space.write(unsigned(operand_value(frame, it.target), 32), content, states)
+    def step(frame: CallFrame) -> None:
+        content = frame.space.read(place(frame), size, judged=judged)
+        frame.values[result] = unpack(content)[0]
 
-    def _fill(self, frame: CallFrame, it: ir.Fill) -> None:
-        size = unsigned(operand_value(frame, it.size), 32)
-        if size > SCRATCH_BYTES:
-            raise EvaluationError("the expression needs too much memory")
-        byte = unsigned(operand_value(frame, it.value), 8)
-        self._space.write(operand_value(frame, it.target), bytes([byte]) * size)
+    return step
 
-    def _mark(self, frame: CallFrame, target: ir.Operand, size: ir.Operand, state: int) -> None:
-        address, count = (unsigned(operand_value(frame, each), 32) for each in (target, size))
-        self._space.mark(address, count, state)
+
+def _store(it: ir.Store) -> Step:
+    place, source, memory = _place(it.base, it.offset), it.source, it.memory
+
+    def step(frame: CallFrame) -> None:
+        store(frame.space, place(frame), memory, operand_value(frame, source))
+
+    return step
+
+
+def _state(frame: CallFrame, it: ir.State) -> None:
+    address = unsigned(operand_value(frame, it.address), 32)
+    is_own = address >= SCRATCH
+    state = ir.ByteState.WITH_VALUE if is_own else frame.space.state(address)
+    frame.values[it.result] = int(state)
+
+
+def _copy(frame: CallFrame, it: ir.Copy) -> None:
+    """Copy bytes with their states."""
+    size = unsigned(operand_value(frame, it.size), 32)
+    if size:
+        source = unsigned(operand_value(frame, it.source), 32)
+        content = frame.space.read(source, size, judged=False)
+        states = frame.space.states(source, size) if source < SCRATCH else b""
+        frame.space.write(unsigned(operand_value(frame, it.target), 32), content, states)
+
+
+def _fill(frame: CallFrame, it: ir.Fill) -> None:
+    size = unsigned(operand_value(frame, it.size), 32)
+    if size > SCRATCH_BYTES:
+        raise EvaluationError("the expression needs too much memory")
+    byte = unsigned(operand_value(frame, it.value), 8)
+    frame.space.write(operand_value(frame, it.target), bytes([byte]) * size)
+
+
+def _mark(frame: CallFrame, target: ir.Operand, size: ir.Operand, state: int) -> None:
+    address, count = (unsigned(operand_value(frame, each), 32) for each in (target, size))
+    frame.space.mark(address, count, state)
 
 
 # -- computing -------------------------------------------------------------------------------------

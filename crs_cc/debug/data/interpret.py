@@ -110,7 +110,6 @@ class Interpreter:
         self._addresses = dict(addresses)
         self._memory = memory
         self._unused = unused or UnusedObjects({})
-        self._unused.known = self.symbol_address
         self._addresses.update(self._unused.addresses)
         functions = [*program.functions, *(program.unused or Program()).functions]
         called = [name for name in functions if name not in self._addresses]
@@ -122,7 +121,7 @@ class Interpreter:
         self._borrowed_names: list[str] = []
         self._left = MAX_INSTRUCTIONS
         self._depth = 0
-        self._steps = InstructionSteps(self)
+        self._steps = InstructionSteps()
         self.printed: list[Printed] = []
 
     def evaluate(self, expression: Program, name: str, arguments: Sequence[int | bytes]) -> Any:
@@ -152,7 +151,7 @@ class Interpreter:
             self._addresses[data.name] = self._scratch.allocate(data.size)
         for data in expression.data.values():
             self._fill(data)
-        own, frame = expression.functions[name], CallFrame()
+        own, frame = expression.functions[name], CallFrame(self)
         for parameter, each in zip(own.parameters, arguments, strict=True):
             assert isinstance(parameter.place, ir.Register)
             address = self._kept(each) if isinstance(each, bytes) else each
@@ -170,7 +169,7 @@ class Interpreter:
     def scratch(self, address: int, size: int) -> bytes:
         """Return bytes of the scratch memory or of unused objects, fewer at their ends."""
         if address >= UNLINKED:
-            return self._unused.peek(address, size)
+            return self._unused.peek(address, size, self.symbol_address)
         return (self._borrowed if address in self._borrowed else self._scratch).peek(address, size)
 
     def name_of(self, address: int, target: CType) -> str:
@@ -182,7 +181,7 @@ class Interpreter:
     def read_scratch(self, address: int, size: int) -> bytes:
         """Return bytes as `scratch` does; raise EvaluationError if they are not there."""
         if address >= UNLINKED:
-            return self._unused.read(address, size)
+            return self._unused.read(address, size, self.symbol_address)
         return (self._borrowed if address in self._borrowed else self._scratch).read(address, size)
 
     def _kept(self, content: bytes) -> int:
@@ -223,7 +222,7 @@ class Interpreter:
         if address < SCRATCH:
             self._memory.write(address, content, states)
         elif address >= UNLINKED:
-            self._unused.write(address, content)
+            self._unused.write(address, content, self.symbol_address)
         else:
             (self._borrowed if address in self._borrowed else self._scratch).write(address, content)
 
@@ -245,7 +244,7 @@ class Interpreter:
         self._depth += 1
         if self._depth > MAX_CALLS:
             raise EvaluationError("too many nested calls")
-        mark, frame, trusting = self._scratch.mark(), CallFrame(), self._memory.trusting
+        mark, frame, trusting = self._scratch.mark(), CallFrame(self), self._memory.trusting
         try:
             self._enter(function, frame, arguments)
             self._memory.trusting = function.trusted

@@ -52,6 +52,10 @@ def _no_name(_address: int, _target: CType) -> str:
     return ""
 
 
+def _no_bytes(_address: int, _size: int) -> bytes:
+    return b""
+
+
 class MemoryInspector:
     """Describes the memory of a stopped program.
 
@@ -62,7 +66,7 @@ class MemoryInspector:
     def __init__(
         self,
         stopped: StoppedProgram,
-        scratch: Callable[[int, int], bytes],
+        scratch: Callable[[int, int], bytes] = _no_bytes,
         fields: tuple[StateField, ...] = (),
         full_style: Style = FULL,
         name_above: Callable[[int, CType], str] = _no_name,

@@ -21,6 +21,8 @@ from crs_cc.runtime.diagnosis.variables import target_name
 
 Edits = Callable[[], Sequence[MemoryPatch]]
 """Returns the changes of such objects up to now."""
+AddressOf = Callable[[str], int]
+"""Returns the address of anything by its linker's name: what the content of an object may hold."""
 
 _GAP: Final = 64
 """Between two objects [bytes], so that one past the end of an object is in no other."""
@@ -36,7 +38,6 @@ class UnusedObjects:
 
     Attributes:
         addresses: by the linker's names, their addresses.
-        known: returns the address of anything by its linker's name; to be set.
         is_used: whether the evaluation has used any of them.
     """
 
@@ -44,7 +45,6 @@ class UnusedObjects:
         """Give the objects addresses."""
         self._data = data
         self._edits = edits
-        self.known: Callable[[str], int] = self._own_address
         self.is_used = False
         self.addresses: dict[str, int] = {}
         at = UNLINKED
@@ -56,31 +56,29 @@ class UnusedObjects:
         self._contents: dict[str, bytearray] = {}
         self._first: dict[str, bytes] = {}  # what the changed ones were at first
 
-    def _own_address(self, name: str) -> int:
-        return self.addresses[name]
-
     def begin(self) -> None:
         """Start an evaluation: what others have changed is undone, or in the history by now."""
         self.is_used = False
         self._contents.clear()
         self._first.clear()
 
-    def read(self, address: int, size: int) -> bytes:
+    def read(self, address: int, size: int, address_of: AddressOf) -> bytes:
         """Return bytes; raise EvaluationError if they are not in an object."""
         name, at = self._find(address, size)
-        return bytes(self._content(name)[at : at + size])
+        return bytes(self._content(name, address_of)[at : at + size])
 
-    def peek(self, address: int, size: int) -> bytes:
+    def peek(self, address: int, size: int, address_of: AddressOf) -> bytes:
         """Return bytes, as many as are in the object at an address."""
         number = bisect_right(self._starts, address) - 1
         if number < 0:
             return b""
-        return bytes(self._content(self._names[number])[address - self._starts[number] :][:size])
+        whole = self._content(self._names[number], address_of)
+        return bytes(whole[address - self._starts[number] :][:size])
 
-    def write(self, address: int, content: bytes) -> None:
+    def write(self, address: int, content: bytes, address_of: AddressOf) -> None:
         """Change bytes; raise EvaluationError if they are not in an object."""
         name, at = self._find(address, len(content))
-        whole = self._content(name)
+        whole = self._content(name, address_of)
         self._first.setdefault(name, bytes(whole))
         whole[at : at + len(content)] = content
 
@@ -119,18 +117,18 @@ class UnusedObjects:
             raise EvaluationError(f"no object at {address:#x}")
         return self._names[number], at
 
-    def _content(self, name: str) -> bytearray:
+    def _content(self, name: str, address_of: AddressOf) -> bytearray:
         """Return the content of an object as it is now."""
         self.is_used = True
         if name not in self._contents:
-            self._contents[name] = self._create(name)
+            self._contents[name] = self._create(name, address_of)
         return self._contents[name]
 
-    def _create(self, name: str) -> bytearray:
+    def _create(self, name: str, address_of: AddressOf) -> bytearray:
         data, start = self._data[name], self.addresses[name]
         made = bytearray((data.content or b"").ljust(data.size, b"\0"))
         for each in data.relocations:
-            value = (self.known(each.symbol) + each.addend) & 0xFFFF_FFFF
+            value = (address_of(each.symbol) + each.addend) & 0xFFFF_FFFF
             made[each.offset : each.offset + 4] = value.to_bytes(4, "little")
         for patch in self._edits():
             at = patch.address - start

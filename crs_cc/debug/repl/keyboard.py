@@ -28,13 +28,12 @@ class Keyboard:
 
     Attributes:
         is_typed: whether it is a terminal.
-        on_interrupt: called on Ctrl-C while the programs run.
     """
 
     def __init__(self, terminal: Terminal) -> None:
         """Store the terminal, so that prompts and output do not mix."""
         self.is_typed = sys.stdin is not None and not sys.stdin.closed and sys.stdin.isatty()
-        self.on_interrupt: Callable[[], None] = _ignore
+        self._interrupt: Callable[[], None] = _ignore
         self._terminal = terminal
         self._is_asking = False
 
@@ -62,12 +61,25 @@ class Keyboard:
                 return sys.stdin.buffer.readline(wanted)
         except KeyboardInterrupt:
             self._terminal.broken()
-            self.on_interrupt()
+            self._interrupt()
             return b""
 
     @contextmanager
-    def listening(self) -> Iterator[None]:
-        """Make Ctrl-C end a prompt, or interrupt the programs."""
+    def listening(self, interrupt: Callable[[], None]) -> Iterator[None]:
+        """Make Ctrl-C end a prompt, or interrupt the programs.
+
+        Args:
+            interrupt: called on Ctrl-C while the programs run.
+        """
+        self._interrupt = interrupt
+        try:
+            with self._handling_signals():
+                yield
+        finally:
+            self._interrupt = _ignore
+
+    @contextmanager
+    def _handling_signals(self) -> Iterator[None]:
         if threading.current_thread() is not threading.main_thread():
             yield
             return
@@ -80,7 +92,7 @@ class Keyboard:
     def _handle_signal(self, _signal: int, _frame: FrameType | None) -> None:
         if self._is_asking:
             raise KeyboardInterrupt
-        self.on_interrupt()
+        self._interrupt()
 
     @contextmanager
     def _asking(self) -> Iterator[None]:

@@ -51,12 +51,11 @@ class Repl:
         self._terminal = terminal
         self._keyboard = keyboard
         self._interrupted = False
-        keyboard.on_interrupt = self._interrupt
-        debugger.stop_points.print_log = self._log
+        debugger.stop_points.print_log = lambda text: terminal.line(Line(text, "log"))
 
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
         """Execute scripts, then the user's commands; return how many have failed."""
-        with self._keyboard.listening():
+        with self._keyboard.listening(self._interrupt):
             is_at_terminal = self._keyboard.is_typed and not batch
             user = UserSession(self.shell.context) if is_at_terminal else None
             for text in user.load_settings() if user else ():
@@ -102,9 +101,6 @@ class Repl:
         """Interrupt the programs and the current script."""
         self._interrupted = True
         self.shell.debugger.interrupt()
-
-    def _log(self, text: str) -> None:
-        self._terminal.line(Line(text, "log"))
 
     def _execute(self, text: str) -> None:
         self.shell.debugger.forget_interrupt()  # one that arrived too late for the previous command

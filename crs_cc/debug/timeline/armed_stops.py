@@ -29,7 +29,7 @@ class ArmedStops:
         self._armed: set[int] = set()  # robots whose programs may have marks or watched objects
         self._watching_builds: dict[int, Executable] = {}
         fleet = session.fleet
-        self._watches = [WatchSet(fleet, robot, self._watching) for robot in range(robots)]
+        self._watches = [WatchSet(fleet, robot) for robot in range(robots)]
         self._world_watches = WorldWatchSet()
         self._begun = fleet.slots["statements"].copy()  # by robot, at the start of the round
 
@@ -51,7 +51,7 @@ class ArmedStops:
             if robot >= len(sites):  # it was added, and may be so again
                 self._armed.add(robot)
                 continue
-            self._watches[robot].arm(request.watched.get(robot, ()))
+            self._watches[robot].arm(request.watched.get(robot, ()), self._watching)
             own = self._session.fleet.marks[robot]
             own[: sites[robot]] &= UNPASSED
             own[list(request.statements.get(robot, ()))] |= STOP
@@ -66,7 +66,7 @@ class ArmedStops:
         """Set the programs of the added robots, which are numbered from `first` on."""
         for robot, executable in enumerate(executables, first):
             if robot == len(self._watches) or not self._watches[robot].is_of(executable):
-                self._watches[robot:] = [WatchSet(self._session.fleet, robot, self._watching)]
+                self._watches[robot:] = [WatchSet(self._session.fleet, robot)]
         del self._watches[first + len(executables) :]
 
     def begin_round(self) -> None:

@@ -216,3 +216,29 @@ class ReplayConsole:
 
     def _piece(self, at: int) -> bytes:
         return bytes(self._content[self._ends[at] : self._ends[at + 1]])
+
+
+class CurrentConsole:
+    """The standard streams of a session whose run changes to other branches and their consoles.
+
+    Attributes:
+        console: that of the branch that the run is in now.
+        place: the start of the round that the programs are in.
+    """
+
+    def __init__(self, console: ReplayConsole) -> None:
+        """Store the first console."""
+        self.console = console
+        self.place = BEGINNING
+
+    def write(self, robot: int, stream: int, content: bytes) -> None:
+        """Write output of a program, see `ReplayConsole.write`."""
+        self.console.write(robot, stream, content)
+
+    def read(self, robot: int, wanted: int) -> bytes:
+        """Return input for a program, see `ReplayConsole.read`."""
+        return self.console.read(robot, wanted, self.place)
+
+    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        """Return the available input of a program, see `ReplayConsole.waiting`."""
+        return self.console.waiting(robot, clock_s)

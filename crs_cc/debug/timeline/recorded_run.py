@@ -19,7 +19,7 @@ import numpy as np
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.timeline.armed_stops import ArmedStops
 from crs_cc.debug.timeline.change import Change, MemoryPatch, write
-from crs_cc.debug.timeline.console import ReplayConsole
+from crs_cc.debug.timeline.console import CurrentConsole, ReplayConsole
 from crs_cc.debug.timeline.history import History, RunSnapshot
 from crs_cc.debug.timeline.input_log import InputLog
 from crs_cc.debug.timeline.passed_sites import STRETCH, PassedSites
@@ -46,12 +46,20 @@ _STATEMENT: Final = RunEvent("statement")
 _LIMIT: Final = RunEvent("limit")
 
 
+class _LatestStep:
+    """Receives the events of a timestep from the session."""
+
+    received: Step | None = None
+
+    def step(self, step: Step) -> None:
+        self.received = step
+
+
 class RecordedRun:
     """A run of programs in a world.
 
     Attributes:
         session: the session; only this class advances it.
-        console: the output and input of the programs.
         history: its snapshots.
         event_history: its events.
         input_log: the input of the programs in each round.
@@ -87,24 +95,24 @@ class RecordedRun:
         self.programs = list(programs)
         self.uploads = Uploads()
         self.world_robots = len(programs)
-        self.console = console
+        self._streams = CurrentConsole(console)
         self.history = history
         self.event_history = EventHistory()
         self.input_log = InputLog()
         self.passed_sites = PassedSites()
         self.interrupted = False
         self.last_timestep = math.inf
-        self._step: Step | None = None
+        self._latest = _LatestStep()
         self._stopped: dict[int, StoppedProgram] = {}  # by robot, until the run moves
         self.is_off_timeline = False
         self.session = Session(
             world,
             [program.executable for program in programs],
             seed,
-            output=self._write,
-            read=self._read,
-            waiting=self._waiting,
-            trace=self,
+            output=self._streams.write,
+            read=self._streams.read,
+            waiting=self._streams.waiting,
+            trace=self._latest,
             **options,
         )
         self._replay = ProgramReplay(self.session)
@@ -112,20 +120,10 @@ class RecordedRun:
         self.history.keep(BEGINNING, self._snapshot())
         self._scan_marks()
 
-    def _write(self, robot: int, stream: int, content: bytes) -> None:
-        self.console.write(robot, stream, content)  # of the branch that the run is in now
-
-    def _read(self, robot: int, wanted: int) -> bytes:
-        rounds = self.session.state.rounds  # that in which the program has asked may be counted
-        place = Position(self.session.timesteps, max(0, rounds - 1))
-        return self.console.read(robot, wanted, place)
-
-    def _waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
-        return self.console.waiting(robot, clock_s)
-
-    def step(self, step: Step) -> None:
-        """Receive the events of a timestep from the session."""
-        self._step = step
+    @property
+    def console(self) -> ReplayConsole:
+        """The output and input of the programs."""
+        return self._streams.console
 
     @property
     def position(self) -> Position:
@@ -202,6 +200,7 @@ class RecordedRun:
 
     def _advance(self, limit: Position | None) -> RunEvent:
         before = self.position
+        self._streams.place = Position(before.timestep, before.round)
         self._stopped.clear()
         edit = self.history.next_edit(before)
         if not self.session.begin_round():
@@ -366,10 +365,11 @@ class RecordedRun:
         can_advance = session.end_cycle()
         ended = tuple(np.flatnonzero(alive & ~state.alive).tolist())
         self.input_log.end(timestep, rounds, ended)
-        assert self._step is not None
-        self.event_history.record_step(self._step, session.environment)
+        step = self._latest.received
+        assert step is not None
+        self.event_history.record_step(step, session.environment)
         changes = self._stops.world_watch_hits(self.position)
-        return RunEvent("timestep", (), ended, self._step, not can_advance, changes)
+        return RunEvent("timestep", (), ended, step, not can_advance, changes)
 
     # -- going anywhere ----------------------------------------------------------------------
 
@@ -400,7 +400,8 @@ class RecordedRun:
     ) -> None:
         """Switch to another history; `seek` must follow."""
         console.is_live = self.console.is_live
-        self.history, self.console, self.event_history = history, console, event_history
+        self.history, self.event_history = history, event_history
+        self._streams.console = console
         self.input_log, self.passed_sites = InputLog(), PassedSites()
         self.is_off_timeline = True
 

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import io
+import weakref
 from collections.abc import Callable
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 from crs_cc.debug.repl.keyboard import Keyboard
 from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
+from crs_cc.runtime.fleet import Fleet
 from tests.debug.debuggers import debugger_of
 
 ENDLESS = "int i; int main(void) { for (;;) i++; }\n"
@@ -39,8 +41,22 @@ def endless(tmp_path: Path) -> Screen:
     return Screen(ENDLESS, tmp_path)
 
 
+def test_a_debugger_that_nobody_uses_is_freed_at_once_with_its_programs(
+    tmp_path: Path, fleets: list[weakref.ref[Fleet]]
+) -> None:
+    """Whatever it has done: expressions of all kinds, stops, branches, scripts."""
+    (tmp_path / "inner.dbg").write_text("print i\n")
+    commands = [
+        "break 1 if robot0::i > 2 && $_caller_is(\"main\", 0)", "log 1 i is {i}", "continue",
+        "print $world.time", "print *&i", "info locals", f"source {tmp_path}/inner.dbg",
+        "reverse-continue", "print i = 7", "branches", "whatis i",
+    ]  # fmt: skip
+    Screen(ENDLESS, tmp_path).run(*commands)
+    assert [each() for each in fleets] == [None]
+
+
 def test_ctrl_c_interrupts_the_run_and_the_script(endless: Screen) -> None:
-    endless.at_log_points(endless.keyboard.on_interrupt)
+    endless.at_log_points(endless.repl._interrupt)
     shown = endless.run("log 1 going on", "continue", "print 42")
     assert "Interrupted." in shown
     assert shown[-1] == "script interrupted"
