@@ -196,4 +196,4 @@ def _with_deep_stack(work: Callable[[], None]) -> None:
         threading.stack_size(stack)
         sys.setrecursionlimit(limit)
     if raised:
-        raise raised[0]
+        raise raised.pop()  # kept, it would be in a reference cycle with this frame
