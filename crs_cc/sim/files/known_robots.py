@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Final
 
@@ -11,6 +12,7 @@ SCOUT: Final = "scout"
 """The default kind of robot."""
 
 
-def known_robots() -> list[str]:
+@cache
+def known_robots() -> tuple[str, ...]:
     """Return the names of the built-in robot definitions."""
-    return sorted(path.stem for path in ROBOTS.glob("*.xml"))
+    return tuple(sorted(path.stem for path in ROBOTS.glob("*.xml")))

@@ -20,6 +20,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from pathlib import Path, PurePosixPath
 from typing import Final, TypeAlias
 
@@ -141,6 +142,10 @@ def parse_robot(text: bytes, file: str, setup: str = "") -> RobotModel:
     raise_errors(diagnostics)
     definition = Path(file).stem if Path(file).parent == ROBOTS else file
     return replace(model, definition=definition, setup=setup)
+
+
+_parse_built_in: Final = lru_cache(maxsize=32)(parse_robot)
+"""Parses built-in definitions, each once: most worlds use only these."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -271,7 +276,8 @@ class _World:
             )
             return None
         try:
-            return parse_robot(self._definition(element, path), str(path), setup)
+            parse = _parse_built_in if path.parent == ROBOTS else parse_robot
+            return parse(self._definition(element, path), str(path), setup)
         except WorldError as wrong:
             self.reader.error(element, f"robot definition {str(name)!r} cannot be used")
             self.reader.diagnostics.messages.extend(wrong.diagnostics)
