@@ -301,7 +301,8 @@ class Grid:
     """Fixed shapes, listed by the cells from which they are within reach.
 
     A shape is the set of points within a radius of a line segment. If `behind_m` is given, shapes
-    are omitted for points further than that to the left of their segment.
+    are omitted for points further than that to the left of their segment. The list is made when it
+    is first needed: where robots and shapes are few, that is never.
 
     Attributes:
         count: the number of shapes.
@@ -315,20 +316,42 @@ class Grid:
         behind_m: float = math.inf,
     ) -> None:
         self.count = len(ends_m)
+        self._shapes = ends_m, radius_m, reach_m, behind_m
+
+    @cached_property
+    def _list(self) -> _ListByCell:
+        return _ListByCell(*self._shapes)
+
+    def near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
+        """Return pairs of point and shape, including all within reach."""
+        return few_pairs(len(place), self.count) or self._list.near(place)
+
+    def counts(self, place: ComplexArray) -> IndexArray:
+        """Return the number of shapes within reach of the cell of each point."""
+        return self._list.counts(place)
+
+
+class _ListByCell:
+    """The list of a `Grid`."""
+
+    def __init__(
+        self, ends_m: FloatArray, radius_m: FloatArray, reach_m: float, behind_m: float
+    ) -> None:
+        count = len(ends_m)
         self._behind_m = behind_m
         around_m = (radius_m + reach_m + _SLACK_M)[:, None]
         low = np.minimum(ends_m[:, 0:2], ends_m[:, 2:4]) - around_m
         high = np.maximum(ends_m[:, 0:2], ends_m[:, 2:4]) + around_m
-        self._corner_m = low.min(axis=0, initial=np.inf) if self.count else np.zeros(2)
-        extent_m = high.max(axis=0) - self._corner_m if self.count else np.zeros(2)
+        self._corner_m = low.min(axis=0, initial=np.inf) if count else np.zeros(2)
+        extent_m = high.max(axis=0) - self._corner_m if count else np.zeros(2)
         self._cell_m = max(reach_m / _CELLS_PER_REACH, float(extent_m.max()) / _MAX_CELLS, 1e-3)
         while self._listed(low, high) > _MAX_LISTED and self._cell_m < extent_m.max():
             self._cell_m *= 2
         self._size = np.floor(extent_m / self._cell_m).astype(np.intp) + 1
         found = [
-            self._cells_of(np.arange(first, min(first + _SHAPES_AT_ONCE, self.count)), ends_m,
+            self._cells_of(np.arange(first, min(first + _SHAPES_AT_ONCE, count)), ends_m,
                            around_m, low, high)
-            for first in range(0, self.count, _SHAPES_AT_ONCE)
+            for first in range(0, count, _SHAPES_AT_ONCE)
         ]  # fmt: skip
         nothing = np.zeros(0, dtype=np.intp)
         cells = np.concatenate([nothing, *(cells for cells, _ in found)])
@@ -339,15 +362,11 @@ class Grid:
         self._starts = np.cumsum(self._counts) - self._counts
 
     def near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
-        """Return pairs of point and shape, including all within reach."""
-        if pairs := few_pairs(len(place), self.count):
-            return pairs
         cell = self._cell(place)
         points, members = expand(self._starts.take(cell), self._counts.take(cell))
         return points, self._shapes.take(members)
 
     def counts(self, place: ComplexArray) -> IndexArray:
-        """Return the number of shapes within reach of the cell of each point."""
         return np.asarray(self._counts.take(self._cell(place)))
 
     def _cell(self, place: ComplexArray) -> IndexArray:

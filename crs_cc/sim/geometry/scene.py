@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Final
 
 import numpy as np
@@ -67,7 +67,6 @@ class Scene:
 
     Attributes:
         robots: number of robots: the first bodies.
-        fixed: the outlines of fixed solids.
         pushables: the movable objects, in the order of the bodies.
         objects: all of them: the robots, movable objects, fixed solids.
         present: the robots that are in the world; the others are invisible, (robots,).
@@ -90,7 +89,6 @@ class Scene:
             solid for solid in solids if not isinstance(solid, Wall) and is_pushable(solid)
         )
         self.fixed_solids = tuple(solid for solid in solids if not is_pushable(solid))
-        self.fixed = _fixed_outlines(self.fixed_solids, len(world.robots) + len(self.pushables))
         self.objects = (*world.robots, *self.pushables, *self.fixed_solids)
         ids = [obj.id for obj in self.objects]
         self.names = (*ids,) if world.surface.is_flat else (*ids, GROUND)
@@ -106,6 +104,11 @@ class Scene:
                 round_bodies.append(body)
         self._radii_m = np.array(radii, dtype=np.float64)
         self._round_bodies = np.array(round_bodies, dtype=np.intp)
+
+    @cached_property
+    def fixed(self) -> Outlines:
+        """The outlines of fixed solids."""
+        return _fixed_outlines(self.fixed_solids, self.robots + len(self.pushables))
 
     def moving(self, position_m: FloatArray, angle_rad: FloatArray) -> Outlines:
         """Return the outlines of the bodies.

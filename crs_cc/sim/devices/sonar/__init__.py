@@ -32,6 +32,7 @@ echo from that distance would arrive; if that echo would arrive too late, the re
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -413,6 +414,7 @@ class SonarRing:
         return rays.shapes_at_height(state, z_m, exact.tan(pings.half_rad))
 
 
+@lru_cache(maxsize=64)
 def _fan(model: SonarMode) -> Fan:
     return Fan.of(
         (sonar.x_m, sonar.y_m, sonar.direction_rad, sonar.half_angle_rad, sonar.range_m)
