@@ -33,6 +33,8 @@ from fork_client import FORWARDED, NAMESPACES, READ_AT_START, surroundings
 
 PACKAGE: Final = Path(__file__).parents[1] / "crs_cc"
 
+CLIENT: Final = Path(__file__).with_name("fork_client.py")
+
 STREAMS: Final = 3
 
 PASSED: Final = 1 + len(NAMESPACES) + STREAMS
@@ -66,6 +68,14 @@ def import_all() -> None:
                 importlib.import_module(".".join(names).removesuffix(".__init__"))
             except ImportError:
                 continue
+
+
+def start_jobs_by(address: str) -> None:
+    """Let the processes to which a command gives jobs be forks of this server, too."""
+    from crs_cc.jobs import pool
+
+    client = [sys.executable, "-I", "-S", str(CLIENT), address]
+    pool.python = lambda *words: [*client, *words]
 
 
 def receive(client: socket.socket) -> tuple[bytes, list[int]]:
@@ -195,6 +205,11 @@ class Server:
         self._forks: dict[int, tuple[int, socket.socket]] = {}  # by the descriptor of the process
         self._clients: dict[int, int] = {}  # the process of each
 
+    @property
+    def address(self) -> str:
+        """Return where its socket is."""
+        return str(self._listener.getsockname())
+
     def next_command(self) -> Command:
         """Return a command in a fork that is there for it; the server itself never returns."""
         while True:
@@ -267,7 +282,7 @@ class Server:
     def _end(self) -> None:
         for process, _ in self._forks.values():
             kill_all_of(process)
-        address = Path(self._listener.getsockname())
+        address = Path(self.address)
         address.unlink(missing_ok=True)
         address.parent.rmdir()
         os._exit(0)
@@ -278,6 +293,7 @@ def main() -> None:
     sys.path.pop(0)  # the folder of this file, which no command looks into
     server = Server(socket.socket(fileno=int(sys.argv[1])))
     import_all()
+    start_jobs_by(server.address)
     gc.collect()
     gc.freeze()  # a collection in a fork would copy the pages of what all share
     server.next_command().run()
