@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -26,6 +27,14 @@ int main(void)
 """
 
 START = "from crs_cc.cli.process import start; start()"
+
+NEW_WORLD = """
+import os
+from crs_cc.session import empty_world
+device_sources = empty_world.device_sources
+empty_world.device_sources = lambda: device_sources() + os.getcwd()
+"""
+"""Gives the empty world another name in the cache, which does not have it at first."""
 
 LOADED = """
 import sys
@@ -73,12 +82,6 @@ def crs(
     )
 
 
-@pytest.fixture(scope="module")
-def worlds_cache(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """Return the cache of tests each of which puts a world of its own into it."""
-    return str(tmp_path_factory.mktemp("worlds"))
-
-
 def loaded(folder: Path, *arguments: str) -> set[str]:
     """Return the modules that a run loads for what is in the cache that tests share."""
     (folder / "hello.c").write_text(HELLO)
@@ -107,14 +110,16 @@ def test_a_known_program_in_a_room_without_contact_needs_no_pymunk(
 
 @pytest.mark.parametrize("robot", [[], ["--robot", "pioneer2dx"], ["--setup", "noisy"]], ids=str)
 def test_the_empty_world_from_the_cache_is_the_one_that_was_read(
-    robot: list[str], tmp_path: Path, worlds_cache: str
+    robot: list[str], tmp_path: Path
 ) -> None:
     (tmp_path / "noise.c").write_text(NOISE)
-    first, second = (
-        crs(tmp_path, START, "run", *robot, "noise.c", CRS_CACHE=worlds_cache) for _ in range(2)
+    words, shared = ("run", "--json", *robot, "noise.c"), {"CRS_CACHE": os.environ["CRS_CACHE"]}
+    read, cached = (
+        json.loads(crs(tmp_path, NEW_WORLD + START, *words, **shared).stdout) for _ in range(2)
     )
-    assert first.stdout == second.stdout
-    assert first.stdout.count("\n") == 16
+    assert read["robots"] == cached["robots"]
+    assert read["state_hash"] == cached["state_hash"]
+    assert read["robots"][0]["stdout"].count("\n") == 16
 
 
 def ends(
