@@ -190,15 +190,15 @@ def _messages(
 def _linked(programs: Sequence[Program], diagnostics: Diagnostics) -> tuple[list[Diagnostic], int]:
     """Return all messages, linking included, and the exit status.
 
-    Code is generated too, because only that shows whether the program fits into a robot's memory
-    and whether its functions are simple enough.
+    Code is generated too, because only that shows whether the program's objects fit into a robot's
+    memory, and its local variables into frames.
     """
-    from crs_cc.runtime.codegen.module import compile_program
+    from crs_cc.runtime.codegen.module import check_program
     from crs_cc.runtime.link import link
     from crs_cc.session.library import library
 
     try:
-        compile_program(link(programs, library(), diagnostics))
+        check_program(link(programs, library(), diagnostics))
     except CompileError as error:
         return merged(diagnostics.messages, error.diagnostics), error.exit_status
     return diagnostics.messages, 0

@@ -14,6 +14,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from crs_cc.ir.instruction import ByteState
+from crs_cc.ir.names import in_library
 from crs_cc.ir.pointer_bases import ALLOCATORS
 from crs_cc.ir.program import Data, Program
 from crs_cc.requests import slot_offset
@@ -33,6 +34,7 @@ from crs_cc.runtime.codegen.convention import (
     general_form,
     needing_general_form,
 )
+from crs_cc.runtime.codegen.function_code import generate
 from crs_cc.runtime.codegen.indices import (
     BEGUN_GLOBAL,
     MAILBOX,
@@ -122,6 +124,23 @@ def compile_program(
         trap_overflow=trap_overflow,
         origins=names.origins,
     )
+
+
+def check_program(program: Program) -> None:
+    """Check what only generating the code of a linked and verified program shows.
+
+    The code of library functions is not generated: they fit.
+
+    Raises:
+        CompileError: the program's objects do not fit into a robot's memory, or a local variable
+            needs a stricter alignment than frames have.
+    """
+    pointers, build = address_taken_functions(program), Build(True, False, 0, False)
+    names = _symbols(program, pointers, 0, checked=build.checked, trap_overflow=build.trap_overflow)
+    _place_tables(pointer_tables(program, pointers), names)
+    for function in program.functions.values():
+        if not in_library(function.location):
+            generate(function, names, build)
 
 
 def _symbols(
