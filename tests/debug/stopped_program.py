@@ -31,8 +31,8 @@ class Stopping:
         self.executable = build_executable(paths, Diagnostics(), debug=True, checked=checked)
         self.program = DebugProgram(self.executable, paths, library_options())
         self.fleet = Fleet([self.executable])
-        self.printed = b""
-        self.host = Host([["test"]], self._take, lambda *_: b"")
+        self.printed = printed = bytearray()
+        self.host = Host([["test"]], lambda *written: printed.extend(written[2]), lambda *_: b"")
         self.status: int | None = None
         self.lines = {str(path): path.read_text().splitlines() for path in paths}
 
@@ -58,10 +58,7 @@ class Stopping:
         """Run to the end of the program; return what it has printed."""
         with contextlib.suppress(EndError):
             self.run("no such mark")
-        return self.printed
-
-    def _take(self, _robot: int, _stream: int, content: bytes) -> None:
-        self.printed += content
+        return bytes(self.printed)
 
     def evaluator(self) -> Evaluator:
         """Return what evaluates expressions."""

@@ -117,6 +117,7 @@ def drive(
     )
     while done.session.step() and done.session.time_s < seconds - 1e-9:
         pass
+    done.session.close()
     return done
 
 

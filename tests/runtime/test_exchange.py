@@ -52,12 +52,9 @@ class Moving:
     def __init__(self, builds: list[Executable]) -> None:
         self.builds = builds
         self.fleet = Fleet(builds[:1])
-        self.output = b""
-        self.host = Host([["moving"]], self.write, lambda *_: b"")
+        self.output = output = bytearray()
+        self.host = Host([["moving"]], lambda *written: output.extend(written[2]), lambda *_: b"")
         self.ended = False
-
-    def write(self, _robot: int, _stream: int, content: bytes) -> None:
-        self.output += content
 
     def run(self, statements: int) -> None:
         slot = self.fleet.slots[0]

@@ -134,6 +134,7 @@ class Drive:
         while running and session.timesteps < last:
             most = last - session.timesteps if calmly else 1
             running = session.advance(most, calmly=calmly)
+        session.close()
         self.paths = seen.until(session.timesteps)
         self.state_hash = session.state_hash()
         self.hints = session.hints

@@ -67,8 +67,10 @@ class Recorded:
     """A session with everything that its robots wrote."""
 
     def __init__(self, world: WorldModel, programs: list[Executable], seed: int) -> None:
-        self.written = dict.fromkeys(range(len(programs)), b"")
-        self.session = Session(world, programs, seed, output=self.output)
-
-    def output(self, robot: int, _stream: int, content: bytes) -> None:
-        self.written[robot] += content
+        self.written = written = [bytearray() for _ in programs]
+        self.session = Session(
+            world,
+            programs,
+            seed,
+            output=lambda robot, _stream, content: written[robot].extend(content),
+        )

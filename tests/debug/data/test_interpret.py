@@ -53,8 +53,13 @@ class Talking(Interpreter):
 
     def __init__(self, executable: Executable) -> None:
         self.fleet = Fleet([executable])
-        self.output = b""
-        self.host = Host([["case"]], self.say, lambda *_: b"")
+        self.output = output = bytearray()
+
+        def say(_robot: int, stream: int, content: bytes) -> None:
+            if stream == 1:
+                output.extend(content)
+
+        self.host = Host([["case"]], say, lambda *_: b"")
         memory = Bytes(self.fleet)
         super().__init__(executable.program, executable.detail().compiled.addresses, memory)
 
@@ -66,11 +71,6 @@ class Talking(Interpreter):
             raise EndError
         self.write(message, row.tobytes())
         return int(row["result"][0])
-
-    def say(self, _robot: int, stream: int, content: bytes) -> None:
-        """Take what the program prints."""
-        if stream == 1:
-            self.output += content
 
 
 CASES = [path for path in cases("valid") if path.with_suffix(".out").exists()]

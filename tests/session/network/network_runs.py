@@ -30,16 +30,13 @@ class NetworkRun:
         )
         text = f'<world version="1" timestep="{timestep}"><area length="8m" width="4m"/>'
         world = parse_world(f"{text}{communication}{robots}</world>".encode(), "net.xml")
-        self.written = [b""] * len(commands)
+        self.written = written = [bytearray() for _ in commands]
         self.session = Session(
             world,
             [build_executable([HERE / name], Diagnostics()) for name, *_ in commands],
             arguments=commands,
-            output=self._write,
+            output=lambda robot, _stream, content: written[robot].extend(content),
         )
-
-    def _write(self, robot: int, _stream: int, content: bytes) -> None:
-        self.written[robot] += content
 
     def finish(self, *, at_once: int = 1000, most: int = 5000) -> list[str]:
         """Run to the end; return what each program has written."""
