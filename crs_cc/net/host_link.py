@@ -56,6 +56,10 @@ class HostGoneError(Exception):
     """A host is lost, and its programs do not continue."""
 
 
+def _not_replaced(_link: HostLink, reason: str) -> Channel:
+    raise HostGoneError(reason)
+
+
 class HostLink:
     """The programs of one host.
 
@@ -267,8 +271,9 @@ class HostLink:
             self._rows.remove(self.number)
 
     def close(self) -> None:
-        """Close the connection."""
+        """Close the connection; it is not replaced, and who would have done that can be freed."""
         self._channel.close()
+        self._replace = _not_replaced
 
     def _recover(
         self, action: Callable[[], Result], again: Callable[[], object] | None = None

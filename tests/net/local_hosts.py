@@ -52,6 +52,7 @@ class LocalHosts:
 
     def close(self) -> None:
         self.fleet.dismiss(everyone=True)
+        self.fleet.close()
         for thread in self._threads.values():
             thread.join(10.0)
             assert not thread.is_alive()

@@ -7,6 +7,7 @@ import os
 import random
 import socket
 import sys
+import weakref
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from crs_cc.core.gc_pause import gc_paused
 from crs_cc.core.source import Diagnostics
 from crs_cc.net import hosted_programs
 from crs_cc.net.changed_words import KnownRows
@@ -160,6 +162,15 @@ def test_programs_that_compute_for_long_are_moved_to_several_threads(
     assert (session.state_hash(), written) == local
     hosts.close()
     assert counts == [1, 2]
+
+
+def test_a_closed_fleet_that_nobody_uses_is_freed_at_once(programs: list[Executable]) -> None:
+    hosts = LocalHosts(programs, 2)
+    known = weakref.ref(hosts.fleet)
+    hosts.close()
+    with gc_paused():
+        del hosts
+        assert known() is None
 
 
 @pytest.mark.parametrize("threads", [1, 2])
