@@ -10,6 +10,7 @@ import re
 import shlex
 import shutil
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -45,6 +46,7 @@ def test_script_output(
     check_golden(script.with_suffix(".out"), out + f"exit status {status}\n".encode())
 
 
+@cache
 def done() -> set[str]:
     """Return the names of the commands that scripts do."""
     names = set()

@@ -120,6 +120,12 @@ _SHORTENED: Final = {"!"} | {
 PREFIXES: Final = tuple(sorted({name.split()[0] for name in NAMES if " " in name}))
 """Prefixes of subcommands: `info`, `save`."""
 
+_FIRST_WORDS: Final = {name: name for name in (*NAMES, *PREFIXES) if " " not in name}
+_SECOND_WORDS: Final = {
+    prefix: {name.partition(" ")[2]: name for name in NAMES if name.startswith(f"{prefix} ")}
+    for prefix in PREFIXES
+}
+
 
 class UndefinedCommandError(DebugError):
     """There is no such command."""
@@ -132,15 +138,13 @@ def find(text: str) -> tuple[Command, str]:
         DebugError: it is undefined or ambiguous.
     """
     first, rest = _word(text)
-    singles = {name: name for name in NAMES if " " not in name}
-    name = _choose(first, singles | {each: each for each in PREFIXES}, "")
+    name = _choose(first, _FIRST_WORDS, "")
     if name not in PREFIXES:
         return NAMES[name], rest
-    followers = {each.partition(" ")[2]: each for each in NAMES if each.startswith(f"{name} ")}
     if not rest:
         raise DebugError(f'"{name}" needs a subcommand: try "help {name}".')
     second, rest = _word(rest)
-    return NAMES[_choose(second, followers, f"{name} ")], rest
+    return NAMES[_choose(second, _SECOND_WORDS[name], f"{name} ")], rest
 
 
 def _word(text: str) -> tuple[str, str]:
