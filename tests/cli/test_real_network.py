@@ -181,7 +181,7 @@ def test_a_port_that_is_taken_is_an_error(capfd: pytest.CaptureFixture[str]) -> 
         ("network reach a 0", "0 is not a port"),
     ],
 )
-def test_a_wrong_change_of_the_network_is_named(text: str, said: str, tmp_path: Path) -> None:
-    debugger = debugger_of("int main(void) { return 0; }\n", folder=tmp_path)
+def test_a_wrong_change_of_the_network_is_named(text: str, said: str) -> None:
+    debugger = debugger_of("int main(void) { return 0; }\n")
     with pytest.raises(DebugError, match=said.replace("(", "\\(")):
         debugger.edit_world(text)

@@ -45,7 +45,7 @@ def script(tmp_path: Path) -> Path:
 def test_a_script_repeats_the_changes_to_the_bit(
     script: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    debugger = debugger_of(PROGRAM, folder=tmp_path, world="wall.xml", seed=3)
+    debugger = debugger_of(PROGRAM, world="wall.xml", seed=3)
     debugger.run.uploads.add("beside.c", (tmp_path / "beside.c").read_text())
     for timestep, text in CHANGES.items():
         debugger.goto_timestep(timestep)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import functools
+import hashlib
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -25,19 +27,32 @@ def debug_program(*paths: Path) -> DebugProgram:
     return DebugProgram(build_executable(paths, Diagnostics(), debug=True), paths, options)
 
 
-def debugger_of(*sources: str, folder: Path, world: str = "", **options: Any) -> Debugger:
+@functools.cache
+def _folder() -> tempfile.TemporaryDirectory[str]:
+    return tempfile.TemporaryDirectory(prefix="programs-of-tests-")
+
+
+def source_file(source: str, name: str) -> Path:
+    """Return a file with a source, the same for all tests: it is built once, and never changed."""
+    path = Path(_folder().name, hashlib.sha256(source.encode()).hexdigest()[:16], name)
+    if not path.exists():
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(source)
+    return path
+
+
+def debugger_of(*sources: str, world: str = "", **options: Any) -> Debugger:
     """Put programs, given as text, into the robots of a world: the last into all that are left.
 
     Args:
-        sources: the programs.
-        folder: where their files go: `a.c`, `b.c`, ...
+        sources: the programs; their files are `a.c`, `b.c`, ...
         world: the world's name in `worlds/`; by default it is empty.
         options: further ones of the `Debugger`.
     """
-    paths = [folder / f"{letter}.c" for letter, _ in zip("abcdefgh", sources, strict=False)]
-    for path, source in zip(paths, sources, strict=True):
-        path.write_text(source)
-    return debugger_at(paths, world, **options)
+    named = zip(sources, "abcdefgh", strict=False)
+    return debugger_at(
+        [source_file(source, f"{letter}.c") for source, letter in named], world, **options
+    )
 
 
 def debugger_at(paths: Sequence[Path], world: str = "", **options: Any) -> Debugger:

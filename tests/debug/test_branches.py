@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import pytest
 
@@ -24,8 +23,8 @@ int main(void)
 
 
 @pytest.fixture
-def counting(tmp_path: Path) -> Debugger:
-    debugger = debugger_of(COUNT, folder=tmp_path)
+def counting() -> Debugger:
+    debugger = debugger_of(COUNT)
     debugger.start()
     debugger.stop_points.add_breakpoint("6")
     debugger.resume()
@@ -103,8 +102,8 @@ int main(void)
 """
 
 
-def test_branches_are_compared_at_the_same_timestep(tmp_path: Path) -> None:
-    debugger = debugger_of(DRIVE, folder=tmp_path)
+def test_branches_are_compared_at_the_same_timestep() -> None:
+    debugger = debugger_of(DRIVE)
     debugger.stop_points.add_breakpoint("8")
     debugger.resume()
     debugger.stop_points.enable(1, on=False)
@@ -130,8 +129,8 @@ def east_m(debugger: Debugger) -> float:
     return float(debugger.session.environment.state.x_m[0])
 
 
-def test_an_edit_of_the_world_is_part_of_the_run(tmp_path: Path) -> None:
-    debugger = debugger_of(DRIVE, folder=tmp_path)
+def test_an_edit_of_the_world_is_part_of_the_run() -> None:
+    debugger = debugger_of(DRIVE)
     debugger.goto_time(1.0)
     assert "robot0 is now at 1.000, 2.000 m" in debugger.edit_world("move robot0 to 1 2")
     debugger.tick(5)
@@ -158,8 +157,8 @@ def test_going_back_to_the_statement_of_a_change(counting: Debugger) -> None:
     assert counting.position == changed
 
 
-def test_compare_keeps_the_selection(tmp_path: Path) -> None:
-    debugger = debugger_of(DRIVE, folder=tmp_path, world="pair.xml")
+def test_compare_keeps_the_selection() -> None:
+    debugger = debugger_of(DRIVE, world="pair.xml")
     debugger.stop_points.add_breakpoint("8", robot=1)
     stop = debugger.resume()
     debugger.branch("other")

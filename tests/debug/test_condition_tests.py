@@ -112,9 +112,9 @@ def both_ways(
 
 
 @pytest.mark.parametrize("place", CONDITIONS)
-def test_stops_are_those_of_conditions_that_the_debugger_tests(place: str, tmp_path: Path) -> None:
+def test_stops_are_those_of_conditions_that_the_debugger_tests(place: str) -> None:
     def make() -> Debugger:
-        debugger = debugger_of(PROGRAM, folder=tmp_path)
+        debugger = debugger_of(PROGRAM)
         debugger.evaluate("$old = 1")
         return debugger
 
@@ -127,13 +127,13 @@ def test_stops_are_those_of_conditions_that_the_debugger_tests(place: str, tmp_p
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_several_conditions_at_one_place_and_steps_between(seed: int, tmp_path: Path) -> None:
+def test_several_conditions_at_one_place_and_steps_between(seed: int) -> None:
     chance = random.Random(seed)
     own = {place: chance.sample(texts, 2) for place, texts in CONDITIONS.items()}
     moves = [chance.choice(["step", "next", "finish", "resume", "back"]) for _ in range(40)]
 
     def walk(*, tests: bool) -> list[object]:
-        debugger = debugger_of(PROGRAM, folder=tmp_path)
+        debugger = debugger_of(PROGRAM)
         if not tests:
             debugger.navigator._set_tests = lambda _robot, _conditions: None
         debugger.evaluate("$old = 1")
@@ -156,8 +156,8 @@ def test_several_conditions_at_one_place_and_steps_between(seed: int, tmp_path: 
     assert walk(tests=True) == walk(tests=False)
 
 
-def test_a_false_condition_does_not_stop_the_program(tmp_path: Path) -> None:
-    debugger = debugger_of(RECURSION, folder=tmp_path)
+def test_a_false_condition_does_not_stop_the_program() -> None:
+    debugger = debugger_of(RECURSION)
     debugger.start()
     debugger.stop_points.add_breakpoint("down", condition="n == 0")
     before = debugger.run.sites_passed(0)
@@ -176,9 +176,9 @@ def test_a_false_condition_does_not_stop_the_program(tmp_path: Path) -> None:
     assert events < 10
 
 
-def test_in_a_watching_build(tmp_path: Path) -> None:
+def test_in_a_watching_build() -> None:
     def make() -> Debugger:
-        debugger = debugger_of(PROGRAM, folder=tmp_path)
+        debugger = debugger_of(PROGRAM)
         debugger.start()
         debugger.stop_points.add_watchpoint("total")
         return debugger

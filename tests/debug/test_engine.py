@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 
@@ -35,8 +34,8 @@ int main(void)
 
 
 @pytest.fixture
-def loop(tmp_path: Path) -> Debugger:
-    debugger = debugger_of(LOOP, folder=tmp_path)
+def loop() -> Debugger:
+    debugger = debugger_of(LOOP)
     debugger.start()
     return debugger
 
@@ -127,13 +126,13 @@ int main(void)
 
 
 @pytest.mark.parametrize("how", ["timestep", "time", "statement"])
-def test_goto_shows_new_output_once(how: str, tmp_path: Path) -> None:
+def test_goto_shows_new_output_once(how: str) -> None:
     shown: list[bytes] = []
 
     def show(_robot: int, _stream: int, content: bytes) -> None:
         shown.append(content)
 
-    debugger = debugger_of(PRINTS, folder=tmp_path, output=show)
+    debugger = debugger_of(PRINTS, output=show)
     debugger.start()
     goes = {
         "timestep": lambda: debugger.goto_timestep(1),
@@ -149,11 +148,9 @@ def test_goto_shows_new_output_once(how: str, tmp_path: Path) -> None:
     assert b"".join(shown) == written
 
 
-def test_compare_shows_no_output_of_the_other_branch(tmp_path: Path) -> None:
+def test_compare_shows_no_output_of_the_other_branch() -> None:
     shown: list[bytes] = []
-    debugger = debugger_of(
-        PRINTS, folder=tmp_path, output=lambda _robot, _stream, content: shown.append(content)
-    )
+    debugger = debugger_of(PRINTS, output=lambda _robot, _stream, content: shown.append(content))
     debugger.start()
     debugger.branch("other")
     debugger.goto_timestep(1)
@@ -267,8 +264,8 @@ int main(void)
 """
 
 
-def test_a_late_interrupt_can_be_discarded(tmp_path: Path) -> None:
-    debugger = debugger_of(PRINTS, folder=tmp_path)
+def test_a_late_interrupt_can_be_discarded() -> None:
+    debugger = debugger_of(PRINTS)
     debugger.start()
     debugger.interrupt()
     debugger.forget_interrupt()
@@ -284,10 +281,8 @@ def test_a_late_interrupt_can_be_discarded(tmp_path: Path) -> None:
         lambda debugger: debugger.goto_statement(100_000),
     ],
 )
-def test_all_forward_moves_can_be_interrupted(
-    move: Callable[[Debugger], Stop], tmp_path: Path
-) -> None:
-    debugger = debugger_of(ENDLESS, folder=tmp_path)
+def test_all_forward_moves_can_be_interrupted(move: Callable[[Debugger], Stop]) -> None:
+    debugger = debugger_of(ENDLESS)
     debugger.start()
     hear = debugger.run._latest.step
 
@@ -335,12 +330,10 @@ def test_backward_from_inside_a_round_with_a_world_event(loop: Debugger) -> None
     assert loop.resume(backward=True).reason == "beginning"
 
 
-def test_default_robot_for_conditions_of_robot_independent_events(
-    tmp_path: Path,
-) -> None:
+def test_default_robot_for_conditions_of_robot_independent_events() -> None:
     source = "#include <unistd.h>\nint mine = {};\nint main(void) {{ sleep(1); return mine; }}\n"
     sources = [source.format(number) for number in (1, 2, 3)]
-    debugger = debugger_of(*sources, folder=tmp_path, world="platoon.xml")
+    debugger = debugger_of(*sources, world="platoon.xml")
     said: list[str] = []
     debugger.stop_points.print_log = said.append
     debugger.start()
@@ -371,8 +364,8 @@ int main(void)
 """
 
 
-def test_the_clock_after_going_back_is_that_of_the_position(tmp_path: Path) -> None:
-    debugger = debugger_of(WAITING, folder=tmp_path)
+def test_the_clock_after_going_back_is_that_of_the_position() -> None:
+    debugger = debugger_of(WAITING)
     debugger.start()
     debugger.goto_timestep(5)
     stop = debugger.finish(backward=True)
@@ -395,8 +388,8 @@ int main(void)
 """
 
 
-def test_backward_to_a_breakpoint_with_very_many_hits(tmp_path: Path) -> None:
-    debugger = debugger_of(OFTEN, folder=tmp_path)
+def test_backward_to_a_breakpoint_with_very_many_hits() -> None:
+    debugger = debugger_of(OFTEN)
     debugger.stop_points.add_breakpoint("6", temporary=True)
     debugger.resume()
     debugger.stop_points.add_breakpoint("5")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from crs_cc.debug.commands.shell import Shell
@@ -42,8 +40,8 @@ class User:
         return self.lines.pop(0) if self.lines else b""
 
 
-def session(user: User, folder: Path, *, is_typed: bool = True) -> Shell:
-    debugger = debugger_of(ADD, folder=folder, read=user.read)
+def session(user: User, *, is_typed: bool = True) -> Shell:
+    debugger = debugger_of(ADD, read=user.read)
     debugger.run.console.is_typed = is_typed
     return Shell(debugger)
 
@@ -52,8 +50,8 @@ def said(shell: Shell, command: str) -> list[str]:
     return [line.text for line in shell.execute(command)]
 
 
-def test_changes_and_typed_lines_are_listed_in_the_order_of_the_run(tmp_path: Path) -> None:
-    shell = session(User("1", "2", "3"), tmp_path)
+def test_changes_and_typed_lines_are_listed_in_the_order_of_the_run() -> None:
+    shell = session(User("1", "2", "3"))
     said(shell, "break 11")
     said(shell, "run")
     said(shell, "set var total = 100")
@@ -63,9 +61,9 @@ def test_changes_and_typed_lines_are_listed_in_the_order_of_the_run(tmp_path: Pa
     ]  # fmt: skip
 
 
-def test_a_mistyped_line_is_requested_again(tmp_path: Path) -> None:
+def test_a_mistyped_line_is_requested_again() -> None:
     user = User("1", "22", "3", "2", "5", "6")
-    shell = session(user, tmp_path)
+    shell = session(user)
     said(shell, "continue")
     assert shell.debugger.session.exit_status(0) == 26
     said(shell, "undo 2")
@@ -75,9 +73,9 @@ def test_a_mistyped_line_is_requested_again(tmp_path: Path) -> None:
     assert (shell.debugger.session.exit_status(0), user.asked) == (1 + 2 + 5, 5)
 
 
-def test_the_first_line_can_be_taken_back(tmp_path: Path) -> None:
+def test_the_first_line_can_be_taken_back() -> None:
     user = User("1", "2", "3", "7", "8", "9")
-    shell = session(user, tmp_path)
+    shell = session(user)
     said(shell, "continue")
     revert(shell.debugger, 0)
     said(shell, "continue")
@@ -86,8 +84,8 @@ def test_the_first_line_can_be_taken_back(tmp_path: Path) -> None:
         revert(shell.debugger, 3)
 
 
-def test_a_change_before_a_line_stays_when_that_is_taken_back(tmp_path: Path) -> None:
-    shell = session(User("1", "2", "3", "50"), tmp_path)
+def test_a_change_before_a_line_stays_when_that_is_taken_back() -> None:
+    shell = session(User("1", "2", "3", "50"))
     said(shell, "break 11")
     said(shell, "run")
     said(shell, "set var total = 100")
@@ -99,9 +97,9 @@ def test_a_change_before_a_line_stays_when_that_is_taken_back(tmp_path: Path) ->
     assert shell.debugger.session.exit_status(0) == 100 + 1 + 3 + 50
 
 
-def test_run_begins_anew_unless_it_is_to_keep_what_was_done(tmp_path: Path) -> None:
+def test_run_begins_anew_unless_it_is_to_keep_what_was_done() -> None:
     user = User("1", "2", "3", "10", "20", "30")
-    shell = session(user, tmp_path)
+    shell = session(user)
     said(shell, "set var total = 1000")
     said(shell, "continue")
     assert said(shell, "run -keep")[0] != ""
@@ -111,9 +109,9 @@ def test_run_begins_anew_unless_it_is_to_keep_what_was_done(tmp_path: Path) -> N
     assert said(shell, "run nothing") == ["unexpected argument 'nothing' (expected -keep)"]
 
 
-def test_input_of_a_file_is_read_again_and_not_listed(tmp_path: Path) -> None:
+def test_input_of_a_file_is_read_again_and_not_listed() -> None:
     user = User("1", "2", "3")
-    shell = session(user, tmp_path, is_typed=False)
+    shell = session(user, is_typed=False)
     said(shell, "set var total = 1000")
     said(shell, "continue")
     assert [each.text for each in interventions(shell.debugger)] == ["total = 1000"]

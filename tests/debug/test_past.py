@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from crs_cc.debug.engine import Debugger
@@ -37,9 +35,9 @@ int main(void)
 
 
 @pytest.fixture
-def debugger(tmp_path: Path) -> Debugger:
+def debugger() -> Debugger:
     """Return a debugger of a program that has ended, after an edit on the way."""
-    debugger = debugger_of(DRIVES, folder=tmp_path)
+    debugger = debugger_of(DRIVES)
     debugger.goto_time(1.0)
     debugger.evaluate("total = 40")
     debugger.goto_end()
@@ -135,8 +133,8 @@ int main(void)
 """
 
 
-def test_every_printed_line_leads_to_its_statement(tmp_path: Path) -> None:
-    debugger = debugger_of("#include <unistd.h>\n" + PRINTS, folder=tmp_path, world="pair.xml")
+def test_every_printed_line_leads_to_its_statement() -> None:
+    debugger = debugger_of("#include <unistd.h>\n" + PRINTS, world="pair.xml")
     debugger.goto_end()
     lines = debugger.run.console.text().decode().splitlines()
     for number, text in enumerate(lines, 1):
@@ -151,8 +149,8 @@ def test_every_printed_line_leads_to_its_statement(tmp_path: Path) -> None:
         past(debugger).printed(99)
 
 
-def test_an_event_is_where_a_catchpoint_stops(tmp_path: Path) -> None:
-    debugger = debugger_of("#include <unistd.h>\n" + PRINTS, folder=tmp_path, world="pair.xml")
+def test_an_event_is_where_a_catchpoint_stops() -> None:
+    debugger = debugger_of("#include <unistd.h>\n" + PRINTS, world="pair.xml")
     debugger.goto_end()
     found = past(debugger).events("collision", past(debugger).whole())
     assert found
@@ -202,8 +200,8 @@ int main(void)
 """
 
 
-def test_the_past_reaches_to_where_the_run_was_last_in_its_timestep(tmp_path: Path) -> None:
-    debugger = debugger_of(ALL_AT_ONCE, folder=tmp_path)
+def test_the_past_reaches_to_where_the_run_was_last_in_its_timestep() -> None:
+    debugger = debugger_of(ALL_AT_ONCE)
     debugger.goto_end()
     values = [str(each) for each in (0, 1, 2, 3, 4, 9)]
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from crs_cc.debug.breakpoints import Breakpoints
@@ -65,8 +63,8 @@ def test_stops_are_those_of_a_replay_of_all(
     assert len(some) > 1
 
 
-def test_a_program_that_is_not_concerned_stays_where_it_is(tmp_path: Path) -> None:
-    debugger = debugger_of(DRIVE, folder=tmp_path, world="pair.xml")
+def test_a_program_that_is_not_concerned_stays_where_it_is() -> None:
+    debugger = debugger_of(DRIVE, world="pair.xml")
     debugger.goto_timestep(30)
     run, begin = debugger.run, debugger.run.history.snapshots_before(debugger.position)[0]
     before = run.sites_passed(1)
@@ -77,8 +75,8 @@ def test_a_program_that_is_not_concerned_stays_where_it_is(tmp_path: Path) -> No
     assert 0 < run.sites_passed(1) < before
 
 
-def test_an_error_of_another_robot_stops_reverse_execution(tmp_path: Path) -> None:
-    debugger = debugger_of(DRIVE, FAIL, folder=tmp_path, world="pair.xml")
+def test_an_error_of_another_robot_stops_reverse_execution() -> None:
+    debugger = debugger_of(DRIVE, FAIL, world="pair.xml")
     stop = debugger.resume()
     assert (stop.reason, stop.robot) == ("error", 1)
     debugger.tick(20)

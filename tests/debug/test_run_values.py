@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import pytest
 
@@ -32,9 +31,9 @@ int main(void)
 
 
 @pytest.fixture
-def debugger(tmp_path: Path) -> Debugger:
+def debugger() -> Debugger:
     """Return a debugger of two robots that run one program, in its loop."""
-    debugger = debugger_of(DRIVES, folder=tmp_path, world="pair.xml")
+    debugger = debugger_of(DRIVES, world="pair.xml")
     go(debugger, "10")
     return debugger
 
@@ -92,10 +91,10 @@ def test_the_address_of_a_value_from_outside_is_refused(debugger: Debugger) -> N
         debugger.evaluate("*(int *)-1")
 
 
-def test_a_value_of_the_selected_robot_is_found_at_another_depth(tmp_path: Path) -> None:
+def test_a_value_of_the_selected_robot_is_found_at_another_depth() -> None:
     deep = "int down(int n)\n{\n    if (n == 0)\n        return 0;\n    return down(n - 1);\n}\n"
     source = "int x = 4;\n" + deep + "int main(void)\n{\n    return down(5);\n}\n"
-    debugger = debugger_of(source, folder=tmp_path, world="pair.xml")
+    debugger = debugger_of(source, world="pair.xml")
     said: list[str] = []
     debugger.stop_points.print_log = said.append
     debugger.stop_points.add_breakpoint("4", robot=0, log="{robot0::x}")
@@ -105,9 +104,9 @@ def test_a_value_of_the_selected_robot_is_found_at_another_depth(tmp_path: Path)
     assert said == ["4"] * 6
 
 
-def test_names_of_the_program_come_first(tmp_path: Path) -> None:
+def test_names_of_the_program_come_first() -> None:
     source = "struct { int x; } robot0 = { 7 };\nint main(void) { return robot0.x; }\n"
-    debugger = debugger_of(source, folder=tmp_path)
+    debugger = debugger_of(source)
     debugger.start()
     assert number(debugger, "robot0.x") == 7
     assert number(debugger, "$world.robot0.x") == 0.0
@@ -150,10 +149,10 @@ def test_of_two_objects_the_unknown_one_is_named(debugger: Debugger) -> None:
         number(debugger, f"distance({debugger.names[0]}, nowhere)")
 
 
-def test_a_stop_after_the_end_of_the_selected_program_shows_the_time(tmp_path: Path) -> None:
+def test_a_stop_after_the_end_of_the_selected_program_shows_the_time() -> None:
     """It said only that the condition is true, and that it is for the ended program only."""
     ends = '#include "Nclient.h"\nint main(void) { return 0; }\n'
-    debugger = debugger_of(ends, DRIVES, folder=tmp_path, world="pair.xml")
+    debugger = debugger_of(ends, DRIVES, world="pair.xml")
     shell = Shell(debugger)
     commands = "break if $world.timestep == 8", "info breakpoints", "continue"
     _, listed, stopped = ("\n".join(each.text for each in shell.execute(one)) for one in commands)

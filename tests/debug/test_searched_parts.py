@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from pathlib import Path
 
 import pytest
 
@@ -36,9 +35,9 @@ int main(void)
 
 
 @pytest.fixture(name="debugger")
-def debugger_(tmp_path: Path) -> Debugger:
+def debugger_() -> Debugger:
     sources = [f"#define END {end}\n{DRIVE}" for end in (0, 170)]
-    return debugger_of(*sources, folder=tmp_path, world="pair.xml")
+    return debugger_of(*sources, world="pair.xml")
 
 
 def stops_back(debugger: Debugger, most: int = 4) -> list[tuple[Position, str, str]]:

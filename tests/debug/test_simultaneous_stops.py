@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from crs_cc.debug.timeline.history import History
 from tests.debug.debuggers import debugger_of
 
@@ -28,8 +26,8 @@ int main(void)
 """
 
 
-def test_all_failures_of_a_round_are_reported(tmp_path: Path) -> None:
-    debugger = debugger_of(NULL, folder=tmp_path, world="pair.xml")
+def test_all_failures_of_a_round_are_reported() -> None:
+    debugger = debugger_of(NULL, world="pair.xml")
     stop = debugger.resume()
     assert stop.reason == "error"
     for name in debugger.names:
@@ -37,8 +35,8 @@ def test_all_failures_of_a_round_are_reported(tmp_path: Path) -> None:
     assert debugger.resume().reason == "end"
 
 
-def test_leaving_triggers_the_exit_catchpoint(tmp_path: Path) -> None:
-    debugger = debugger_of(DRIVE, folder=tmp_path, world="pair.xml")
+def test_leaving_triggers_the_exit_catchpoint() -> None:
+    debugger = debugger_of(DRIVE, world="pair.xml")
     second = debugger.names[1]
     debugger.goto_time(0.5)
     debugger.edit_world(f"remove {second}")
@@ -56,8 +54,8 @@ def test_leaving_triggers_the_exit_catchpoint(tmp_path: Path) -> None:
     assert back.position == stop.position
 
 
-def test_reverse_continue_to_a_catchpoint_with_little_memory(tmp_path: Path) -> None:
-    debugger = debugger_of(DRIVE, folder=tmp_path)
+def test_reverse_continue_to_a_catchpoint_with_little_memory() -> None:
+    debugger = debugger_of(DRIVE)
     run = debugger.run
     run.history, first = History(most_bytes=300_000), run.history.at(run.position)
     run.history.keep(run.position, first)

@@ -50,9 +50,9 @@ int main(void)
 
 
 @pytest.fixture
-def recursion(tmp_path: Path) -> Debugger:
+def recursion() -> Debugger:
     """Stands in `fib(3)` within `fib(4)`, in line 5."""
-    debugger = debugger_of(RECURSION, folder=tmp_path)
+    debugger = debugger_of(RECURSION)
     debugger.start()
     debugger.step(4)
     assert (line(debugger), number(debugger, "n")) == (5, 3)
@@ -118,8 +118,8 @@ int main(void)
 """
 
 
-def test_a_step_behind_a_call_enters_the_next_call_of_the_line(tmp_path: Path) -> None:
-    debugger = debugger_of(SUM, folder=tmp_path)
+def test_a_step_behind_a_call_enters_the_next_call_of_the_line() -> None:
+    debugger = debugger_of(SUM)
     debugger.start()
     assert walk(debugger, [debugger.step, debugger.step]) == [12, 3]
     assert debugger.finish().text == "f returned 2"
@@ -142,8 +142,8 @@ def test_a_step_behind_a_call_enters_the_next_call_of_the_line(tmp_path: Path) -
     assert walk(debugger, [debugger.next]) == [13]
 
 
-def test_advance_out_of_a_function_stops_right_behind_its_call(tmp_path: Path) -> None:
-    debugger = debugger_of(SUM, folder=tmp_path)
+def test_advance_out_of_a_function_stops_right_behind_its_call() -> None:
+    debugger = debugger_of(SUM)
     debugger.stop_points.add_breakpoint("3")
     debugger.resume()
     advance(debugger, "2")  # not reached again
@@ -168,8 +168,8 @@ int main(void)
 """
 
 
-def test_step_does_not_enter_skipped_functions_and_their_callees(tmp_path: Path) -> None:
-    debugger = debugger_of(SKIPPED, folder=tmp_path)
+def test_step_does_not_enter_skipped_functions_and_their_callees() -> None:
+    debugger = debugger_of(SKIPPED)
     debugger.start()
     skip = debugger.navigator.skips.add("tree")
     assert walk(debugger, [debugger.step] * 3) == [12, 3, 13]
@@ -182,8 +182,8 @@ def test_step_does_not_enter_skipped_functions_and_their_callees(tmp_path: Path)
     assert walk(debugger, [debugger.step] * 2) == [3, 12]
 
 
-def test_advance_stops_where_break_stops_under_the_same_condition(tmp_path: Path) -> None:
-    debugger = debugger_of(RECURSION, folder=tmp_path)
+def test_advance_stops_where_break_stops_under_the_same_condition() -> None:
+    debugger = debugger_of(RECURSION)
     debugger.start()
     advance(debugger, "a.c:4", condition="n == 0")
     assert (line(debugger), number(debugger, "n")) == (4, 0)
@@ -212,8 +212,8 @@ int main(void)
 """
 
 
-def test_finish_shows_a_value_converted_to_the_type_of_the_function(tmp_path: Path) -> None:
-    debugger = debugger_of(TYPES, folder=tmp_path)
+def test_finish_shows_a_value_converted_to_the_type_of_the_function() -> None:
+    debugger = debugger_of(TYPES)
     values = [
         "65 'A'", "255", "true", "0.33333334", "20000000000", "GREEN", None, "{a = 3, b = -3}",
     ]  # fmt: skip
@@ -251,17 +251,17 @@ int main(void)
 """
 
 
-def test_next_over_a_longjmp_stops_at_its_target(tmp_path: Path) -> None:
-    debugger = debugger_of(LONGJMP, folder=tmp_path)
+def test_next_over_a_longjmp_stops_at_its_target() -> None:
+    debugger = debugger_of(LONGJMP)
     debugger.start()
     assert walk(debugger, [debugger.next] * 4) == [13, 14, 13, 17]
     assert number(debugger, "got") == 7
     assert walk(debugger, [lambda: debugger.next(backward=True)] * 4) == [13, 14, 13, 12]
 
 
-def test_next_and_finish_leave_a_function_that_longjmps(tmp_path: Path) -> None:
+def test_next_and_finish_leave_a_function_that_longjmps() -> None:
     for move in (Debugger.next, Debugger.finish):
-        debugger = debugger_of(LONGJMP, folder=tmp_path)
+        debugger = debugger_of(LONGJMP)
         debugger.stop_points.add_breakpoint("6")
         debugger.resume()
         assert functions(debugger) == ["deep"] * 4 + ["main"]
@@ -289,8 +289,8 @@ int main(void)
 """
 
 
-def test_step_enters_a_library_callback_and_next_does_not(tmp_path: Path) -> None:
-    debugger = debugger_of(CALLBACK, folder=tmp_path)
+def test_step_enters_a_library_callback_and_next_does_not() -> None:
+    debugger = debugger_of(CALLBACK)
     debugger.start()
     assert walk(debugger, [debugger.next] * 3) == [10, 11, 12]
     debugger.next(backward=True)
@@ -327,8 +327,8 @@ int main(void)
 """
 
 
-def test_step_enters_a_signal_handler_and_next_does_not(tmp_path: Path) -> None:
-    debugger = debugger_of(SIGNAL, folder=tmp_path)
+def test_step_enters_a_signal_handler_and_next_does_not() -> None:
+    debugger = debugger_of(SIGNAL)
     debugger.start()
     assert walk(debugger, [debugger.next] * 6) == [12, 13, 14, 15, 16, 14]
     assert number(debugger, "rings") == 1
@@ -339,8 +339,8 @@ def test_step_enters_a_signal_handler_and_next_does_not(tmp_path: Path) -> None:
     assert walk(debugger, back * 3) == [7, 6, 16]
 
 
-def test_finish_returns_from_a_signal_handler(tmp_path: Path) -> None:
-    debugger = debugger_of(SIGNAL, folder=tmp_path)
+def test_finish_returns_from_a_signal_handler() -> None:
+    debugger = debugger_of(SIGNAL)
     debugger.stop_points.add_breakpoint("ring")
     assert debugger.resume().time_s == pytest.approx(1.0, abs=0.01)
     assert functions(debugger) == ["ring", "main"]
@@ -374,8 +374,8 @@ int main(void)
 """
 
 
-def test_exit_runs_atexit_functions_before_the_end(tmp_path: Path) -> None:
-    debugger = debugger_of(LEAVES, folder=tmp_path)
+def test_exit_runs_atexit_functions_before_the_end() -> None:
+    debugger = debugger_of(LEAVES)
     debugger.start()
     assert walk(debugger, [debugger.step] * 3) == [14, 9, 5]
     assert debugger.step().reason == "end"
@@ -401,8 +401,8 @@ int main(void)
 """
 
 
-def test_reverse_steps_from_an_error_and_forward_to_it_again(tmp_path: Path) -> None:
-    debugger = debugger_of(FAILS, folder=tmp_path)
+def test_reverse_steps_from_an_error_and_forward_to_it_again() -> None:
+    debugger = debugger_of(FAILS)
     error = debugger.resume()
     assert (error.reason, line(debugger)) == ("error", 3)
     assert "out of bounds" in error.text
@@ -429,7 +429,7 @@ int main(void)
 """
 
 
-def test_input_is_replayed_and_requested_once(tmp_path: Path) -> None:
+def test_input_is_replayed_and_requested_once() -> None:
     asked: list[int] = []
     lines = [b"ab\n", b"cd\n", b"ae\n", b""]
 
@@ -437,7 +437,7 @@ def test_input_is_replayed_and_requested_once(tmp_path: Path) -> None:
         asked.append(wanted)
         return lines[len(asked) - 1]
 
-    debugger = debugger_of(READS, folder=tmp_path, read=read)
+    debugger = debugger_of(READS, read=read)
     debugger.stop_points.add_breakpoint("8")
     debugger.resume()
     assert (number(debugger, "n"), len(asked)) == (2, 4)
@@ -495,7 +495,7 @@ int main(void)
 def two_robots(folder: Path, more: str = "") -> Debugger:
     """Return a robot that calls another one."""
     (folder / "two.xml").write_text(TWO.format(more=more))
-    return debugger_of(CALLER, HEARER, folder=folder, world=str(folder / "two.xml"))
+    return debugger_of(CALLER, HEARER, world=str(folder / "two.xml"))
 
 
 def test_each_robot_is_stepped_while_others_run(tmp_path: Path) -> None:

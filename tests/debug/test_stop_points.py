@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from crs_cc.debug.engine import Debugger
@@ -24,8 +22,8 @@ int main(void)
 
 
 @pytest.fixture
-def debugger(tmp_path: Path) -> Debugger:
-    return debugger_of(LOOP, folder=tmp_path)
+def debugger() -> Debugger:
+    return debugger_of(LOOP)
 
 
 @pytest.mark.parametrize("place", ["7", "get_rc"])

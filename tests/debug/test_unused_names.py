@@ -5,8 +5,6 @@ And its functions can be called there, those that print, too.
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from crs_cc.debug.engine import Debugger
@@ -56,11 +54,9 @@ def printed() -> list[bytes]:
 
 
 @pytest.fixture
-def debugger(tmp_path: Path, printed: list[bytes]) -> Debugger:
+def debugger(printed: list[bytes]) -> Debugger:
     """Stands before `report` is called."""
-    made = debugger_of(
-        SOURCE, folder=tmp_path, output=lambda robot, stream, content: printed.append(content)
-    )
+    made = debugger_of(SOURCE, output=lambda robot, stream, content: printed.append(content))
     made.stop_points.add_breakpoint("19")
     made.resume()
     return made

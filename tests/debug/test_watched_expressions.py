@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from crs_cc.debug.engine import Debugger
@@ -60,16 +58,16 @@ WATCHED = {
 """Expressions, where they are set, and how often they change from there on, as gdb 13 counts."""
 
 
-def debugger_at_line(folder: Path, place: str) -> Debugger:
-    debugger = debugger_of(LIST, folder=folder)
+def debugger_at_line(place: str) -> Debugger:
+    debugger = debugger_of(LIST)
     go(debugger, place)
     return debugger
 
 
 @pytest.mark.parametrize("expression", WATCHED)
-def test_both_directions_stop_wherever_the_value_changes(expression: str, tmp_path: Path) -> None:
+def test_both_directions_stop_wherever_the_value_changes(expression: str) -> None:
     place, count = WATCHED[expression]
-    debugger = debugger_at_line(tmp_path, place)
+    debugger = debugger_at_line(place)
     debugger.stop_points.add_watchpoint(expression)
     forward = texts(debugger)
     assert len(forward) == count, forward
@@ -78,9 +76,9 @@ def test_both_directions_stop_wherever_the_value_changes(expression: str, tmp_pa
     assert texts(debugger) == back[::-1]
 
 
-def test_a_watched_member_follows_the_pointer(tmp_path: Path) -> None:
+def test_a_watched_member_follows_the_pointer() -> None:
     """It was watched in the first object for ever."""
-    debugger = debugger_at_line(tmp_path, "25")
+    debugger = debugger_at_line("25")
     debugger.stop_points.add_watchpoint("cur->v")
     assert texts(debugger) == [
         "cur->v: 30 -> 20, changed at a.c:25",
@@ -90,22 +88,22 @@ def test_a_watched_member_follows_the_pointer(tmp_path: Path) -> None:
     ]
 
 
-def test_a_location_is_watched_for_ever(tmp_path: Path) -> None:
-    debugger = debugger_at_line(tmp_path, "25")
+def test_a_location_is_watched_for_ever() -> None:
+    debugger = debugger_at_line("25")
     point = debugger.stop_points.add_watchpoint("cur->v", location=True)
     assert point.watch
     assert point.watch.is_location
     assert texts(debugger) == []
 
 
-def test_an_element_is_written_wherever_the_index_is_by_then(tmp_path: Path) -> None:
-    debugger = debugger_at_line(tmp_path, "24")
+def test_an_element_is_written_wherever_the_index_is_by_then() -> None:
+    debugger = debugger_at_line("24")
     debugger.stop_points.add_watchpoint("tab[i]", "write")
     assert texts(debugger) == [f"tab[i]: 0 -> {value}, written at a.c:24" for value in (7, 6, 5)]
 
 
-def test_a_local_expression_lasts_as_long_as_its_function(tmp_path: Path) -> None:
-    debugger = debugger_at_line(tmp_path, "9")
+def test_a_local_expression_lasts_as_long_as_its_function() -> None:
+    debugger = debugger_at_line("9")
     point = debugger.stop_points.add_watchpoint("s * 2 + n")
     assert point.watch
     assert point.watch.note == "lasts until 'sum' returns"
@@ -119,9 +117,9 @@ def test_a_local_expression_lasts_as_long_as_its_function(tmp_path: Path) -> Non
     assert texts(debugger) == forward
 
 
-def test_a_read_in_the_last_statement_of_a_function_is_reported(tmp_path: Path) -> None:
+def test_a_read_in_the_last_statement_of_a_function_is_reported() -> None:
     """It was reported only as the end of the function."""
-    debugger = debugger_at_line(tmp_path, "9")
+    debugger = debugger_at_line("9")
     debugger.stop_points.add_watchpoint("s", "read")
     forward = texts(debugger)
     assert (
@@ -134,11 +132,11 @@ def test_a_read_in_the_last_statement_of_a_function_is_reported(tmp_path: Path) 
     )
 
 
-def test_variables_of_two_calls(tmp_path: Path) -> None:
-    debugger = debugger_at_line(tmp_path, "9")
+def test_variables_of_two_calls() -> None:
+    debugger = debugger_at_line("9")
     debugger.stop_points.add_watchpoint("main::local + s")
     assert "went out of scope: 'sum'" in texts(debugger)[-1]
-    debugger = debugger_at_line(tmp_path, "9")
+    debugger = debugger_at_line("9")
     debugger.view.select_frame(1)
     debugger.stop_points.add_watchpoint("sum::s")
     assert "went out of scope: 'sum'" in texts(debugger)[-1]
@@ -147,8 +145,8 @@ def test_variables_of_two_calls(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("text", ["a + 1.5", "1e3", "-1"])
-def test_a_value_that_is_no_address_has_no_writes(text: str, tmp_path: Path) -> None:
-    debugger = debugger_of(LIST, folder=tmp_path)
+def test_a_value_that_is_no_address_has_no_writes(text: str) -> None:
+    debugger = debugger_of(LIST)
     debugger.start()
     with pytest.raises(DebugError, match="not an object in memory"):
         debugger.stop_points.add_watchpoint(text, "write", location=True)
@@ -169,8 +167,8 @@ int main(void)
 """
 
 
-def test_the_name_of_a_member_is_no_variable(tmp_path: Path) -> None:
-    debugger = debugger_of(NAMED_ALIKE, folder=tmp_path)
+def test_the_name_of_a_member_is_no_variable() -> None:
+    debugger = debugger_of(NAMED_ALIKE)
     debugger.stop_points.add_breakpoint("4")
     debugger.resume()
     debugger.stop_points.remove(1)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import pytest
 
@@ -40,8 +39,8 @@ int main(void)
 
 
 @pytest.fixture
-def loop(tmp_path: Path) -> Debugger:
-    debugger = debugger_of(LOOP, folder=tmp_path)
+def loop() -> Debugger:
+    debugger = debugger_of(LOOP)
     debugger.start()
     return debugger
 
@@ -212,8 +211,8 @@ def test_a_heap_block_is_watched(loop: Debugger) -> None:
     assert re.fullmatch(r"\*p: .* -> 4, written at a.c:20", texts(loop)[0])
 
 
-def test_before_the_first_statement_global_objects_can_be_watched(tmp_path: Path) -> None:
-    debugger = debugger_of(LOOP, folder=tmp_path)
+def test_before_the_first_statement_global_objects_can_be_watched() -> None:
+    debugger = debugger_of(LOOP)
     debugger.stop_points.add_watchpoint("total")
     assert len(texts(debugger)) == 3
 
@@ -251,8 +250,8 @@ int main(void)
 
 
 @pytest.fixture
-def robots(tmp_path: Path) -> Debugger:
-    debugger = debugger_of(ROBOTS, folder=tmp_path, world="pair.xml")
+def robots() -> Debugger:
+    debugger = debugger_of(ROBOTS, world="pair.xml")
     debugger.start()
     return debugger
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 
@@ -69,8 +68,8 @@ def shape(cause: Cause) -> list[str]:
     return [each.text for each in nodes(cause)]
 
 
-def test_every_node_is_a_write_that_single_stepping_shows(tmp_path: Path) -> None:
-    debugger = debugger_of(COMPUTES, folder=tmp_path)
+def test_every_node_is_a_write_that_single_stepping_shows() -> None:
+    debugger = debugger_of(COMPUTES)
     debugger.start()
     values: dict[str, list[str]] = {name: [] for name in OBJECTS}
     number: dict[object, int] = {}
@@ -117,8 +116,8 @@ int main(void)
 """
 
 
-def test_a_value_is_followed_through_calls_arguments_and_copies(tmp_path: Path) -> None:
-    debugger = debugger_of(CHAIN, folder=tmp_path)
+def test_a_value_is_followed_through_calls_arguments_and_copies() -> None:
+    debugger = debugger_of(CHAIN)
     debugger.stop_points.add_breakpoint("13")
     debugger.resume()
     cause = explained(debugger, "speed")
@@ -133,8 +132,8 @@ def test_a_value_is_followed_through_calls_arguments_and_copies(tmp_path: Path) 
     ]
 
 
-def test_a_change_by_the_user_is_a_cause(tmp_path: Path) -> None:
-    debugger = debugger_of(CHAIN, folder=tmp_path)
+def test_a_change_by_the_user_is_a_cause() -> None:
+    debugger = debugger_of(CHAIN)
     debugger.stop_points.add_breakpoint("11")
     debugger.resume()
     debugger.evaluate("limit = 70")
@@ -185,8 +184,8 @@ int main(void)
 """
 
 
-def test_a_value_from_another_robot_leads_to_the_object_that_its_beam_met(tmp_path: Path) -> None:
-    debugger = debugger_of("#include <unistd.h>\n" + SENDS, folder=tmp_path, world="pair.xml")
+def test_a_value_from_another_robot_leads_to_the_object_that_its_beam_met() -> None:
+    debugger = debugger_of("#include <unistd.h>\n" + SENDS, world="pair.xml")
     debugger.goto_time(5.0)
     debugger.view.select_robot(1)
     started_s = time.perf_counter()
@@ -204,16 +203,16 @@ def test_a_value_from_another_robot_leads_to_the_object_that_its_beam_met(tmp_pa
 
 
 @pytest.mark.parametrize("text", ["speed + limit", "2 * (gap + wanted)"])
-def test_of_a_computed_value_the_operands_are_explained(text: str, tmp_path: Path) -> None:
-    debugger = debugger_of(CHAIN, folder=tmp_path)
+def test_of_a_computed_value_the_operands_are_explained(text: str) -> None:
+    debugger = debugger_of(CHAIN)
     debugger.stop_points.add_breakpoint("13")
     debugger.resume()
     cause = explained(debugger, text)
     assert len(cause.causes) == 2
 
 
-def test_a_reading_names_the_degradation_that_bent_it(tmp_path: Path) -> None:
-    debugger = debugger_of(SAMPLES, folder=tmp_path, world="faulty.xml")
+def test_a_reading_names_the_degradation_that_bent_it() -> None:
+    debugger = debugger_of(SAMPLES, world="faulty.xml")
     debugger.goto_time(8.0)
     true = shape(explained(debugger, "front"))
     assert true[-1].endswith("from edge-east")
@@ -240,9 +239,9 @@ int main(void)
 """
 
 
-def test_a_copied_member_is_not_explained_by_what_the_copy_replaced(tmp_path: Path) -> None:
+def test_a_copied_member_is_not_explained_by_what_the_copy_replaced() -> None:
     """All but the first member had the target, as it was before, among their causes."""
-    debugger = debugger_of(MEMBERS, folder=tmp_path)
+    debugger = debugger_of(MEMBERS)
     debugger.stop_points.add_breakpoint("12")
     debugger.resume()
     for member, value in ("first", 1), ("second", 3):
@@ -269,8 +268,8 @@ int main(void)
 """
 
 
-def test_changes_of_an_object_by_itself_in_a_loop_are_one_node(tmp_path: Path) -> None:
-    debugger = debugger_of(LOOPS, folder=tmp_path)
+def test_changes_of_an_object_by_itself_in_a_loop_are_one_node() -> None:
+    debugger = debugger_of(LOOPS)
     debugger.stop_points.add_breakpoint("12")
     debugger.resume()
     total = explained(debugger, "total")

@@ -11,7 +11,6 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -183,8 +182,8 @@ FUNCTIONS = [
 """The lines at which the functions begin."""
 
 
-def test_trees_through_locals_arguments_returns_and_memory(tmp_path: Path) -> None:
-    debugger = debugger_of(PROGRAM, folder=tmp_path)
+def test_trees_through_locals_arguments_returns_and_memory() -> None:
+    debugger = debugger_of(PROGRAM)
     oracle = Oracle.of(debugger)
     debugger.goto_time(0.0)
     debugger.stop_points.add_breakpoint(str(STOP))
@@ -343,9 +342,9 @@ SENT = {
     ids=["parts", "structs that are assigned, passed and returned as a whole"],
 )
 def test_a_part_of_a_message_comes_from_the_bytes_that_were_sent(
-    source: str, begins: list[int], sent: dict[str, str], tmp_path: Path
+    source: str, begins: list[int], sent: dict[str, str]
 ) -> None:
-    debugger = debugger_of(source, folder=tmp_path, world="pair.xml")
+    debugger = debugger_of(source, world="pair.xml")
     checker = Checker(debugger, Oracle.of(debugger), begins)
     debugger.goto_end()
     here = debugger.position
@@ -381,10 +380,9 @@ def beam_of(cause: Cause) -> Cause | None:
 
 
 @pytest.fixture(scope="module")
-def pair(tmp_path_factory: pytest.TempPathFactory) -> Debugger:
+def pair() -> Debugger:
     """Two robots of which one reports to the other what it sees."""
-    folder = tmp_path_factory.mktemp("pair")
-    return debugger_of(MESSAGES, folder=folder, world="pair.xml")
+    return debugger_of(MESSAGES, world="pair.xml")
 
 
 def test_messages_and_state(pair: Debugger) -> None:

@@ -92,9 +92,9 @@ def test_words_of_arguments_are_completed_once_begun(
     assert complete(shell.context, line).words == words
 
 
-def test_the_robots_state_is_completed(tmp_path: Path) -> None:
+def test_the_robots_state_is_completed() -> None:
     source = '#include "Nclient.h"\nint main(void)\n{\n    gs();\n    return State[17];\n}\n'
-    made = Shell(debugger_of(source, folder=tmp_path))
+    made = Shell(debugger_of(source))
     assert complete(made.context, "print Sta").words == ("State",)
 
 

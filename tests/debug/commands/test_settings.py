@@ -22,8 +22,8 @@ def config(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def shell(tmp_path: Path, config: Path) -> Shell:
-    made = Shell(debugger_of(SOURCE, folder=tmp_path))
+def shell(config: Path) -> Shell:
+    made = Shell(debugger_of(SOURCE))
     made.debugger.start()
     return made
 

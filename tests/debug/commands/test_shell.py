@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Never
 
 import pytest
@@ -20,8 +19,8 @@ int main(void)
 
 
 @pytest.fixture
-def shell(tmp_path: Path) -> Shell:
-    return Shell(debugger_of(QUIET, folder=tmp_path))
+def shell() -> Shell:
+    return Shell(debugger_of(QUIET))
 
 
 def failing(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from crs_cc import __version__
@@ -13,8 +11,8 @@ from tests.debug.debuggers import debugger_of
 
 
 @pytest.fixture
-def shell(tmp_path: Path) -> Shell:
-    made = Shell(debugger_of("int main(void)\n{\n    return 0;\n}\n", folder=tmp_path))
+def shell() -> Shell:
+    made = Shell(debugger_of("int main(void)\n{\n    return 0;\n}\n"))
     made.debugger.start()
     return made
 

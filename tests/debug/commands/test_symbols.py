@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from crs_cc.debug.commands.shell import Shell
@@ -26,8 +24,8 @@ int main(void)
 
 
 @pytest.fixture
-def shell(tmp_path: Path) -> Shell:
-    shell = Shell(debugger_of(PROGRAM, folder=tmp_path))
+def shell() -> Shell:
+    shell = Shell(debugger_of(PROGRAM))
     list(shell.execute("break twice"))
     list(shell.execute("continue"))
     return shell

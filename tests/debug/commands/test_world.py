@@ -65,8 +65,8 @@ def test_state_is_shown_by_names_without_missing_devices(shell: Shell) -> None:
     assert not any("_IR_" in name or "TURRET" in name for name in names)
 
 
-def test_info_state_of_a_program_without_state(tmp_path: Path) -> None:
-    shell = Shell(debugger_of(SILENT, folder=tmp_path))
+def test_info_state_of_a_program_without_state() -> None:
+    shell = Shell(debugger_of(SILENT))
     shell.debugger.start()
     assert said(shell, "info State") == ["robot0's program has no State[]"]
 
@@ -82,8 +82,8 @@ int main(void)
 """
 
 
-def test_a_users_own_state_array_is_not_the_vendors(tmp_path: Path) -> None:
-    shell = Shell(debugger_of(OWN_STATE, folder=tmp_path))
+def test_a_users_own_state_array_is_not_the_vendors() -> None:
+    shell = Shell(debugger_of(OWN_STATE))
     said(shell, "next", "next")
     assert said(shell, "print State[2]")[0].endswith("nan")
     assert said(shell, "info state") == ["robot0's program has no State[]"]

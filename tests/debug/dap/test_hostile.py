@@ -15,6 +15,7 @@ from crs_cc.debug.dap.inbox import MAX
 from crs_cc.debug.dap.request_table import HANDLERS
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import LOOP, open_run
+from tests.debug.debuggers import source_file
 
 
 @pytest.fixture
@@ -120,12 +121,9 @@ NAMES = [
 
 @pytest.mark.parametrize("command", sorted(set(HANDLERS) - {"disconnect", "terminate", "restart"}))
 @pytest.mark.parametrize("launched", [False, True])
-def test_values_of_wrong_types_are_refused(
-    client: Client, tmp_path: Path, command: str, launched: bool
-) -> None:
+def test_values_of_wrong_types_are_refused(client: Client, command: str, launched: bool) -> None:
     if launched:
-        (tmp_path / "loop.c").write_text(LOOP)
-        client.launch(tmp_path / "loop.c", stopOnEntry=True)
+        client.launch(source_file(LOOP, "loop.c"), stopOnEntry=True)
         client.begin()
     for value in AWKWARD:
         inner = dict.fromkeys(NAMES, value)
@@ -169,9 +167,8 @@ def test_the_number_of_handles_is_limited(
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_random_requests_get_one_response_each(client: Client, tmp_path: Path, seed: int) -> None:
-    path = tmp_path / "loop.c"
-    path.write_text(LOOP.replace("i < 3", "i < 3000"))
+def test_random_requests_get_one_response_each(client: Client, seed: int) -> None:
+    path = source_file(LOOP.replace("i < 3", "i < 3000"), "loop.c")
     client.launch(path, stopOnEntry=True)
     client.begin()
     chance = random.Random(seed)

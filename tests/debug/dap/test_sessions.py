@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
 
+from crs_cc.debug.dap import session
+from crs_cc.debug.dap.progress import Progress
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import LOOP, open_run
-from tests.debug.debuggers import debug_program
+from tests.debug.debuggers import debug_program, source_file
 
 TURN = """\
 #include "Nclient.h"
@@ -50,10 +53,8 @@ def client() -> Iterator[Client]:
 
 
 @pytest.fixture
-def loop(tmp_path: Path) -> Path:
-    path = tmp_path / "loop.c"
-    path.write_text(LOOP)
-    return path
+def loop() -> Path:
+    return source_file(LOOP, "loop.c")
 
 
 def test_a_run_stops_at_a_breakpoint_and_at_its_end(client: Client, loop: Path) -> None:
@@ -284,8 +285,9 @@ def test_running_programs_can_be_paused(client: Client, endless: Path) -> None:
 
 @pytest.mark.parametrize("command", ["continue", "next"])
 def test_a_long_move_shows_its_progress_and_can_be_cancelled(
-    client: Client, endless: Path, command: str
+    client: Client, endless: Path, command: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(session, "Progress", partial(Progress, delay_s=0.1))
     endless.write_text("void stay(void)\n{\n    for (;;)\n        ;\n}\n" + CALLER)
     client.ask("initialize", adapterID="crs", supportsProgressReporting=True)
     client.ask("launch", program=[str(endless)], stopOnEntry=True)
@@ -344,7 +346,9 @@ def test_a_client_that_disconnects_ends_the_run(client: Client, endless: Path) -
     client.hang_up()
 
 
-def test_restart_compiles_again_and_keeps_the_breakpoints(client: Client, loop: Path) -> None:
+def test_restart_compiles_again_and_keeps_the_breakpoints(client: Client, tmp_path: Path) -> None:
+    loop = tmp_path / "loop.c"
+    loop.write_text(LOOP)
     client.launch(loop)
     client.break_at(loop, 18)
     client.begin()

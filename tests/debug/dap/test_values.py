@@ -10,13 +10,13 @@ import pytest
 
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import LOOP, open_run
+from tests.debug.debuggers import source_file
 
 
 @pytest.fixture
-def client(tmp_path: Path) -> Iterator[Client]:
+def client() -> Iterator[Client]:
     """A client whose program stands in line 16, with i == 0."""
-    path = tmp_path / "loop.c"
-    path.write_text(LOOP)
+    path = source_file(LOOP, "loop.c")
     with Client(open_run) as made:
         made.launch(path)
         made.break_at(path, 16)

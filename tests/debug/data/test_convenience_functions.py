@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from crs_cc.debug.commands.shell import Shell
@@ -30,9 +28,9 @@ int main(void)
 
 
 @pytest.fixture
-def debugger(tmp_path: Path) -> Debugger:
+def debugger() -> Debugger:
     """Stands in `inner`, called by `outer`."""
-    made = debugger_of(SOURCE, folder=tmp_path)
+    made = debugger_of(SOURCE)
     made.stop_points.add_breakpoint("inner")
     made.resume()
     return made

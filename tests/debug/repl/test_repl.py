@@ -19,11 +19,11 @@ ENDLESS = "int i; int main(void) { for (;;) i++; }\n"
 class Screen:
     """A prompt that nobody types at."""
 
-    def __init__(self, source: str, folder: Path) -> None:
+    def __init__(self, source: str) -> None:
         self.stream = io.BytesIO()
         terminal = Terminal(self.stream, ["robot0"])
         self.keyboard = Keyboard(terminal)
-        self.repl = Repl(debugger_of(source, folder=folder), terminal, self.keyboard)
+        self.repl = Repl(debugger_of(source), terminal, self.keyboard)
 
     def at_log_points(self, do: Callable[[], None]) -> None:
         """Let something be done whenever a log point is passed."""
@@ -37,8 +37,8 @@ class Screen:
 
 
 @pytest.fixture
-def endless(tmp_path: Path) -> Screen:
-    return Screen(ENDLESS, tmp_path)
+def endless() -> Screen:
+    return Screen(ENDLESS)
 
 
 def test_a_debugger_that_nobody_uses_is_freed_at_once_with_its_programs(
@@ -51,7 +51,7 @@ def test_a_debugger_that_nobody_uses_is_freed_at_once_with_its_programs(
         "print $world.time", "print *&i", "info locals", f"source {tmp_path}/inner.dbg",
         "reverse-continue", "print i = 7", "branches", "whatis i",
     ]  # fmt: skip
-    Screen(ENDLESS, tmp_path).run(*commands)
+    Screen(ENDLESS).run(*commands)
     assert [each() for each in fleets] == [None]
 
 
@@ -75,8 +75,8 @@ def test_an_unreadable_script_is_a_failure(endless: Screen, tmp_path: Path) -> N
     assert endless.failed == 1
 
 
-def test_log_messages_appear_in_order(tmp_path: Path) -> None:
-    screen = Screen("int i; int main(void)\n{\n i++;\n i++; return 0; }\n", tmp_path)
+def test_log_messages_appear_in_order() -> None:
+    screen = Screen("int i; int main(void)\n{\n i++;\n i++; return 0; }\n")
     shown = screen.run("log 4 i is {i}", "continue")
     assert shown[-2:] == [
         "i is 1",

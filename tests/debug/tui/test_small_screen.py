@@ -15,7 +15,7 @@ from crs_cc.debug.tui.controller import Controller
 from crs_cc.debug.tui.panes import Panes
 from crs_cc.debug.tui.program_streams import ProgramStreams
 from crs_cc.debug.tui.source_pane import SourcePane
-from tests.debug.debuggers import ROOT, debugger_at, debugger_of
+from tests.debug.debuggers import ROOT, debugger_at
 from tests.debug.tui.screen import SMALL, drive, enter, settle, text_of
 
 SOURCE = (
@@ -28,8 +28,10 @@ SOURCE = (
 
 @pytest.fixture
 def controller(tmp_path: Path) -> Controller:
+    path = tmp_path / "a.c"
+    path.write_text(SOURCE)
     streams = ProgramStreams()
-    return Controller(debugger_of(SOURCE, folder=tmp_path, output=streams.write), streams)
+    return Controller(debugger_at([path], output=streams.write), streams)
 
 
 def test_text_written_while_the_console_is_hidden_has_the_width_of_the_pane(
