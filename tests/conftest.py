@@ -26,7 +26,7 @@ collect_ignore = ["without_unix", "debug/gdb_sessions.py"]  # modules for Python
 JUDGED = ["c/valid", "fuzz"]
 """Folders whose `.out` files hold what gcc said."""
 
-NEW_OBJECTS = 300_000
+NEW_OBJECTS = 1_000_000
 """How many objects are made before the collector looks at them: of 700, most are still in use."""
 
 USERS_PYTHON = pool.python
