@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import io
 import shutil
@@ -59,9 +60,11 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
     keyboard = Keyboard(terminal)
     debugger = make(terminal.program, read or _typed_input(options, keyboard))
     scripts = Scripts(options.scripts, options.commands)
-    failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
-    record_at_end(debugger, loaded, options, waiting)
-    if not _save_files(debugger, options):
+    with contextlib.closing(debugger.session):
+        failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
+        record_at_end(debugger, loaded, options, waiting)
+        is_saved = _save_files(debugger, options)
+    if not is_saved:
         return SYSTEM
     return int(bool(failed)) if options.batch else 0
 

@@ -88,12 +88,13 @@ def test_a_program_that_waits_gets_no_hint(capfd: pytest.CaptureFixture[str]) ->
     assert "warning" not in capfd.readouterr().err
 
 
-def test_a_run_and_its_verification_free_their_programs_when_they_end(
+def test_a_run_and_its_repetitions_free_their_programs_when_they_end(
     fleets: list[weakref.ref[Fleet]],
 ) -> None:
     assert main(["run", "patient.c", "--record", "run.mcap", "-q"]) == 0
     assert main(["replay", "run.mcap", "--verify"]) == 0
-    assert [each() for each in fleets] == [None, None]
+    assert main(["debug", "run.mcap", "--batch", "-ex", "continue"]) == 0
+    assert [each() for each in fleets] == [None] * 3
 
 
 def test_a_silent_run_without_a_limit_reports_its_progress(
