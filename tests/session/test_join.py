@@ -40,9 +40,9 @@ def yard(guest: str = "", robots: str = ""):
 GUEST = yard('join="0s"').robots[1]
 
 
-@pytest.fixture
-def roam(tmp_path: Path) -> Executable:
-    return build(tmp_path, ROAM)
+@pytest.fixture(scope="module")
+def roam(tmp_path_factory: pytest.TempPathFactory) -> Executable:
+    return build(tmp_path_factory.mktemp("roam"), ROAM)
 
 
 def begun(world, roam: Executable, seed: int = 3) -> Session:
