@@ -5,7 +5,6 @@ from __future__ import annotations
 import gc
 import pickle
 import subprocess
-import sys
 import weakref
 from dataclasses import replace
 from pathlib import Path
@@ -14,6 +13,7 @@ import pytest
 
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import empty_world
+from tests.commands import python
 from tests.session.programs import HALL, LOOP, ROAM, build, run
 
 STEPS = 60
@@ -34,7 +34,7 @@ def test_the_same_run_has_the_same_hash_in_another_process(tmp_path: Path) -> No
     roam = build(tmp_path, ROAM)
     here = run(HALL, [roam, roam], STEPS, seed=5).session.state_hash()
     found = subprocess.run(
-        [sys.executable, "-c", AGAIN, str(tmp_path)],
+        python("-c", AGAIN, tmp_path),
         capture_output=True,
         check=True,
         cwd=Path(__file__).parents[2],

@@ -19,6 +19,7 @@ from crs_cc.sim.engine.step import describe_slice
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import empty_world, load_world
 from crs_cc.sim.model.world import Area, WorldModel
+from tests.commands import python
 from tests.sim.driver import INCH, Driver, open_world, told, world_of
 
 ROBOT_CODES = sorted(
@@ -522,10 +523,8 @@ print(environment.hash())
 
 def test_two_processes_reach_same_state():
     hashes = {
-        subprocess.run(
-            [sys.executable, "-c", PROGRAM], capture_output=True, text=True, check=True
-        ).stdout
-        for _ in range(2)
+        subprocess.run([*command, PROGRAM], capture_output=True, text=True, check=True).stdout
+        for command in ([sys.executable, "-c"], python("-c"))
     }
     environment = connected()
     play(environment, range(80))

@@ -8,11 +8,11 @@ b r b r ...      middle, where a plateau stands with a ramp on each of two sides
 import math
 import pickle
 import subprocess
-import sys
 
 import pytest
 
 from crs_cc.sim.engine.environment import Environment
+from tests.commands import python
 from tests.sim.driver import Driver, world_of
 
 SPACING_M = 0.6
@@ -104,6 +104,6 @@ def test_run_from_snapshot_in_another_process_is_bitwise_equal(driven, tmp_path)
         "environment = Environment(world, seed=1); environment.restore(snapshot);"
         "print(finish(environment))"
     )
-    command = [sys.executable, "-c", program, str(tmp_path / "heap")]
+    command = python("-c", program, tmp_path / "heap")
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout.strip() == driver.environment.hash()
