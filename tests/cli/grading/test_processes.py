@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
-import sys
 import threading
 import weakref
 from dataclasses import replace
@@ -19,6 +18,7 @@ from crs_cc.cli.grading.processes import run_all
 from crs_cc.jobs.pool import Worker
 from crs_cc.runtime.fleet import Fleet
 from tests.cli.grading.handed_in import WORLD
+from tests.commands import python
 
 
 @pytest.fixture
@@ -39,7 +39,9 @@ def test_a_graded_run_frees_its_programs_when_it_ends(
     assert [each() for each in fleets] == [None]
 
 
-def test_errors_of_a_run_affect_only_its_own_grade(job: Job, tmp_path: Path) -> None:
+def test_errors_of_a_run_affect_only_its_own_grade(
+    job: Job, tmp_path: Path, users_workers: None
+) -> None:
     running = replace(job, limits=replace(job.limits, wall_s=0.3))
     missing = replace(job, folder=str(tmp_path / "nowhere"))
     hungry = replace(job, limits=replace(job.limits, max_memory=150 * 2**20))
@@ -86,7 +88,7 @@ def test_an_endless_run_ends_with_its_parent_process() -> None:
         "serve(lambda job, prepared: (prepared(), time.sleep(300)))"
     )
     with subprocess.Popen(
-        [sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+        python("-c", program), stdin=subprocess.PIPE, stdout=subprocess.PIPE
     ) as worker:
         assert worker.stdin is not None
         assert worker.stdout is not None
