@@ -1,8 +1,9 @@
 """Commands as processes of their own: `crs`, and Python, by forks of one process that is ready.
 
 What tests start by these command lines behaves as `python -m crs_cc` or `python` would, and is
-ready five times sooner (`fork_server.py`). Tests of what a process is, how it starts, what it
-imports, or what it takes, start `sys.executable` itself. `pytest --real-processes` has all do so.
+ready five times sooner (`fork_server.py`); only its compiler is that of tests (`fast_settings.py`).
+Tests of what a process is, how it starts, what it imports, or what it takes, start `sys.executable`
+itself, and compile as for users. `pytest --real-processes` and `pytest --quick` have all do so.
 """
 
 from __future__ import annotations

@@ -24,12 +24,15 @@ import select
 import signal
 import socket
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from types import ModuleType
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from fork_client import FORWARDED, NAMESPACES, READ_AT_START, surroundings
+
+if TYPE_CHECKING:
+    import wasmtime
 
 PACKAGE: Final = Path(__file__).parents[1] / "crs_cc"
 
@@ -68,6 +71,13 @@ def import_all() -> None:
                 importlib.import_module(".".join(names).removesuffix(".__init__"))
             except ImportError:
                 continue
+
+
+def compile_with(settings: Callable[[], wasmtime.Config]) -> None:
+    """Let commands compile with these settings of the engine."""
+    from crs_cc.runtime import executable
+
+    executable.settings = settings
 
 
 def start_jobs_by(address: str) -> None:
@@ -290,9 +300,12 @@ class Server:
 
 def main() -> None:
     os.environb.update(ONE_THREAD)
+    from fast_settings import fast_settings
+
     sys.path.pop(0)  # the folder of this file, which no command looks into
     server = Server(socket.socket(fileno=int(sys.argv[1])))
     import_all()
+    compile_with(fast_settings)
     start_jobs_by(server.address)
     gc.collect()
     gc.freeze()  # a collection in a fork would copy the pages of what all share
