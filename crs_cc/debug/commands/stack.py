@@ -80,6 +80,13 @@ def _frame(context: CommandContext, text: str) -> Answer:
     kind, _, rest = text.partition(" ")
     if kind == "apply":
         return _apply(context, rest.strip())
+    _select(context, text)
+    return context.show_selection()
+
+
+def _select(context: CommandContext, text: str) -> None:
+    """Select a frame; by default, check that there is one."""
+    kind, _, rest = text.partition(" ")
     if kind == "function":
         context.debugger.view.select_frame(_frame_of(context, rest.strip()))
     elif text:
@@ -89,7 +96,6 @@ def _frame(context: CommandContext, text: str) -> Answer:
             raise DebugError(f'no frame #{wanted}; see "backtrace"')
         context.debugger.view.select_frame(numbers[wanted])
     frame(context)
-    return context.show_selection()
 
 
 def _apply(context: CommandContext, text: str) -> Answer:
@@ -111,9 +117,8 @@ def _apply(context: CommandContext, text: str) -> Answer:
 
 
 def _select_frame(context: CommandContext, text: str) -> Answer:
-    for each in _frame(context, require_argument(text, "a frame's number, or function NAME")):
-        if isinstance(each, NestedCommand):
-            yield each
+    _select(context, require_argument(text, "a frame's number, or function NAME"))
+    yield from ()
 
 
 def _frame_of(context: CommandContext, function: str) -> int:
