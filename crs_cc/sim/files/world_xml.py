@@ -125,8 +125,9 @@ def load_robot(path: Path, setup: str = "") -> RobotModel:
     return parse_robot(read_file(path), str(path), setup)
 
 
+@lru_cache(maxsize=64)  # worlds share few definitions
 def parse_robot(text: bytes, file: str, setup: str = "") -> RobotModel:
-    """Return the robot model that a text describes.
+    """Return the robot model that a text describes, the same object for the same text.
 
     Args:
         text: the text of a robot definition.
@@ -142,10 +143,6 @@ def parse_robot(text: bytes, file: str, setup: str = "") -> RobotModel:
     raise_errors(diagnostics)
     definition = Path(file).stem if Path(file).parent == ROBOTS else file
     return replace(model, definition=definition, setup=setup)
-
-
-_parse_built_in: Final = lru_cache(maxsize=32)(parse_robot)
-"""Parses built-in definitions, each once: most worlds use only these."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -276,8 +273,7 @@ class _World:
             )
             return None
         try:
-            parse = _parse_built_in if path.parent == ROBOTS else parse_robot
-            return parse(self._definition(element, path), str(path), setup)
+            return parse_robot(self._definition(element, path), str(path), setup)
         except WorldError as wrong:
             self.reader.error(element, f"robot definition {str(name)!r} cannot be used")
             self.reader.diagnostics.messages.extend(wrong.diagnostics)
