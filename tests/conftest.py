@@ -63,8 +63,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     # A shell's job in the background ignores it, and so would all commands that tests interrupt.
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    # Most programs of tests run once. What users get, commands of quick runs show, and those
-    # that are no forks.
+    # Most programs of tests run once. What users get is shown by the commands of quick
+    # runs, and by those that are not forks.
     executable.settings = fast_settings.fast_settings
     # Quick runs start too few commands for a process that imports all to be worth its time.
     commands.real |= config.getoption("--real-processes") or config.getoption("--quick")

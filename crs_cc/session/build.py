@@ -177,22 +177,23 @@ def _build(
 def _make(
     program: Program, names: _Names, lines: _Lines, flags: dict[str, bool], place: str
 ) -> Executable:
-    """Compile a linked program, and store under a name in the cache where its machine code is.
+    """Compile a linked program, and remember its machine code under a name of the cache.
 
-    That is found by the WebAssembly from which it is compiled, which is the same for sources that
-    differ in comments only, in names of variables, or in their folder.
+    The cache holds machine code by the WebAssembly that it was compiled from, which is the same for
+    sources that differ only in comments, names of variables, or their folder. Under the name is
+    only the name of that entry.
     """
     from crs_cc.runtime.executable import make_executable
 
     def module(wasm: bytes) -> Module:
-        code = cache.key("machine code", wasm, code_format())
-        cache.store(place, code)
-        machine_code = cache.load(code, bytes)
+        entry = cache.key("machine code", wasm, code_format())
+        cache.store(place, entry)
+        machine_code = cache.load(entry, bytes)
         known = machine_code and load_module(machine_code)
         if known:
             return known
         made = compile_module(wasm)
-        cache.store(code, bytes(made.serialize()))
+        cache.store(entry, bytes(made.serialize()))
         return made
 
     return make_executable(
@@ -202,8 +203,8 @@ def _make(
 
 def _known_code(place: str) -> bytes | None:
     """Return the machine code that `_make` has stored, if it is still in the cache."""
-    code = cache.load(place, str)
-    return cache.load(code, bytes) if code else None
+    entry = cache.load(place, str)
+    return cache.load(entry, bytes) if entry else None
 
 
 def _code_key(key: str, entry: _Linked, flags: dict[str, bool]) -> str:
