@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 from _pytest.doctest import DoctestModule
+from _pytest.runner import runtestprotocol
 
 from crs_cc.core.gc_pause import gc_paused
 from crs_cc.jobs import pool
@@ -41,6 +42,24 @@ class Examples:
         if file_path.suffix != ".py" or b">>>" in file_path.read_bytes():
             return collectors
         return [each for each in collectors if not isinstance(each, DoctestModule)]
+
+
+class Results:
+    """Sends a worker's results only: setups and teardowns that passed are two of three reports."""
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtest_protocol(self, item: pytest.Item, nextitem: pytest.Item | None) -> bool:
+        item.ihook.pytest_runtest_logstart(nodeid=item.nodeid, location=item.location)
+        for report in runtestprotocol(item, log=False, nextitem=nextitem):
+            if report.when == "call" or not report.passed:
+                item.ihook.pytest_runtest_logreport(report=report)
+        item.ihook.pytest_runtest_logfinish(nodeid=item.nodeid, location=item.location)
+        return True
+
+
+def is_measuring(config: pytest.Config) -> bool:
+    """Return whether pytest writes down how long setups and teardowns take."""
+    return config.getoption("--durations") is not None or bool(config.getoption("--junit-xml"))
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -74,6 +93,8 @@ def pytest_configure(config: pytest.Config) -> None:
     config.pluginmanager.register(Examples())
     if config.getoption("--update-times"):
         config.pluginmanager.register(times.Recorder())
+    elif "PYTEST_XDIST_WORKER" in os.environ and not is_measuring(config):
+        config.pluginmanager.register(Results())
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
