@@ -298,6 +298,22 @@ class Server:
         os._exit(0)
 
 
+def run(command: Command) -> None:
+    """Run a command in a fork, and end it as Python does, but for what would free all modules.
+
+    To free them copies their pages first.
+    """
+    from crs_cc.cli.process import exit_process
+
+    try:
+        command.run()
+    except SystemExit as end:
+        if not isinstance(end.code, int | None):
+            raise
+        exit_process(end.code or 0)
+    exit_process(0)
+
+
 def main() -> None:
     os.environb.update(ONE_THREAD)
     from fast_settings import fast_settings
@@ -309,7 +325,7 @@ def main() -> None:
     start_jobs_by(server.address)
     gc.collect()
     gc.freeze()  # a collection in a fork would copy the pages of what all share
-    server.next_command().run()
+    run(server.next_command())
 
 
 if __name__ == "__main__":
