@@ -71,10 +71,9 @@ def left_behind() -> str:
     """Return what a test has changed for good, because of which commands are no longer forks."""
     if real or not _servers:
         return ""
-    status = _servers[0].process.poll()
-    if status is not None:
+    if _servers[0].has_ended():
         _servers.clear()
-        return f"the process whose forks run commands has ended with {status}"
+        return "the process whose forks run commands has ended"
     now = _surroundings()
     changed = [f"{name}: {now[name]}" for name in now if now[name] != _servers[0].around[name]]
     _servers[0].around = now
@@ -85,31 +84,55 @@ def processor_s() -> float:
     """Return the processor time of all commands that forks have run to their ends [s]."""
     if not _servers:
         return 0.0
-    status = Path(f"/proc/{_servers[0].process.pid}/stat").read_text().rpartition(")")[2].split()
-    return (int(status[13]) + int(status[14])) / os.sysconf("SC_CLK_TCK")
+    _, user, system = _servers[0].status()
+    return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
 
 
 class Server:
-    """The process whose forks run commands; it ends with this one.
+    """A process whose forks run commands; it ends with the one that has started it.
 
     Attributes:
         address: where its socket is.
-        around: what it has from this process, and what commands must have, too.
-        process: itself.
+        process: its process id.
+        around: what commands must have from their parents as well, to be its forks.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, address: str, process: int) -> None:
+        self.address = address
+        self.process = process
         self.around = _surroundings()
-        self.address = str(Path(tempfile.mkdtemp(prefix="crs-tests-")) / "socket")
-        with socket.socket(socket.AF_UNIX) as listener:
-            listener.bind(self.address)
-            listener.listen()
-            self.process = subprocess.Popen(
-                [sys.executable, SERVER, str(listener.fileno())],
-                stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
-                env=_ENVIRONMENT, cwd=SERVER.parent, pass_fds=[listener.fileno()],
-                start_new_session=True,
-            )  # fmt: skip
+
+    def status(self) -> list[str]:
+        """Return its state, and the processor time of its forks in user and system mode [ticks].
+
+        Raises:
+            OSError: it has ended, and its parent has taken notice.
+        """
+        fields = Path(f"/proc/{self.process}/stat").read_text().rpartition(")")[2].split()
+        return [fields[0], *fields[13:15]]
+
+    def has_ended(self) -> bool:
+        """Return whether it has ended."""
+        try:
+            return self.status()[0] == "Z"
+        except OSError:
+            return True
+
+
+def start_server() -> Server:
+    """Start a server, which ends with this process."""
+    address = str(Path(tempfile.mkdtemp(prefix="crs-tests-")) / "socket")
+    with socket.socket(socket.AF_UNIX) as listener:
+        listener.bind(address)
+        listener.listen()
+        process = subprocess.Popen(
+            [sys.executable, SERVER, str(listener.fileno())],
+            stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+            env=_ENVIRONMENT, cwd=SERVER.parent, pass_fds=[listener.fileno()],
+            start_new_session=True,
+        )  # fmt: skip
+    _started.append(process)
+    return Server(address, process.pid)
 
 
 def _surroundings() -> dict[str, object]:
@@ -120,13 +143,19 @@ def _surroundings() -> dict[str, object]:
     return {**surroundings(), "environment": read}
 
 
+_started: list[subprocess.Popen[bytes]] = []  # with the pipes that they read to their ends
 _servers: list[Server] = []
 _starting = threading.Lock()
 
 
 def server() -> Server:
-    """Return the server of this process, which is started when it is first needed."""
+    """Return the server of this process: one that it was told to share, or its own."""
     with _starting:
         if not _servers:
-            _servers.append(Server())
+            _servers.append(start_server())
     return _servers[0]
+
+
+def share(address: str, process: int) -> None:
+    """Use the server of another process."""
+    _servers[:] = [Server(address, process)]

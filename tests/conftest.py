@@ -89,12 +89,23 @@ def pytest_configure(config: pytest.Config) -> None:
     commands.real |= config.getoption("--real-processes") or config.getoption("--quick")
     if not config.getoption("--real-processes"):
         pool.python = commands.fast_module
+    shared = getattr(config, "workerinput", {}).get("server")
+    if shared:
+        commands.share(*shared)
     gc.set_threshold(NEW_OBJECTS)
     config.pluginmanager.register(Examples())
     if config.getoption("--update-times"):
         config.pluginmanager.register(times.Recorder())
     elif "PYTEST_XDIST_WORKER" in os.environ and not is_measuring(config):
         config.pluginmanager.register(Results())
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: Any) -> None:
+    """Let workers share one process whose forks run commands; who measures theirs has an own."""
+    if not commands.real and not node.config.getoption("--update-times"):
+        forks = commands.server()
+        node.workerinput["server"] = forks.address, forks.process
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -24,6 +24,7 @@ import select
 import signal
 import socket
 import sys
+import tempfile
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from types import ModuleType
@@ -78,6 +79,21 @@ def compile_with(settings: Callable[[], wasmtime.Config]) -> None:
     from crs_cc.runtime import executable
 
     executable.settings = settings
+
+
+def compile_usual_program() -> None:
+    """Read the headers and compile the library functions that most programs use.
+
+    No cache is written or read: commands would not find there what they expect.
+    """
+    from crs_cc.core.source import Diagnostics
+    from crs_cc.session.build import build_executable
+
+    os.environ["CRS_CACHE"] = os.devnull
+    with tempfile.NamedTemporaryFile("w", suffix=".c") as program:
+        program.write(USUAL_PROGRAM)
+        program.flush()
+        build_executable([Path(program.name)], Diagnostics())
 
 
 def start_jobs_by(address: str) -> None:
@@ -139,6 +155,24 @@ def enter(own: str, namespace: int) -> None:
         library = ctypes.CDLL(None, use_errno=True)  # `os.setns` is there since Python 3.12
         if library.setns(namespace, 0):
             raise OSError(ctypes.get_errno(), f"cannot enter the namespace of {own}")
+
+
+USUAL_PROGRAM: Final = """
+#include <Nclient.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int main(void)
+{
+    connect_robot(1);
+    vm(1, 1, 0);
+    gs();
+    printf("%f %s", sqrt(2), strchr("a", 'a'));
+    return atoi("0");
+}
+"""
 
 
 class Command:
@@ -323,6 +357,7 @@ def main() -> None:
     import_all()
     compile_with(fast_settings)
     start_jobs_by(server.address)
+    compile_usual_program()
     gc.collect()
     gc.freeze()  # a collection in a fork would copy the pages of what all share
     run(server.next_command())

@@ -175,7 +175,7 @@ def test_a_command_on_another_machine_sees_its_network_and_mounts(tmp_path: Path
             done = subprocess.run(words, check=True, capture_output=True, text=True, cwd=tmp_path)
             seen, parent = done.stdout.splitlines()
             assert seen == f"10.77.1.1 {tmp_path} [(1, 'lo'), (2, 'wire1')]"
-    assert int(parent) == commands.server().process.pid
+    assert int(parent) == commands.server().process
 
 
 def test_a_closed_stream_is_closed(tmp_path: Path) -> None:
@@ -187,12 +187,12 @@ def test_a_closed_stream_is_closed(tmp_path: Path) -> None:
 
 def test_the_server_has_one_thread(folder: Path) -> None:
     subprocess.run(commands.crs("--version"), check=True, capture_output=True)
-    process = commands.server().process.pid
+    process = commands.server().process
     assert len(list(Path(f"/proc/{process}/task").iterdir())) == 1
 
 
 def test_what_a_test_changes_for_good_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
-    server = commands.server()
+    commands.server()
     assert commands.left_behind() == ""
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     try:
@@ -206,9 +206,19 @@ def test_what_a_test_changes_for_good_is_noticed(monkeypatch: pytest.MonkeyPatch
     assert commands.left_behind().startswith("environment: ")
     monkeypatch.undo()
     assert commands.left_behind().startswith("environment: ")
-    monkeypatch.setattr(server.process, "poll", lambda: -9)
+
+
+def test_a_server_that_has_ended_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    server = commands.start_server()
     monkeypatch.setattr(commands, "_servers", [server])
-    assert "has ended with -9" in commands.left_behind()
+    assert commands.left_behind() == ""
+    os.kill(server.process, signal.SIGKILL)
+    until_s = time.monotonic() + 20.0
+    while not server.has_ended():
+        assert time.monotonic() < until_s
+        time.sleep(0.01)
+    assert "has ended" in commands.left_behind()
+    assert commands.left_behind() == ""
 
 
 def test_the_time_of_commands_is_counted() -> None:
