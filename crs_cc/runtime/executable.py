@@ -142,7 +142,7 @@ class Executable:
         if self._loaded is None or self._loaded[0] is not engine():
             module = load_module(self.machine_code)
             if module is None:
-                module = compile_module(self.detail().compiled.module.to_binary())
+                module, _ = compile_module(self.detail().compiled.module.to_binary())
             self._loaded = engine(), module
         return self._loaded[1]
 
@@ -199,9 +199,14 @@ def load_executable(
     return Executable(name, command, machine_code, detail, (engine(), module))
 
 
-def compile_module(wasm: bytes) -> Module:
-    """Compile WebAssembly to machine code, for the engine that all fleets share."""
-    return wasmtime.Module(engine(), wasm)
+def compile_module(wasm: bytes) -> tuple[Module, bytes]:
+    """Compile WebAssembly for the engine that all fleets share.
+
+    Returns:
+        The module, and its machine code.
+    """
+    module = wasmtime.Module(engine(), wasm)
+    return module, bytes(module.serialize())
 
 
 def make_executable(
@@ -210,7 +215,7 @@ def make_executable(
     *,
     command: str = "",
     lines: Mapping[str, Sequence[str]] | None = None,
-    module_of: Callable[[bytes], Module] = compile_module,
+    module_of: Callable[[bytes], tuple[Module, bytes]] = compile_module,
     checked: bool = True,
     debug: bool = False,
     watching: bool = False,
@@ -223,7 +228,7 @@ def make_executable(
         name: the program as the user named it.
         command: its `argv[0]`; by default derived from the name, which is that of one file then.
         lines: the lines of the user's files, by name, for messages.
-        module_of: compiles WebAssembly to machine code, or knows the code.
+        module_of: compiles WebAssembly as `compile_module` does, or knows the code.
         checked: check every access through a pointer.
         debug: allow breakpoints on every statement.
         watching: compare every access with the watched ranges; in debug builds only.
@@ -234,7 +239,7 @@ def make_executable(
     compiled = compile_program(
         program, checked=checked, debug=debug, watching=watching, trap_overflow=trap_overflow
     )
-    module = module_of(compiled.module.to_binary())
+    module, machine_code = module_of(compiled.module.to_binary())
     detail = Detail(program, compiled, lines or {})
     command = command or command_name(name)
-    return Executable(name, command, bytes(module.serialize()), lambda: detail, (engine(), module))
+    return Executable(name, command, machine_code, lambda: detail, (engine(), module))

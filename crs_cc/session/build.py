@@ -185,16 +185,16 @@ def _make(
     """
     from crs_cc.runtime.executable import make_executable
 
-    def module(wasm: bytes) -> Module:
+    def module(wasm: bytes) -> tuple[Module, bytes]:
         entry = cache.key("machine code", wasm, code_format())
         cache.store(place, entry)
         machine_code = cache.load(entry, bytes)
         known = machine_code and load_module(machine_code)
-        if known:
-            return known
-        made = compile_module(wasm)
-        cache.store(entry, bytes(made.serialize()))
-        return made
+        if machine_code and known:
+            return known, machine_code
+        made, machine_code = compile_module(wasm)
+        cache.store(entry, machine_code)
+        return made, machine_code
 
     return make_executable(
         program, names[0], command=names[1], lines=lines, module_of=module, **flags

@@ -74,7 +74,7 @@ def load(name: str, kind: type[_Entry]) -> _Entry | None:
         return None
     with contextlib.suppress(OSError):  # a read-only folder is good enough
         os.utime(place / name)  # last use
-    digest, pickled = content[:_DIGEST_SIZE], content[_DIGEST_SIZE:]
+    digest, pickled = content[:_DIGEST_SIZE], memoryview(content)[_DIGEST_SIZE:]
     if hashlib.sha256(pickled).digest() != digest:
         return None
     try:
@@ -90,7 +90,7 @@ def store(name: str, entry: object) -> None:
     The least recently used entries are evicted to make room for it.
     """
     pickled = pickle.dumps(entry, pickle.HIGHEST_PROTOCOL)
-    _store(name, hashlib.sha256(pickled).digest() + pickled)
+    _store(name, hashlib.sha256(pickled).digest(), pickled)
 
 
 def file_of(text: str) -> Path:
@@ -114,14 +114,14 @@ def file_of(text: str) -> Path:
     return path
 
 
-def _store(name: str, content: bytes) -> Path | None:
+def _store(name: str, *content: bytes) -> Path | None:
     """Write a file of the cache, and return its path; None if that is impossible."""
     place = folder()
     if place is None:
         return None
     with contextlib.suppress(OSError):
         place.mkdir(mode=0o700, parents=True, exist_ok=True)
-        if is_private(place) and _quota.make(place, len(content)):
+        if is_private(place) and _quota.make(place, sum(map(len, content))):
             _write(place / name, content)
             return place / name
     return None
@@ -136,7 +136,7 @@ def is_private(place: Path) -> bool:
     return host_system.is_private(place.stat())
 
 
-def _write(path: Path, content: bytes) -> None:
+def _write(path: Path, content: Iterable[bytes]) -> None:
     """Write a file atomically.
 
     Raises:
@@ -149,7 +149,7 @@ def _write(path: Path, content: bytes) -> None:
     temporary = Path(name)
     try:
         with os.fdopen(handle, "wb") as file:
-            file.write(content)
+            file.writelines(content)
         temporary.replace(path)
     except BaseException:
         temporary.unlink(missing_ok=True)
