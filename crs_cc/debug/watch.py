@@ -316,17 +316,17 @@ class WatchSet:
     def _place(self, row: Records) -> tuple[Location | None, str, str]:
         """Return where an access was made: location, function, and library function."""
         detail = self._plain.detail()
-        number = int(row["place"])
+        compiled, number = detail.compiled, int(row["place"])
         if number:
             if not self._places:
                 sites = accesses(detail.program)
                 self._places = [(each.location, each.function) for each in sites]
             return *self._places[number - 1], ""
         for call in row["callers"].tolist():
-            site = detail.compiled.call_sites[call - 1] if call else None
+            site = compiled.call_sites[call - 1] if call else None
             if site is not None and not in_library(site.location):
-                info = detail.compiled.info(site.function)
-                callee = info.callees.get(info.calls[call], "")
+                landing = compiled.call_landings[call - 1]
+                callee = compiled.info(site.function).callees.get(landing, "")
                 name = plain_name(callee) if isinstance(callee, str) else ""
                 return site.location, site.function, name
         return None, "", ""

@@ -23,7 +23,6 @@ class FunctionInfo:
         landings: the source location of each landing, by number; 0 is the entry.
         callees: for landings at calls, by the landing's number, the callee: its name, or the
             register that holds the function pointer.
-        calls: the landing of each call, by the number of its call site (checked builds only).
         flags: for registers that may be uninitialised, the flag register: not zero if initialised.
         unset: in debug builds, by the landing's number, the variables uninitialised there.
     """
@@ -32,7 +31,6 @@ class FunctionInfo:
     frame: Frame
     landings: dict[int, Location]
     callees: dict[int, str | Register]
-    calls: dict[int, int]
     flags: dict[Register, Register] = field(default_factory=dict)
     unset: dict[int, frozenset[Register]] = field(default_factory=dict)
 
@@ -44,7 +42,8 @@ class Compiled:
     Attributes:
         module: the WebAssembly module.
         sites: every site that can fail, by the number in the slot's `error_site`.
-        call_sites: every call site, by its number minus 1; see `sites`.
+        call_sites: every call site, by its number minus 1; see `sites` (checked builds only).
+        call_landings: the landing of each of these calls in its function.
         statements: the sites at which the program can be stopped, by number: statements, and
             returns from calls.
         functions: the functions, by the numbers in their frames.
@@ -59,6 +58,7 @@ class Compiled:
     first_function: int
     sites: list[Site]
     call_sites: list[CallSite]
+    call_landings: list[int]
     statements: list[StatementSite]
     functions: list[FunctionInfo]
     addresses: dict[str, int]
@@ -79,6 +79,13 @@ class Compiled:
     def breakable(self) -> Iterator[tuple[int, StatementSite]]:
         """Return the statements on which breakpoints can be set, with their numbers."""
         return ((n, site) for n, site in enumerate(self.statements) if not site.after_call)
+
+    def call_landing(self, function: str, number: int) -> int:
+        """Return the landing of a call by the number of its site; 0 if the function has none."""
+        is_site = 0 < number <= len(self.call_sites)
+        if not is_site or self.call_sites[number - 1].function != function:
+            return 0
+        return self.call_landings[number - 1]
 
     def info(self, function: str) -> FunctionInfo:
         """Return the debug information of a function."""

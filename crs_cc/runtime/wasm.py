@@ -159,15 +159,15 @@ class Code:
     locals: Sequence[ValueType]
     body: list[Instr]
 
-    def to_binary(self) -> tuple[bytes, list[int]]:
-        """Return the entry in the code section, and the offsets of `UNLIKELY` tests in it."""
+    def to_binary(self) -> tuple[bytes, bytes]:
+        """Return the entry in the code section, and the hints of the `UNLIKELY` tests in it."""
         content, hints = bytearray(self.head()), []
         for instr in self.body:
             if instr is UNLIKELY:
                 hints.append(len(content))
             content += encode(instr) if instr[0] in _FLOATING else _encode(instr)
         content += b"\x0b"
-        return unsigned(len(content)) + content, hints
+        return unsigned(len(content)) + content, encode_hints(hints)
 
     def start(self) -> int:
         """Return the offset of the instructions in the entry's content [bytes]."""
@@ -246,8 +246,7 @@ class Module:
         if self.start is not None:
             parts[8] = _section(8, unsigned(self.start))
         parts[12] = _section(12, unsigned(len(self.data)))
-        imported: list[list[int]] = [[] for _ in self.function_imports]
-        parts[0] = _branch_hints([*imported, *(hints for _, hints in code)])
+        parts[0] = _branch_hints(len(self.function_imports), [hints for _, hints in code])
         order = (1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 0, 10, 11)
         return b"\x00asm\x01\x00\x00\x00" + b"".join(parts.get(each, b"") for each in order)
 
@@ -287,12 +286,14 @@ def _element(table: int, first: int, functions: list[int]) -> bytes:
     return b"\x02" + unsigned(table) + offset + b"\x00" + _vector(map(unsigned, functions))
 
 
-def _branch_hints(hints: Sequence[list[int]]) -> bytes:
-    """Return the custom section of branch hints, from the offsets of unlikely tests by function."""
-    rows = []
-    for function, places in enumerate(hints):
-        if places:
-            rows.append(unsigned(function) + _vector(map(_unlikely, places)))
+def encode_hints(offsets: Sequence[int]) -> bytes:
+    """Return the hints that the tests at some offsets in a function are unlikely; empty if none."""
+    return _vector(map(_unlikely, offsets)) if offsets else b""
+
+
+def _branch_hints(first: int, hints: Sequence[bytes]) -> bytes:
+    """Return the custom section of branch hints, from those of the functions from an index on."""
+    rows = [unsigned(function) + row for function, row in enumerate(hints, start=first) if row]
     return _section(0, _name("metadata.code.branch_hint") + _vector(rows))
 
 

@@ -52,12 +52,14 @@ class Convention:
         variadic: whether it takes more arguments.
         registers: for each parameter its type in memory if it is passed in a register, else None.
         result: the type of the returned value, if there is one.
+        size: the size of its parameters, as `layout` places them [bytes].
     """
 
     shape: Shape
     variadic: bool
     registers: tuple[MemoryType | None, ...]
     result: ValueType | None
+    size: int
 
     @property
     def type(self) -> FuncType:
@@ -90,9 +92,9 @@ def convention_of(function: Function) -> Convention:
         passed = not in_bytes and each.memory is not None and left[is_float] > 0
         left[is_float] -= passed
         registers.append(each.memory if passed else None)
-    return Convention(
-        function_shape(function), function.variadic, tuple(registers), function.result
-    )
+    size = argument_offsets([each.size for each in parameters])[-1]
+    shape = function_shape(function)
+    return Convention(shape, function.variadic, tuple(registers), function.result, size)
 
 
 def needing_general_form(program: Program, conventions: dict[str, Convention]) -> set[str]:

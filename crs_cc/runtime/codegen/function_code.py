@@ -135,7 +135,7 @@ class _FunctionCode:
         self.here = function.blocks[0]
         self.landings: list[tuple[Landing, Instruction]] = []
         self.failing: list[tuple[Landing, Instruction]] = []
-        self.calls: dict[int, Landing] = {}
+        self.calls: list[Landing] = []
 
     def _frame(self, charge: int) -> Frame:
         """Lay out the frame, with a charge for inlined functions."""
@@ -195,6 +195,8 @@ class _FunctionCode:
             self.names.outlined.append(self.code(self.body_from(again)))
             take_apart(again)
         take_apart(entry)
+        if self.checked:
+            self.names.call_landings += [landing.number for landing in self.calls]
         return code, self.info()
 
     def is_outlined(self) -> bool:
@@ -236,8 +238,7 @@ class _FunctionCode:
         callees = {each.number: it.callee for each, it in active if isinstance(it, Call)}
         known = self.assigned.unset if self.assigned else {}
         unset = {each.number: known[it] for each, it in self.landings if it in known}
-        calls = {site: landing.number for site, landing in self.calls.items()}
-        return FunctionInfo(self.original, self.frame, places, callees, calls, self.flags, unset)
+        return FunctionInfo(self.original, self.frame, places, callees, self.flags, unset)
 
     # -- suspending ---------------------------------------------------------------------------
 
@@ -385,7 +386,7 @@ class _FunctionCode:
         self.pass_arguments(call)
         landing = Landing(Node())
         self.failing.append((landing, call))
-        self.calls[len(self.names.call_sites)] = landing
+        self.calls.append(landing)
         value, code = self._call_named(call, str(call.callee)), self.writer.code
         code += [("local.set", FUEL), *stopping.IF_STOPPED]
         code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), *stopping.END]
@@ -395,7 +396,7 @@ class _FunctionCode:
         """Call the callee, fresh or resumed: this is where a suspended caller resumes."""
         landing = self.add_landing(after, call)
         landing.prepaid = stopping.STOPPED
-        self.calls[len(self.names.call_sites)] = landing
+        self.calls.append(landing)
         if isinstance(call.callee, Register):
             check_pointer(self.writer, call, call.callee, shapes=self.shadowed)
             self.push_arguments(call)

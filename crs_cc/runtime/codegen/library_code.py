@@ -14,6 +14,7 @@ import itertools
 from collections.abc import Container, Hashable, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field, replace
+from operator import getitem
 from typing import Any, Final, NoReturn, Self, TypeAlias
 
 from crs_cc.ir.instruction import Call
@@ -27,7 +28,7 @@ from crs_cc.runtime.codegen.small_functions import Bodies, calls_of
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.compiled import FunctionInfo
 from crs_cc.runtime.sites import CallSite, Site
-from crs_cc.runtime.wasm import UNLIKELY, Code, Instr, encode, unsigned
+from crs_cc.runtime.wasm import UNLIKELY, Code, Instr, encode, encode_hints, unsigned
 
 _Symbol: TypeAlias = tuple[str, Hashable]
 
@@ -115,6 +116,9 @@ class _Answers(dict[str, Any]):
     def __missing__(self, key: str) -> Any:
         return self.get(key)
 
+    def is_asked(self) -> bool:
+        return bool(self or self._missing)
+
     def matches(self, other: Mapping[str, Any]) -> bool:
         return self.items() <= other.items() and self._missing.isdisjoint(other)
 
@@ -132,6 +136,9 @@ class _Names:
         (self._present if found else self._absent).add(name)
         return found
 
+    def is_asked(self) -> bool:
+        return bool(self._present or self._absent)
+
     def matches(self, other: AbstractSet[Any]) -> bool:
         return self._present <= other and self._absent.isdisjoint(other)
 
@@ -144,7 +151,10 @@ class _Tables(dict[Shape, int]):
         self._asked = _Names(real)
 
     def get(self, shape: Shape, default: Any = None) -> Any:
-        return _Unknown(("table", shape)) if self._asked.has(shape) else default
+        return _Unknown(("tables", shape)) if self._asked.has(shape) else default
+
+    def is_asked(self) -> bool:
+        return self._asked.is_asked()
 
     def matches(self, other: Mapping[Shape, int]) -> bool:
         return self._asked.matches(other.keys())
@@ -165,6 +175,9 @@ class _Valueless(set[str]):
     def __bool__(self) -> bool:
         self._is_some = found = bool(self._real)
         return found
+
+    def is_asked(self) -> bool:
+        return self._is_some is not None or self._asked.is_asked()
 
     def matches(self, other: set[str]) -> bool:
         return self._is_some in {None, bool(other)} and self._asked.matches(other)
@@ -191,30 +204,34 @@ class _Bodies(Bodies):
         for call in calls_of(function) if function is not None else ():
             self._ask(str(call.callee))
 
+    def is_asked(self) -> bool:
+        return self._asked.is_asked()
+
     def matches(self, other: Bodies) -> bool:
         return self._asked.matches(other.small)
+
+
+_Asked: TypeAlias = _Answers | _Tables | _Valueless | _Bodies
+
+_ASKED: Final = ("conventions", "sizes", "constants", "tables", "without_value", "bodies")
+"""The tables of `Symbols` whose contents the code depends on, not only by their numbers."""
 
 
 class _Recorder(Symbols):
     """Symbols for generating code that several programs link."""
 
     def __init__(self, names: Symbols) -> None:
-        self._sizes, self._parameters = _Answers(names.sizes), _Answers(names.parameters)
-        self._conventions, self._constants = _Answers(names.conventions), _Answers(names.constants)
-        self._tables, self._valueless = _Tables(names.tables), _Valueless(names.without_value)
-        self._bodies = _Bodies(names.bodies)
         super().__init__(
-            addresses=_Numbers("address"),
-            functions=_Numbers("function"),
+            addresses=_Numbers("addresses"),
+            functions=_Numbers("functions"),
             general=_Numbers("general"),
-            conventions=self._conventions,
-            sizes=self._sizes,
-            constants=self._constants,
-            parameters=self._parameters,
+            conventions=_Answers(names.conventions),
+            sizes=_Answers(names.sizes),
+            constants=_Answers(names.constants),
             pointers=_Unknown(_POINTERS),
-            tables=self._tables,
-            without_value=self._valueless,
-            bodies=self._bodies,
+            tables=_Tables(names.tables),
+            without_value=_Valueless(names.without_value),
+            bodies=_Bodies(names.bodies),
         )
 
     def number(self, site: Site) -> int:
@@ -223,17 +240,10 @@ class _Recorder(Symbols):
     def call_number(self, site: CallSite) -> int:
         return _Unknown(_CALL, super().call_number(site))
 
-    def matches(self, names: Symbols) -> bool:
-        """Return whether another program gives the same answers."""
-        return (
-            self._sizes.matches(names.sizes)
-            and self._parameters.matches(names.parameters)
-            and self._conventions.matches(names.conventions)
-            and self._constants.matches(names.constants)
-            and self._tables.matches(names.tables)
-            and self._valueless.matches(names.without_value)
-            and self._bodies.matches(names.bodies)
-        )
+    def asked(self) -> list[tuple[str, _Asked]]:
+        """Return the tables that were asked, by name."""
+        tables = ((name, getattr(self, name)) for name in _ASKED)
+        return [(name, table) for name, table in tables if table.is_asked()]
 
 
 class _Form(dict[int, bytes]):
@@ -256,48 +266,74 @@ class _Template:
     """The code of a function without the numbers of a program.
 
     Attributes:
-        asked: what was asked about the program, and its sites.
-        places: where numbers are to be filled in: the instruction's index, and the instruction.
-        numbers: for each place, which of the symbols it has, and what is added.
+        names: the recorder of what was asked about the program, and of the sites.
+        asked: the tables that were asked, by name.
+        indices: where numbers are to be filled in: the indices of the instructions.
+        forms: these instructions.
+        numbers: for each of them, which of the symbols it has, and what is added.
         symbols: the different symbols.
-        encoded: what is encoded before each of the places, and after the last.
+        parts: what is encoded before each of the instructions, and after the last; there is room
+            for theirs between these parts.
         hints: the unlikely tests: which of these parts they are in, and the offset there.
+        encoded_hints: the encoded hints, by the sizes of the instructions with numbers.
     """
 
     code: Code
     info: FunctionInfo
-    asked: _Recorder
-    places: list[tuple[int, _Form]] = field(default_factory=list)
+    names: _Recorder
+    asked: list[tuple[str, _Asked]] = field(init=False)
+    indices: list[int] = field(default_factory=list)
+    forms: list[_Form] = field(default_factory=list)
     numbers: list[tuple[int, int]] = field(default_factory=list)
     symbols: dict[_Symbol, int] = field(default_factory=dict)
-    encoded: list[bytes] = field(default_factory=list)
+    parts: list[bytes] = field(default_factory=list)
     hints: list[tuple[int, int]] = field(default_factory=list)
+    encoded_hints: dict[bytes, bytes] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.asked = self.names.asked()
 
     def add(self, index: int, instr: Instr, at: int) -> None:
-        """Add a place: an instruction with an unknown number."""
+        """Add an instruction with an unknown number."""
         number: _Unknown = instr[at]
-        self.places.append((index, _form(instr[:at], instr[at + 1 :])))
+        self.indices.append(index)
+        self.forms.append(_form(instr[:at], instr[at + 1 :]))
         symbol = self.symbols.setdefault(number.symbol, len(self.symbols))
         self.numbers.append((symbol, int(number)))
 
     def matches(self, names: Symbols) -> bool:
-        return self.asked.matches(names)
+        """Return whether another program gives the same answers."""
+        return all(table.matches(getattr(names, name)) for name, table in self.asked)
 
     def link(self, names: Symbols, watch: int) -> tuple[Code, FunctionInfo]:
         """Return the code with the numbers of a program, and add its sites."""
-        calls = len(names.call_sites)
         tables: dict[str, Mapping[Any, int]] = {
-            "function": names.functions, "general": names.general,
-            "address": names.addresses, "table": names.tables,
-            "site": {None: len(names.sites)}, "call": {None: calls},
-            "pointers": {None: names.pointers}, "watch": {None: watch},
+            "functions": names.functions, "general": names.general,
+            "addresses": names.addresses, "tables": names.tables,
+            "program": {
+                "site": len(names.sites), "call": len(names.call_sites),
+                "pointers": names.pointers, "watch": watch,
+            },
         }  # fmt: skip
         values = [tables[kind][name] for kind, name in self.symbols]
         numbers = [values[symbol] + addend for symbol, addend in self.numbers]
-        names.sites += self.asked.sites
-        names.call_sites += self.asked.call_sites
-        moved = {calls + number: landing for number, landing in self.info.calls.items()}
-        return _LinkedCode(self, numbers), replace(self.info, calls=moved)
+        names.sites += self.names.sites
+        names.call_sites += self.names.call_sites
+        names.call_landings += self.names.call_landings
+        return _LinkedCode(self, numbers), self.info
+
+    def to_binary(self, numbers: list[int]) -> tuple[bytes, bytes]:
+        """Return the code with these numbers, and its hints, as `Code.to_binary` does."""
+        parts, filled = self.parts.copy(), list(map(getitem, self.forms, numbers))
+        parts[1::2] = filled
+        content = b"".join(parts)
+        sizes = bytes(map(len, filled))
+        hints = self.encoded_hints.get(sizes)
+        if hints is None:
+            starts = list(itertools.accumulate(map(len, parts), initial=0))
+            hints = encode_hints([starts[part] + offset for part, offset in self.hints])
+            self.encoded_hints[sizes] = hints
+        return unsigned(len(content)) + content, hints
 
 
 class _LinkedCode(Code):
@@ -313,30 +349,24 @@ class _LinkedCode(Code):
     @property
     def body(self) -> list[Instr]:  # type: ignore[override]
         """The instructions, which only texts and debuggers need."""
-        body = self._template.code.body.copy()
-        for (index, form), number in zip(self._template.places, self._numbers, strict=True):
+        template = self._template
+        body = template.code.body.copy()
+        rows = zip(template.indices, template.forms, self._numbers, strict=True)
+        for index, form, number in rows:
             body[index] = form.instruction(number)
         return body
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Code, (self.name, self.type, self.locals, self.body)
 
-    def to_binary(self) -> tuple[bytes, list[int]]:
-        template = self._template
-        pairs = zip(template.places, self._numbers, strict=True)
-        parts = [b""] * (2 * len(self._numbers) + 1)
-        parts[::2] = template.encoded
-        parts[1::2] = [form[number] for (_, form), number in pairs]
-        content = b"".join(parts)
-        starts = list(itertools.accumulate(map(len, parts), initial=0))
-        hints = [starts[2 * part] + offset for part, offset in template.hints]
-        return unsigned(len(content)) + content, hints
+    def to_binary(self) -> tuple[bytes, bytes]:
+        return self._template.to_binary(self._numbers)
 
 
-_SITE: Final[_Symbol] = ("site", None)
-_CALL: Final[_Symbol] = ("call", None)
-_POINTERS: Final[_Symbol] = ("pointers", None)
-_WATCH: Final[_Symbol] = ("watch", None)
+_SITE: Final[_Symbol] = ("program", "site")
+_CALL: Final[_Symbol] = ("program", "call")
+_POINTERS: Final[_Symbol] = ("program", "pointers")
+_WATCH: Final[_Symbol] = ("program", "watch")
 _MAX_TEMPLATES: Final = 4
 """How many templates of a function are kept for programs that answer differently."""
 
@@ -359,11 +389,11 @@ def _template(function: Function, names: Symbols, build: Build) -> _Template:
         at = next((at for at, each in enumerate(instr) if type(each) is _Unknown), 0)
         if at:
             template.add(index, instr, at)
-            template.encoded.append(bytes(part))
+            template.parts += bytes(part), b""
             part.clear()
             continue
         if instr is UNLIKELY:
-            template.hints.append((len(template.encoded), len(part)))
+            template.hints.append((len(template.parts), len(part)))
         part += encode(instr)
-    template.encoded.append(bytes(part) + b"\x0b")
+    template.parts.append(bytes(part) + b"\x0b")
     return template

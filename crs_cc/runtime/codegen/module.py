@@ -55,7 +55,6 @@ from crs_cc.runtime.layout import (
     MEMORY_BYTES,
     NULL_SIZE,
     STACK_TOP,
-    argument_offsets,
     does_not_fit,
     red_zone,
     round_up,
@@ -117,6 +116,7 @@ def compile_program(
         first_function=len(own),
         sites=names.sites,
         call_sites=names.call_sites,
+        call_landings=names.call_landings,
         statements=names.statements,
         functions=infos,
         addresses=addresses,
@@ -172,10 +172,6 @@ def _symbols(
         conventions=conventions,
         sizes={each.name: each.size for each in data},
         constants={each.name: int(each.is_constant) for each in data},
-        parameters={
-            name: argument_offsets([each.size for each in function.parameters])[-1]
-            for name, function in functions.items()
-        },
         pointers=len(pointers),
         tables={},
         without_value=valueless_functions(program, pointers) if checked else set(),

@@ -28,8 +28,9 @@ def arguments_size(function: Function, names: Symbols) -> int:
         call = block.terminator
         if isinstance(call, Call):
             passed = argument_offsets([argument.size for argument in call.arguments])[-1]
-            wanted = names.parameters.get(call.callee, 0)  # type: ignore[arg-type]
-            most = max(most, passed, wanted)
+            most = max(most, passed)
+            if isinstance(call.callee, str):
+                most = max(most, names.conventions[call.callee].size)
     return most
 
 

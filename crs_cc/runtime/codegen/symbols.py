@@ -24,7 +24,6 @@ class Symbols:
         conventions: how each function is called.
         sizes: size of each global object.
         constants: 1 for each global object that must not be written, else 0.
-        parameters: size of the parameters of each function, as `layout` places them.
         tables: addresses of the tables that `signatures` makes.
         bodies: the functions that can be inlined, and the small ones.
         without_value: functions that may end without a value although it is used.
@@ -32,6 +31,7 @@ class Symbols:
         keeps_sizes: whether blocks of the heap are preceded by their sizes, as the library has it.
         sites: every site that can fail.
         call_sites: every call site, by its number minus 1.
+        call_landings: the landing of each of these calls in its function.
         statements: the statements on which breakpoints can be set.
         origins: the variables that bytes without value come from, see `origins`.
         accesses: number of numbered accesses, see `watchpoints.accesses`.
@@ -45,7 +45,6 @@ class Symbols:
     conventions: dict[str, Convention]
     sizes: dict[str, int]
     constants: dict[str, int]
-    parameters: dict[str, int]
     pointers: int
     tables: dict[Shape, int]
     without_value: set[str]
@@ -53,6 +52,7 @@ class Symbols:
     keeps_sizes: bool = False
     sites: list[Site] = field(default_factory=list)
     call_sites: list[CallSite] = field(default_factory=list)
+    call_landings: list[int] = field(default_factory=list)
     statements: list[StatementSite] = field(default_factory=list)
     origins: list[Variable] = field(default_factory=list)
     accesses: int = 0

@@ -61,7 +61,7 @@ def _store_landings(active: Sequence[int], memory: ByteArray, compiled: Compiled
         info = compiled.functions[index - compiled.first_function]
         callee = fp - info.frame.size
         word = int(memory[callee : callee + 8].view("<u8")[0])
-        landing = info.calls.get(call_site(word), 0)
+        landing = compiled.call_landing(info.function.name, call_site(word))
         memory[fp + RESUME : fp + RESUME + 4].view("<u4")[0] = landing
         fp = callee
     memory[fp + RESUME : fp + RESUME + 4].view("<u4")[0] = 0

@@ -78,14 +78,14 @@ def shown(compiled: Compiled) -> tuple[Any, ...]:
             info.frame.size,
             list(info.frame.offsets.values()),
             info.landings,
-            info.calls,
             info.unset,
         )
         for info in compiled.functions
     ]
     return (
         compiled.module.to_binary(), compiled.module.data,
-        compiled.sites, compiled.call_sites, compiled.statements, infos, compiled.addresses,
+        compiled.sites, compiled.call_sites, compiled.call_landings, compiled.statements,
+        infos, compiled.addresses,
     )  # fmt: skip
 
 
