@@ -11,14 +11,17 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import wasmtime
+
 from crs_cc.core.source import Diagnostic, Diagnostics
 from crs_cc.requests import FAILED
-from crs_cc.runtime.codegen.condition_code import site_tests
+from crs_cc.runtime.codegen import shadow
 from crs_cc.runtime.diagnosis.failure import Failure
-from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.executable import Executable, engine
 from crs_cc.runtime.fleet import Fleet
+from crs_cc.runtime.layout import MEMORY_BYTES
 from crs_cc.runtime.site_tests import SiteTests
-from crs_cc.runtime.wasm import TYPE_I32_I32, Code
+from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, Module
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
 from tests.c.rounds import Rounds
@@ -143,11 +146,19 @@ def _moved(fleet: Fleet, executable: Executable) -> Fleet:
 
 
 def _false_everywhere(executable: Executable) -> SiteTests:
-    """Return tests for all sites of a program, by which it stops at none."""
+    """Return tests for all sites of a program, by which it stops at none.
+
+    All are one function: to compile one for each would take longer than to run most programs.
+    """
     compiled = executable.detail().compiled
-    false = Code("false", TYPE_I32_I32, [], [("i32.const", 0)])
     sites = range(len(compiled.statements))
-    return site_tests(dict.fromkeys(sites, false), checked=compiled.checked)
+    memories = [("crs", "memory", MEMORY_BYTES // PAGE), ("crs", "shadow", shadow.PAGES)]
+    module = Module(
+        functions=[Code("false", TYPE_I32_I32, [], [("i32.const", 0)])],
+        own_imports=memories if compiled.checked else memories[:1],
+        exports=[(str(site), "func", 0) for site in sites],
+    )
+    return SiteTests(tuple(sites), wasmtime.Module(engine(), module.to_binary()))
 
 
 def build(path: Path, *, debug: bool = False, checked: bool = True) -> Executable:

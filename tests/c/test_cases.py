@@ -50,6 +50,9 @@ FUEL_STEPS = 200_000
 STATEMENT_STEPS = 4000
 """Programs of up to so many statements stop before every one, longer ones so many times."""
 
+DEEP_STEPS = 400
+"""Longer ones that overflow the stack stop so many times: a stop unwinds and rewinds all calls."""
+
 
 def same(left: Outcome, right: Outcome) -> bool:
     """Return whether two runs did the same, instruction for instruction."""
@@ -91,14 +94,14 @@ def running_out_of_fuel_everywhere_changes_nothing(executable: Executable, plain
 
 
 def moving_to_a_fresh_instance_changes_nothing(executable: Executable, plain: Outcome) -> None:
-    stepping = Stepping(fuel=plain.fuel // 20 + 1, restore_every=3)
+    stepping = Stepping(fuel=plain.fuel // 10 + 1, restore_every=3)
     outcome = Run(executable, stepping).to_end()
     assert outcome.rounds > 3
     assert same(outcome, plain)
 
 
 def stopping_before_statements_changes_nothing(executable: Executable, plain: Outcome) -> None:
-    whole, stepped, every = with_stops(executable)
+    whole, stepped, every = with_stops(executable, STATEMENT_STEPS)
     assert same(whole, plain)
     assert same(stepped, whole)
     assert stepped.rounds >= whole.statements // every
@@ -108,13 +111,13 @@ def leaving_out_the_checks_changes_nothing(executable: Executable, plain: Outcom
     assert same(Run(executable).to_end(), plain)
 
 
-def with_stops(executable: Executable) -> tuple[Outcome, Outcome, int]:
-    """Run a debug build whole, and stopping before every so many statements; both must agree.
+def with_stops(executable: Executable, most: int) -> tuple[Outcome, Outcome, int]:
+    """Run a debug build whole, and stopping `most` times if it is long; both must agree.
 
     So must a run in which it tests before each statement whether to stop.
     """
     whole = Run(executable).to_end()
-    every = whole.statements // STATEMENT_STEPS + 1
+    every = whole.statements // most + 1 if whole.statements > STATEMENT_STEPS else 1
     stepped = Run(executable, Stepping(statements=every)).to_end()
     assert stepped.statements == whole.statements
     assert stepped.memory == whole.memory
@@ -138,7 +141,8 @@ def test_a_run_time_error_is_named_at_its_line_and_leaves_no_trace_when_stopped_
     subtests: pytest.Subtests,
     request: pytest.FixtureRequest,
 ) -> None:
-    if expected_errors(path)[0].text == "stack overflow":
+    overflows = expected_errors(path)[0].text == "stack overflow"
+    if overflows:
         request.getfixturevalue("users_settings")
     executable = build(path)
     for fuel in (ENDLESS, 2000):
@@ -147,7 +151,7 @@ def test_a_run_time_error_is_named_at_its_line_and_leaves_no_trace_when_stopped_
         is_named_at_its_line(path, failure)
         check_golden(path.with_suffix(".report"), shown(failure, path.parent))
     with subtests.test("stopping before statements leaves no trace"):
-        with_stops(build(path, debug=True))
+        with_stops(build(path, debug=True), DEEP_STEPS if overflows else STATEMENT_STEPS)
 
 
 def is_named_at_its_line(path: Path, failure: Failure) -> None:
