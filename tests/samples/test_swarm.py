@@ -55,7 +55,7 @@ def test_several_robots_cool_everything_before_one_does(tmp_path: Path) -> None:
 def test_too_many_foragers_bring_less(tmp_path: Path) -> None:
     few, some, too_many = (
         row["measures"]["items_per_min"]
-        for row in rows_of("foraging", tmp_path, "robots", [2, 10, 80], "35s")
+        for row in rows_of("foraging", tmp_path, "robots", [2, 10, 60], "30s")
     )
     assert few < some
     assert too_many < some
