@@ -26,7 +26,8 @@ build.build_{}(sys.argv[1])
 """Builds a distribution; how well it is compressed matters to nobody here."""
 
 LEFT_OUT = shutil.ignore_patterns(
-    *(".*", "__pycache__", "build", "dist", "*.egg-info", "*.mcap", "node_modules")
+    *(".*", "__pycache__", "build", "dist", "*.egg-info", "*.mcap", "node_modules"),
+    "tests",  # half of all files, and none is for a wheel
 )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import platform
 import signal
 import subprocess
 import threading
@@ -109,7 +110,7 @@ def test_a_killed_process_is_the_grade_of_its_run_only(
     ended = threading.Event()
 
     def kill() -> None:
-        while not ended.is_set():
+        while not ended.wait(0.005):
             for worker in started[:1]:
                 for run in children(worker):
                     os.kill(run if whose == "run" else worker, signal.SIGKILL)
@@ -135,6 +136,7 @@ def test_without_fork_each_run_has_a_new_process(
 ) -> None:
     without_unix = Path(__file__).parents[2] / "without_unix"
     monkeypatch.setenv("PYTHONPATH", str(without_unix))
+    monkeypatch.setenv("PROCESSOR_ARCHITECTURE", platform.machine())  # as Windows does
     small = replace(job, limits=Limits(max_fuel=1000))
     late = replace(job, limits=replace(job.limits, wall_s=0.3))
     found: list[GradedRun] = run_all([late, small], 1, lambda: None)
