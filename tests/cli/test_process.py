@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.commands import python
+
 HELLO = '#include <stdio.h>\nint main(void) { printf("hello\\n"); return 0; }\n'
 
 ROOM = """<world version="1"><area length="6m" width="5m"/>
@@ -113,9 +115,10 @@ def test_the_empty_world_from_the_cache_is_the_one_that_was_read(
     robot: list[str], tmp_path: Path
 ) -> None:
     (tmp_path / "noise.c").write_text(NOISE)
-    words, shared = ("run", "--json", *robot, "noise.c"), {"CRS_CACHE": os.environ["CRS_CACHE"]}
+    command = python("-c", NEW_WORLD + START, "run", "--json", *robot, "noise.c")
     read, cached = (
-        json.loads(crs(tmp_path, NEW_WORLD + START, *words, **shared).stdout) for _ in range(2)
+        json.loads(subprocess.run(command, capture_output=True, check=True, cwd=tmp_path).stdout)
+        for _ in range(2)
     )
     assert read["robots"] == cached["robots"]
     assert read["state_hash"] == cached["state_hash"]
