@@ -14,9 +14,9 @@ from tests.workbench.in_browser import FLAGS, chromium
 __all__ = ["fields_folder", "recorded"]
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def browser() -> Iterator[Any]:
-    """Return Chromium, for a module and not for the session.
+    """Return Chromium, for this package and not for the session.
 
     Playwright leaves an event loop running until it is closed, and the screens of the terminal,
     tested by the same worker, start one of their own.

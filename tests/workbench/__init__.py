@@ -1,0 +1,1 @@
+"""Pages in a browser, which the tests of this package share."""
