@@ -28,7 +28,8 @@ HALL = parse_world(
     </world>""",
     "hall.xml",
 )
-TIMESTEPS = 10
+TIMESTEPS = 6
+"""After so many, hostile programs have failed, or filled all that they can fill."""
 
 
 def ending(outcome: Outcome) -> str:
