@@ -51,7 +51,7 @@ STATEMENT_STEPS = 4000
 """Programs of up to so many statements stop before every one, longer ones so many times."""
 
 DEEP_STEPS = 400
-"""Longer ones that overflow the stack stop so many times: a stop unwinds and rewinds all calls."""
+"""Longer ones that overflow the stack stop about so many times, for a stop unwinds all calls."""
 
 
 def same(left: Outcome, right: Outcome) -> bool:
@@ -101,7 +101,7 @@ def moving_to_a_fresh_instance_changes_nothing(executable: Executable, plain: Ou
 
 
 def stopping_before_statements_changes_nothing(executable: Executable, plain: Outcome) -> None:
-    whole, stepped, every = with_stops(executable, STATEMENT_STEPS)
+    whole, stepped, every = with_stops(executable)
     assert same(whole, plain)
     assert same(stepped, whole)
     assert stepped.rounds >= whole.statements // every
@@ -111,13 +111,16 @@ def leaving_out_the_checks_changes_nothing(executable: Executable, plain: Outcom
     assert same(Run(executable).to_end(), plain)
 
 
-def with_stops(executable: Executable, most: int) -> tuple[Outcome, Outcome, int]:
-    """Run a debug build whole, and stopping `most` times if it is long; both must agree.
+def with_stops(executable: Executable, *, is_deep: bool = False) -> tuple[Outcome, Outcome, int]:
+    """Run a debug build whole, and stopping before every so many statements; both must agree.
 
     So must a run in which it tests before each statement whether to stop.
     """
     whole = Run(executable).to_end()
-    every = whole.statements // most + 1 if whole.statements > STATEMENT_STEPS else 1
+    every = whole.statements // STATEMENT_STEPS + 1
+    if is_deep and every > 1:  # the last stop is before the last statement, where it is deepest
+        fewest = whole.statements // DEEP_STEPS
+        every = min(range(fewest, 2 * fewest), key=lambda each: (whole.statements - 1) % each)
     stepped = Run(executable, Stepping(statements=every)).to_end()
     assert stepped.statements == whole.statements
     assert stepped.memory == whole.memory
@@ -151,7 +154,7 @@ def test_a_run_time_error_is_named_at_its_line_and_leaves_no_trace_when_stopped_
         is_named_at_its_line(path, failure)
         check_golden(path.with_suffix(".report"), shown(failure, path.parent))
     with subtests.test("stopping before statements leaves no trace"):
-        with_stops(build(path, debug=True), DEEP_STEPS if overflows else STATEMENT_STEPS)
+        with_stops(build(path, debug=True), is_deep=overflows)
 
 
 def is_named_at_its_line(path: Path, failure: Failure) -> None:
