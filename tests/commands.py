@@ -62,9 +62,18 @@ def real_crs(*words: str | Path) -> list[str]:
 
 def put_into(folder: Path, name: str = "crs", module: str = "crs_cc") -> None:
     """Write a command that runs a module into a folder, for shells that have it in `PATH`."""
-    command = folder / name
-    command.write_text(f'#!/bin/sh\nexec {shlex.join(python("-m", module))} "$@"\n')
+    _write(folder / name, python("-m", module))
+
+
+def python_in(folder: Path) -> str:
+    """Write a command into a folder that does as `python` does; return it, for `sys.executable`."""
+    return _write(folder / "python", python())
+
+
+def _write(command: Path, words: list[str]) -> str:
+    command.write_text(f'#!/bin/sh\nexec {shlex.join(words)} "$@"\n')
     command.chmod(0o700)
+    return str(command)
 
 
 def left_behind() -> str:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import shlex
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-from tests.commands import python
+from tests.commands import python, python_in
 
 BENCH = Path(__file__).parents[1] / "bench"
 
@@ -85,10 +84,7 @@ def test_every_script_has_a_smallest_size() -> None:
 
 @pytest.mark.parametrize("script", SMALLEST)
 def test_a_script_measures_in_its_smallest_size(script: str, tmp_path: Path) -> None:
-    forks = tmp_path / "python"
-    forks.write_text(f'#!/bin/sh\nexec {shlex.join(python())} "$@"\n')
-    forks.chmod(0o700)
-    started = sys.executable if script in KILLING else forks
+    started = sys.executable if script in KILLING else python_in(tmp_path)
     done = subprocess.run(
         python("-c", STARTING, started, BENCH / script, *SMALLEST[script]),
         check=False, capture_output=True, text=True, timeout=300,

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from typing import Any
 
 import pytest
 
+from tests.commands import python_in
 from tests.recorded import recorded
 from tests.recorded_fields import fields_folder
 from tests.workbench.in_browser import FLAGS, chromium
 
 __all__ = ["fields_folder", "recorded"]
+
+
+@pytest.fixture
+def forks(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the commands that a page starts be forks."""
+    monkeypatch.setattr(sys, "executable", python_in(tmp_path_factory.mktemp("python")))
 
 
 @pytest.fixture(scope="package")

@@ -485,6 +485,7 @@ def elements_are_locked_and_hidden(hand: Hand) -> None:
     wait(hand.page, "!crs.model.locked.size")
 
 
+@pytest.mark.usefixtures("forks")
 def test_a_world_is_drawn_saved_and_tried(page: Any, screen: BuildScreen, folder: Path) -> None:
     hand = Hand(page)
     walls_with_a_door_are_drawn_by_clicks_and_typed_lengths(hand)

@@ -171,6 +171,7 @@ def test_a_new_world_is_saved_below_a_plain_name_only(
         made.server.close()
 
 
+@pytest.mark.usefixtures("forks")
 def test_a_run_that_cannot_start_reports_the_reason_and_cleans_up(tmp_path: Path) -> None:
     path = tmp_path / "room.xml"
     path.write_bytes((WORLDS / "room.xml").read_bytes())
@@ -182,6 +183,7 @@ def test_a_run_that_cannot_start_reports_the_reason_and_cleans_up(tmp_path: Path
     assert sorted(each.name for each in tmp_path.iterdir()) == ["bad.c", "room.xml"]
 
 
+@pytest.mark.usefixtures("forks")
 def test_errors_of_a_trial_do_not_name_its_copy(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -6,6 +6,8 @@ import os
 import threading
 from pathlib import Path
 
+import pytest
+
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.workbench.program_checks import ProgramChecks
 
@@ -18,6 +20,7 @@ WORLD = """<world version="1"><area length="9m" width="9m"/>
 """
 
 
+@pytest.mark.usefixtures("forks")
 def test_errors_arrive_later_and_are_kept_until_the_file_changes(tmp_path: Path) -> None:
     (tmp_path / "world.xml").write_text(WORLD)
     (tmp_path / "good.c").write_text("int main(void) { return 0; }\n")
