@@ -128,14 +128,14 @@ class Server:
             return True
 
 
-def start_server() -> Server:
-    """Start a server, which ends with this process."""
+def start_server(cache: str | Path = os.devnull) -> Server:
+    """Start a server, which ends with this process; it compiles into a cache what runs need."""
     address = str(Path(tempfile.mkdtemp(prefix="crs-tests-")) / "socket")
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(address)
         listener.listen()
         process = subprocess.Popen(
-            [sys.executable, SERVER, str(listener.fileno())],
+            [sys.executable, SERVER, str(listener.fileno()), cache],
             stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
             env=_ENVIRONMENT, cwd=SERVER.parent, pass_fds=[listener.fileno()],
             start_new_session=True,
@@ -157,11 +157,14 @@ _servers: list[Server] = []
 _starting = threading.Lock()
 
 
-def server() -> Server:
-    """Return the server of this process: one that it was told to share, or its own."""
+def server(cache: str | Path = os.devnull) -> Server:
+    """Return the server of this process: one that it was told to share, or its own.
+
+    The cache is that of `start_server`, if the server is not there yet.
+    """
     with _starting:
         if not _servers:
-            _servers.append(start_server())
+            _servers.append(start_server(cache))
     return _servers[0]
 
 

@@ -32,6 +32,9 @@ NEW_OBJECTS = 1_000_000
 
 USERS_PYTHON = pool.python
 
+CACHE = "crs_cache"
+"""The folder for what is compiled, in that of the run."""
+
 
 class Examples:
     """Searches only modules with examples for them: to import and search all takes much longer."""
@@ -104,7 +107,7 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_configure_node(node: Any) -> None:
     """Let workers share one process whose forks run commands; who measures theirs has an own."""
     if not commands.real and not node.config.getoption("--update-times"):
-        forks = commands.server()
+        forks = commands.server(node.config._tmp_path_factory.getbasetemp() / CACHE)
         node.workerinput["server"] = forks.address, forks.process
 
 
@@ -145,7 +148,7 @@ def compiler_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     if "PYTEST_XDIST_WORKER" in os.environ:
         folder = folder.parent
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("CRS_CACHE", str(folder / "crs_cache"))
+        patch.setenv("CRS_CACHE", str(folder / CACHE))
         for name in ("CONFIG", "STATE"):
             patch.setenv(f"XDG_{name}_HOME", str(folder / "home"))
         yield

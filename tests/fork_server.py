@@ -7,6 +7,9 @@ the start of a process only, makes the server refuse; the client then starts a p
 
 The server ends, with all forks, as soon as its standard input does: whoever started it has ended.
 It must have no other threads, which forks would be without.
+
+Its arguments are the descriptor of a socket that listens, and the folder of a cache for what it
+compiles before it serves; without one (`/dev/null`), nothing is stored.
 """
 
 from __future__ import annotations
@@ -81,20 +84,29 @@ def compile_with(settings: Callable[[], wasmtime.Config]) -> None:
     executable.settings = settings
 
 
-def compile_usual_program() -> None:
-    """Read the headers and compile the library functions that most programs use.
+def fill_cache() -> None:
+    """Compile into the cache what every run needs, in a process of its own."""
+    if os.fork() == 0:
+        try:
+            from crs_cc.jobs import worker
 
-    No cache is written or read: commands would not find there what they expect.
-    """
+            worker.prepare()
+        finally:
+            os._exit(0)
+
+
+def compile_usual_program() -> None:
+    """Read the headers and compile the library functions that most programs use."""
     from crs_cc.core.source import Diagnostics
     from crs_cc.session.build import build_executable
 
-    os.environ["CRS_CACHE"] = os.devnull
     with tempfile.NamedTemporaryFile("w", suffix=".c") as program:
         program.write(USUAL_PROGRAM)
         program.flush()
-        for _ in range(2):  # the second time, the code of the library is kept
-            build_executable([Path(program.name)], Diagnostics())
+        for debug in (False, True):
+            for number in range(2):  # the second time, the code of the library is kept
+                defines = [f"NUMBER={number}"]  # so that it is not in the cache
+                build_executable([Path(program.name)], Diagnostics(), defines=defines, debug=debug)
 
 
 def start_jobs_by(address: str) -> None:
@@ -358,6 +370,9 @@ def main() -> None:
     import_all()
     compile_with(fast_settings)
     start_jobs_by(server.address)
+    os.environ["CRS_CACHE"] = sys.argv[2]
+    if sys.argv[2] != os.devnull:
+        fill_cache()
     compile_usual_program()
     gc.collect()
     gc.freeze()  # a collection in a fork would copy the pages of what all share

@@ -63,7 +63,7 @@ def serve(
     channel = os.dup(1)
     with open(os.devnull, "wb") as nowhere:  # noqa: PTH123 - what jobs print is not ours
         os.dup2(nowhere.fileno(), 1)
-    _prepare()
+    prepare()
     gc.freeze()  # what is shared with children is not touched by their collector
     _report_result(channel, {"ready": True})
     child: _Child | None = None
@@ -152,7 +152,7 @@ def _run_jobs(
             os.write(answers, b"\n")
 
 
-def _prepare() -> None:
+def prepare() -> None:
     """Load what every run needs, once."""
     for name in _NAMES:
         library().find(name)
