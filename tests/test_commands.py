@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import _socket
+import contextlib
 import os
 import resource
 import signal
+import socket
 import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from tests import commands
+from tests import commands, fork_client
 from tests.cli.machines import has_namespaces, machines
 
 pytestmark = pytest.mark.skipif(commands.real, reason="all commands are processes of their own")
@@ -125,6 +129,32 @@ def test_a_command_ends_with_its_client() -> None:
     process = sleeping(*commands.python("-c", SLEEPS))
     process.kill()
     process.communicate(timeout=60)  # to the end of the output, which the fork holds open
+
+
+def test_a_command_that_ends_at_once_is_not_run_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Slow(_socket.socket):
+        """Goes on after a message only when the server has answered and closed the connection."""
+
+        def sendmsg(self, *message: Any) -> int:
+            sent = super().sendmsg(*message)
+            connection, _ = listener.accept()
+            with connection:
+                connection.setblocking(False)
+                with contextlib.suppress(BlockingIOError):
+                    while connection.recv(1 << 20):
+                        pass
+                connection.sendall((5).to_bytes(4, "little"))
+            return sent
+
+    with socket.socket(socket.AF_UNIX) as listener:
+        listener.bind(str(tmp_path / "socket"))
+        listener.listen()
+        monkeypatch.setattr(_socket, "socket", Slow)
+        server = fork_client.ask(str(tmp_path / "socket"), ["-c", "pass"])
+    assert fork_client.number(server) == 5
+    server.close()
 
 
 def test_all_ends_with_whoever_has_started_it() -> None:
