@@ -6,6 +6,7 @@ import _socket
 import contextlib
 import os
 import resource
+import shutil
 import signal
 import socket
 import subprocess
@@ -247,6 +248,7 @@ def test_a_server_that_has_ended_is_noticed(monkeypatch: pytest.MonkeyPatch) -> 
     while not server.has_ended():
         assert time.monotonic() < until_s
         time.sleep(0.01)
+    shutil.rmtree(Path(server.address).parent)  # as it does itself if it is not killed
     assert "has ended" in commands.left_behind()
     assert commands.left_behind() == ""
 
