@@ -82,7 +82,7 @@ def left_behind() -> str:
         return ""
     if _servers[0].has_ended():
         _servers.clear()
-        return "the process whose forks run commands has ended"
+        return "the process whose forks run commands has ended (workers share it)"
     now = _surroundings()
     changed = [f"{name}: {now[name]}" for name in now if now[name] != _servers[0].around[name]]
     _servers[0].around = now
@@ -93,8 +93,8 @@ def processor_s() -> float:
     """Return the processor time of all commands that forks have run to their ends [s]."""
     if not _servers:
         return 0.0
-    _, user, system = _servers[0].status()
-    return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
+    user, system = map(int, _servers[0].status()[13:15])
+    return (user + system) / os.sysconf("SC_CLK_TCK")
 
 
 class Server:
@@ -103,7 +103,8 @@ class Server:
     Attributes:
         address: where its socket is.
         process: its process id.
-        around: what commands must have from their parents as well, to be its forks.
+        around: this process's surroundings when last compared: commands that differ from the
+            server in them are not its forks.
     """
 
     def __init__(self, address: str, process: int) -> None:
@@ -112,13 +113,12 @@ class Server:
         self.around = _surroundings()
 
     def status(self) -> list[str]:
-        """Return its state, and the processor time of its forks in user and system mode [ticks].
+        """Return what the system says of it, from its state on: see `proc_pid_stat(5)`.
 
         Raises:
-            OSError: it has ended, and its parent has taken notice.
+            OSError: it has ended and been reaped.
         """
-        fields = Path(f"/proc/{self.process}/stat").read_text().rpartition(")")[2].split()
-        return [fields[0], *fields[13:15]]
+        return Path(f"/proc/{self.process}/stat").read_text().rpartition(")")[2].split()
 
     def has_ended(self) -> bool:
         """Return whether it has ended."""
@@ -152,15 +152,15 @@ def _surroundings() -> dict[str, object]:
     return {**surroundings(), "environment": read}
 
 
-_started: list[subprocess.Popen[bytes]] = []  # with the pipes that they read to their ends
+_started: list[subprocess.Popen[bytes]] = []  # a server ends when its standard input is closed
 _servers: list[Server] = []
 _starting = threading.Lock()
 
 
 def server(cache: str | Path = os.devnull) -> Server:
-    """Return the server of this process: one that it was told to share, or its own.
+    """Return the server that this process uses: a shared one, or its own.
 
-    The cache is that of `start_server`, if the server is not there yet.
+    Its own is started, with this cache, when it is first needed.
     """
     with _starting:
         if not _servers:

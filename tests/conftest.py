@@ -33,7 +33,7 @@ NEW_OBJECTS = 1_000_000
 USERS_PYTHON = pool.python
 
 CACHE = "crs_cache"
-"""The folder for what is compiled, in that of the run."""
+"""The name of the compiler's cache in the temporary folder of the run."""
 
 
 class Examples:
@@ -48,7 +48,7 @@ class Examples:
 
 
 class Results:
-    """Sends a worker's results only: setups and teardowns that passed are two of three reports."""
+    """Reports results only: two of three reports are of setups and teardowns that passed."""
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtest_protocol(self, item: pytest.Item, nextitem: pytest.Item | None) -> bool:
@@ -105,7 +105,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_configure_node(node: Any) -> None:
-    """Let workers share one process whose forks run commands; who measures theirs has an own."""
+    """Let workers share one server; workers that measure times have their own."""
     if not commands.real and not node.config.getoption("--update-times"):
         forks = commands.server(node.config._tmp_path_factory.getbasetemp() / CACHE)
         node.workerinput["server"] = forks.address, forks.process

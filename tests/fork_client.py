@@ -61,7 +61,7 @@ def ask(address: str, words: list[str]) -> _socket.socket:
     opened = [os.open(each, os.O_RDONLY) for each in places]
     passed = b"".join(each.to_bytes(4, sys.byteorder) for each in (*opened, 0, 1, 2))
     sent = server.sendmsg([content], [(_socket.SOL_SOCKET, _socket.SCM_RIGHTS, passed)])
-    if sent < len(content):  # to send nothing fails when the command has already ended
+    if sent < len(content):  # even an empty send fails once the connection is closed
         server.sendall(content[sent:])
     for each in opened:
         os.close(each)

@@ -1,4 +1,4 @@
-"""Runs commands of tests in forks of one process, which has imported what they need.
+"""Runs commands of tests in forks of one process, which has imported and compiled what they need.
 
 To start Python and to import what `crs run` needs takes longer than most tests. A fork is a process
 of its own all the same: with its own streams, folder, environment, signals and exit status.
@@ -15,6 +15,7 @@ compiles before it serves; without one (`/dev/null`), nothing is stored.
 from __future__ import annotations
 
 import array
+import atexit
 import contextlib
 import ctypes
 import gc
@@ -28,6 +29,7 @@ import signal
 import socket
 import sys
 import tempfile
+import traceback
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from types import ModuleType
@@ -55,6 +57,23 @@ SILENCE_S: Final = 30.0
 
 ONE_THREAD: Final = {b"OPENBLAS_NUM_THREADS": b"1"}
 """What `crs` sets itself, before it imports NumPy."""
+
+USUAL_PROGRAM: Final = """
+#include <Nclient.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int main(void)
+{
+    connect_robot(1);
+    vm(1, 1, 0);
+    gs();
+    printf("%f %s", sqrt(2), strchr("a", 'a'));
+    return atoi("0");
+}
+"""
 
 
 def read_at_start(environment: dict[bytes, bytes]) -> dict[bytes, bytes]:
@@ -84,13 +103,16 @@ def compile_with(settings: Callable[[], wasmtime.Config]) -> None:
     executable.settings = settings
 
 
-def fill_cache() -> None:
-    """Compile into the cache what every run needs, in a process of its own."""
+def fill_cache(listener: socket.socket) -> None:
+    """Compile into the cache what every run needs, in a process of its own, which ends soon."""
     if os.fork() == 0:
+        listener.close()  # clients would wait for this process
         try:
             from crs_cc.jobs import worker
 
             worker.prepare()
+        except Exception:  # whoever needs it will meet it
+            traceback.print_exc()
         finally:
             os._exit(0)
 
@@ -104,9 +126,15 @@ def compile_usual_program() -> None:
         program.write(USUAL_PROGRAM)
         program.flush()
         for debug in (False, True):
-            for number in range(2):  # the second time, the code of the library is kept
-                defines = [f"NUMBER={number}"]  # so that it is not in the cache
-                build_executable([Path(program.name)], Diagnostics(), defines=defines, debug=debug)
+            # Another program each time: a library function's code is kept from its second use on.
+            for number in range(2):
+                defines = [f"NUMBER={number}"]
+                try:
+                    build_executable(
+                        [Path(program.name)], Diagnostics(), defines=defines, debug=debug
+                    )
+                except Exception:  # whoever needs it will meet it
+                    traceback.print_exc()
 
 
 def start_jobs_by(address: str) -> None:
@@ -170,24 +198,6 @@ def enter(own: str, namespace: int) -> None:
             raise OSError(ctypes.get_errno(), f"cannot enter the namespace of {own}")
 
 
-USUAL_PROGRAM: Final = """
-#include <Nclient.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-int main(void)
-{
-    connect_robot(1);
-    vm(1, 1, 0);
-    gs();
-    printf("%f %s", sqrt(2), strchr("a", 'a'));
-    return atoi("0");
-}
-"""
-
-
 class Command:
     """What a client wants to be run: Python's arguments, and what a process has from its parent."""
 
@@ -199,7 +209,7 @@ class Command:
 
     def can_run(self, environment: dict[bytes, bytes], around: dict[str, object]) -> bool:
         """Return whether a fork of this process would do what a process of its own does."""
-        first = self._words[0]
+        first = self._words[0] if self._words else "-"
         return (
             (first in {"-P", "-m", "-c"} or not first.startswith("-"))
             and self._around == around
@@ -225,6 +235,7 @@ class Command:
         elif first == "-c":
             sys.argv = ["-c", *rest[1:]]
             main = sys.modules["__main__"] = ModuleType("__main__")
+            atexit.register(vars(main).clear)  # as Python does, after its own handlers
             exec(compile(rest[0], "<string>", "exec"), vars(main))
         else:
             sys.argv = [first, *rest]
@@ -239,6 +250,7 @@ class Command:
             os.dup2(stream, number)
         os.closerange(STREAMS, MAX_FILES)
         os.umask(self._mask)
+        tempfile.tempdir = None  # that of the server
         os.environb.clear()
         os.environb.update(self._environment)
         for name in FORWARDED:
@@ -346,10 +358,7 @@ class Server:
 
 
 def run(command: Command) -> None:
-    """Run a command in a fork, and end it as Python does, but for what would free all modules.
-
-    To free them copies their pages first.
-    """
+    """Run a command in a fork, and end without freeing all modules: that would copy their pages."""
     from crs_cc.cli.process import exit_process
 
     try:
@@ -366,13 +375,14 @@ def main() -> None:
     from fast_settings import fast_settings
 
     sys.path.pop(0)  # the folder of this file, which no command looks into
-    server = Server(socket.socket(fileno=int(sys.argv[1])))
+    listener = socket.socket(fileno=int(sys.argv[1]))
+    server = Server(listener)
     import_all()
     compile_with(fast_settings)
     start_jobs_by(server.address)
     os.environ["CRS_CACHE"] = sys.argv[2]
     if sys.argv[2] != os.devnull:
-        fill_cache()
+        fill_cache(listener)
     compile_usual_program()
     gc.collect()
     gc.freeze()  # a collection in a fork would copy the pages of what all share

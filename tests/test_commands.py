@@ -6,7 +6,6 @@ import _socket
 import contextlib
 import os
 import resource
-import shutil
 import signal
 import socket
 import subprocess
@@ -98,6 +97,7 @@ def test_crs_does_the_same(words: list[str], status: int, folder: Path) -> None:
         ("import os, signal; os.kill(os.getpid(), signal.SIGTERM)", -signal.SIGTERM),
         ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", -signal.SIGKILL),
         ("print('left')\nimport atexit; atexit.register(print, 'last')", 0),
+        ("left = open(1, 'w', closefd=False); left.write('in its buffer')", 0),
     ],
 )
 def test_a_command_ends_as_a_process_does(code: str, status: int) -> None:
@@ -136,7 +136,7 @@ def test_a_command_that_ends_at_once_is_not_run_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     class Slow(_socket.socket):
-        """Goes on after a message only when the server has answered and closed the connection."""
+        """Returns from `sendmsg` only when the server has closed the connection."""
 
         def sendmsg(self, *message: Any) -> int:
             sent = super().sendmsg(*message)
@@ -240,17 +240,18 @@ def test_what_a_test_changes_for_good_is_noticed(monkeypatch: pytest.MonkeyPatch
 
 
 def test_a_server_that_has_ended_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
-    server = commands.start_server()
+    process = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
+    server = commands.Server("", process.pid)
     monkeypatch.setattr(commands, "_servers", [server])
     assert commands.left_behind() == ""
-    os.kill(server.process, signal.SIGKILL)
+    process.kill()
     until_s = time.monotonic() + 20.0
     while not server.has_ended():
         assert time.monotonic() < until_s
         time.sleep(0.01)
-    shutil.rmtree(Path(server.address).parent)  # as it does itself if it is not killed
     assert "has ended" in commands.left_behind()
     assert commands.left_behind() == ""
+    process.communicate()
 
 
 def test_the_time_of_commands_is_counted() -> None:

@@ -154,10 +154,10 @@ def _run_jobs(
 
 def prepare() -> None:
     """Load what every run needs, once."""
+    Environment(parse_world(_WORLD, "world"), seed=0).step()
+    build_driver()
     for name in _NAMES:
         library().find(name)
-    build_driver()
-    Environment(parse_world(_WORLD, "world"), seed=0).step()
 
 
 def _work(channel: int, work: Work, job: dict[str, Any]) -> dict[str, Any]:

@@ -42,7 +42,7 @@ class Compiled:
     Attributes:
         module: the WebAssembly module.
         sites: every site that can fail, by the number in the slot's `error_site`.
-        call_sites: every call site, by its number minus 1; see `sites` (checked builds only).
+        call_sites: every call site of a checked build, by its number minus 1; see `runtime.sites`.
         call_landings: the landing of each of these calls in its function.
         statements: the sites at which the program can be stopped, by number: statements, and
             returns from calls.

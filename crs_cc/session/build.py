@@ -189,8 +189,7 @@ def _make(
         entry = cache.key("machine code", wasm, code_format())
         cache.store(place, entry)
         machine_code = cache.load(entry, bytes)
-        known = machine_code and load_module(machine_code)
-        if machine_code and known:
+        if machine_code and (known := load_module(machine_code)):
             return known, machine_code
         made, machine_code = compile_module(wasm)
         cache.store(entry, machine_code)

@@ -137,7 +137,7 @@ def is_private(place: Path) -> bool:
 
 
 def _write(path: Path, content: Iterable[bytes]) -> None:
-    """Write a file atomically.
+    """Write the parts of a file, atomically.
 
     Raises:
         OSError: it cannot be written; nothing is left behind.

@@ -187,7 +187,7 @@ def test_programs_that_differ_in_comments_and_folders_share_their_machine_code(
     compiled: list[int] = []
     compile_module = build_module.compile_module
 
-    def counted(wasm: bytes) -> executable_module.Module:
+    def counted(wasm: bytes) -> tuple[executable_module.Module, bytes]:
         compiled.append(len(wasm))
         return compile_module(wasm)
 

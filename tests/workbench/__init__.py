@@ -1,1 +1,1 @@
-"""Pages in a browser, which the tests of this package share."""
+"""Makes these tests a package for pytest, which share a browser (`conftest.py`)."""

@@ -214,7 +214,7 @@ class _Bodies(Bodies):
 _Asked: TypeAlias = _Answers | _Tables | _Valueless | _Bodies
 
 _ASKED: Final = ("conventions", "sizes", "constants", "tables", "without_value", "bodies")
-"""The tables of `Symbols` whose contents the code depends on, not only by their numbers."""
+"""The tables of `Symbols` that decide which code is generated, beyond the numbers filled in."""
 
 
 class _Recorder(Symbols):
@@ -266,21 +266,20 @@ class _Template:
     """The code of a function without the numbers of a program.
 
     Attributes:
-        names: the recorder of what was asked about the program, and of the sites.
+        recorded: the sites, and what was asked about the program.
         asked: the tables that were asked, by name.
         indices: where numbers are to be filled in: the indices of the instructions.
         forms: these instructions.
         numbers: for each of them, which of the symbols it has, and what is added.
         symbols: the different symbols.
-        parts: what is encoded before each of the instructions, and after the last; there is room
-            for theirs between these parts.
+        parts: the encoded code: constant parts at even places, room for `forms` at odd ones.
         hints: the unlikely tests: which of these parts they are in, and the offset there.
         encoded_hints: the encoded hints, by the sizes of the instructions with numbers.
     """
 
     code: Code
     info: FunctionInfo
-    names: _Recorder
+    recorded: _Recorder
     asked: list[tuple[str, _Asked]] = field(init=False)
     indices: list[int] = field(default_factory=list)
     forms: list[_Form] = field(default_factory=list)
@@ -291,7 +290,7 @@ class _Template:
     encoded_hints: dict[bytes, bytes] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.asked = self.names.asked()
+        self.asked = self.recorded.asked()
 
     def add(self, index: int, instr: Instr, at: int) -> None:
         """Add an instruction with an unknown number."""
@@ -317,9 +316,9 @@ class _Template:
         }  # fmt: skip
         values = [tables[kind][name] for kind, name in self.symbols]
         numbers = [values[symbol] + addend for symbol, addend in self.numbers]
-        names.sites += self.names.sites
-        names.call_sites += self.names.call_sites
-        names.call_landings += self.names.call_landings
+        names.sites += self.recorded.sites
+        names.call_sites += self.recorded.call_sites
+        names.call_landings += self.recorded.call_landings
         return _LinkedCode(self, numbers), self.info
 
     def to_binary(self, numbers: list[int]) -> tuple[bytes, bytes]:
@@ -328,7 +327,7 @@ class _Template:
         parts[1::2] = filled
         content = b"".join(parts)
         sizes = bytes(map(len, filled))
-        hints = self.encoded_hints.get(sizes)
+        hints = self.encoded_hints.get(sizes) if self.hints else b""
         if hints is None:
             starts = list(itertools.accumulate(map(len, parts), initial=0))
             hints = encode_hints([starts[part] + offset for part, offset in self.hints])
