@@ -90,7 +90,10 @@ def left_behind() -> str:
 
 
 def processor_s() -> float:
-    """Return the processor time of all commands that forks have run to their ends [s]."""
+    """Return the processor time of all commands that forks have run to their ends [s].
+
+    Those of other workers count as well, where workers share a server.
+    """
     if not _servers:
         return 0.0
     user, system = map(int, _servers[0].status()[13:15])
